@@ -1,0 +1,1 @@
+"""Immutable side tables about a checked module: effects, dependence, cost, nodes."""

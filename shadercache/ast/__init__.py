@@ -1,0 +1,1 @@
+"""The syntax tree: node classes, walking, rewriting."""

@@ -1,0 +1,119 @@
+"""What the user is told, and the exceptions that carry it.
+
+A mistake of the user becomes a :class:`Diagnostic`; internal errors stay plain exceptions. Each
+exception class below stands for one exit code of the command line.
+
+Code ranges: SC0xx files and arguments, SC1xx syntax, SC2xx names and types, SC3xx refused nodes,
+SC4xx shaders that cannot be cached, SC5xx scenes, SC6xx OpenGL and rendering.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Any
+
+from shadercache.source import Source, Span
+
+
+class Severity(StrEnum):
+    """How bad it is. Only an error rejects the input."""
+
+    ERROR = "error"
+    WARNING = "warning"
+    NOTE = "note"
+
+
+@dataclass(frozen=True, slots=True)
+class Diagnostic:
+    """One message for the user, with its place in the source where there is one."""
+
+    code: str
+    message: str
+    source: Source | None = None
+    span: Span | None = None
+    hint: str | None = None
+    severity: Severity = Severity.ERROR
+
+    def render(self) -> str:
+        """``file:line:col: error: message [SCnnn]``, the source line and a caret, the hint."""
+        lines = [f"{self._place()}{self.severity}: {self.message} [{self.code}]"]
+        if self.source is not None and self.span is not None:
+            lines += self._snippet(self.source, self.span)
+        if self.hint:
+            lines.append(f"  hint: {self.hint}")
+        return "\n".join(lines)
+
+    def _place(self) -> str:
+        if self.source is None:
+            return ""
+        if self.span is None:
+            return f"{self.source.name}: "
+        line, column = self.source.position(self.span.start)
+        return f"{self.source.name}:{line}:{column}: "
+
+    @staticmethod
+    def _snippet(source: Source, span: Span) -> list[str]:
+        line, column = source.position(span.start)
+        text = source.line(line)
+        width = max(1, min(span.end - span.start, len(text) - column + 1))
+        # Tabs are kept in the padding, so that the caret stands right at any tab width.
+        pad = "".join("\t" if char == "\t" else " " for char in text[: column - 1])
+        gutter = f"{line:5d} | "
+        return [gutter + text, " " * (len(gutter) - 2) + "| " + pad + "^" + "~" * (width - 1)]
+
+    def to_json(self) -> dict[str, Any]:
+        """A plain dictionary: file, line, column, severity, message, code, hint."""
+        place: dict[str, Any] = {"file": self.source.name if self.source else None}
+        if self.source is not None and self.span is not None:
+            line, column = self.source.position(self.span.start)
+            end_line, end_column = self.source.position(self.span.end)
+            place |= {"line": line, "column": column}
+            place |= {"end_line": end_line, "end_column": end_column}
+        return place | {
+            "severity": str(self.severity),
+            "message": self.message,
+            "code": self.code,
+            "hint": self.hint,
+        }
+
+
+class DiagnosticError(Exception):
+    """Base of every error that the user is told about, with the exit code it leads to."""
+
+    exit_code = 1
+
+    def __init__(self, diagnostics: Diagnostic | Iterable[Diagnostic]) -> None:
+        if isinstance(diagnostics, Diagnostic):
+            diagnostics = (diagnostics,)
+        self.diagnostics = tuple(diagnostics)
+        super().__init__("\n".join(item.render() for item in self.diagnostics))
+
+
+class InputError(DiagnosticError):
+    """The input is rejected or a law is broken (exit code 1)."""
+
+    exit_code = 1
+
+
+class UsageError(DiagnosticError):
+    """The command cannot be carried out as asked (exit code 2)."""
+
+    exit_code = 2
+
+
+class GraphicsError(DiagnosticError):
+    """There is no usable OpenGL (exit code 3)."""
+
+    exit_code = 3
+
+
+def input_error(code: str, message: str, hint: str | None = None) -> InputError:
+    """An :class:`InputError` with one message that has no place in a source."""
+    return InputError(Diagnostic(code, message, hint=hint))
+
+
+def usage_error(code: str, message: str, hint: str | None = None) -> UsageError:
+    """A :class:`UsageError` with one message."""
+    return UsageError(Diagnostic(code, message, hint=hint))

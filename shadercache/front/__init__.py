@@ -1,0 +1,1 @@
+"""From source text to syntax tree. One door: ``front.parse.parse(source)``."""

@@ -1,0 +1,1 @@
+"""Rendering and measuring. moderngl is imported here and nowhere else."""

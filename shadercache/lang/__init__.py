@@ -1,0 +1,1 @@
+"""Tables of the language: types, built-in functions and variables, operators, words."""

@@ -1,0 +1,1 @@
+"""What names mean and which type every expression has."""
