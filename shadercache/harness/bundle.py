@@ -1,0 +1,206 @@
+"""A rewritten node as an engine sees it: the manifest and the shader files it names.
+
+This is all the harness knows about a variant; it holds no knowledge of the algorithms.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from shadercache.diagnostics import InputError, UsageError, input_error, usage_error
+from shadercache.source import Source
+
+SCHEMA_VERSION = 1
+
+_GLSL = Path(__file__).parent / "glsl"
+_DEPTH_TESTS = {"less": "<", "lequal": "<="}
+_VERSION_LINE = re.compile(r"^\s*#\s*version\b.*$", re.MULTILINE)
+
+
+@dataclass(frozen=True, eq=False)
+class PassSpec:
+    """One draw of all objects. ``depth_test`` is ``<`` or ``<=``; targets stand at their index."""
+
+    name: str
+    vertex: Source
+    fragment: Source
+    targets: tuple[str, ...]
+    depth_test: str
+    depth_write: bool
+    on_reset: bool
+
+
+@dataclass(frozen=True, eq=False)
+class CacheSpec:
+    """Format of the two cache textures, what they are cleared to, and their filter."""
+
+    format: str
+    clear: tuple[float, float, float, float]
+    filter: str
+
+
+@dataclass(frozen=True, eq=False)
+class Bundle:
+    """A manifest with its files (name -> text).
+
+    Every property raises InputError SC021 where the manifest lacks what it stands for, and SC022
+    for a file it names that is not there.
+    """
+
+    manifest: Mapping[str, Any]
+    files: Mapping[str, str]
+
+    @property
+    def node_id(self) -> str:
+        """The id of the cached node."""
+        return str(_need(self.manifest, "node", "id"))
+
+    @property
+    def mode(self) -> str:
+        """``plain`` or ``proof``."""
+        return str(_need(self.manifest, "mode"))
+
+    @cached_property
+    def algorithms(self) -> tuple[str, ...]:
+        """The variants there are: ``1-pass``, ``2-pass``, ``3-pass``."""
+        return tuple(str(_need(variant, "algorithm")) for variant in self._variants())
+
+    def passes(self, algorithm: str) -> tuple[PassSpec, ...]:
+        """The passes of a variant, in order.
+
+        Raises:
+            UsageError: SC026, the manifest has no such variant.
+        """
+        for variant in self._variants():
+            if _need(variant, "algorithm") == algorithm:
+                return tuple(self._pass(entry) for entry in _need(variant, "passes"))
+        raise _no_variant(self, algorithm)
+
+    @cached_property
+    def original(self) -> PassSpec:
+        """The unchanged shader."""
+        return self._pass(_need(self.manifest, "original"))
+
+    @cached_property
+    def debug(self) -> PassSpec:
+        """The program that tells hits from misses."""
+        return self._pass(_need(self.manifest, "debug"))
+
+    @cached_property
+    def mask_values(self) -> dict[str, int]:
+        """What the debug program writes for each outcome: hit, refresh, outside, depth."""
+        return dict(_need(self.manifest, "debug", "values"))
+
+    @cached_property
+    def geometry(self) -> PassSpec:
+        """The original's vertex work under a fragment shader that only writes one colour.
+
+        The manifest's own ``geometry`` entry if it has one, else made from the original.
+        """
+        if "geometry" in self.manifest:
+            return self._pass(self.manifest["geometry"])
+        return self.coverage
+
+    @cached_property
+    def coverage(self) -> PassSpec:
+        """The original's vertex shader with a fragment shader that writes 1/4 everywhere."""
+        vertex = self.original.vertex
+        version = _VERSION_LINE.search(vertex.text)
+        text = (_GLSL / "constant.frag").read_text(encoding="utf-8")
+        if version is not None:
+            text = _VERSION_LINE.sub(version[0].strip(), text, count=1)
+        fragment = Source("constant.frag", text)
+        return PassSpec("geometry", vertex, fragment, ("color",), "<", True, False)
+
+    @cached_property
+    def cache(self) -> CacheSpec:
+        """How the cache textures are made."""
+        cache = _need(self.manifest, "cache")
+        red, green, blue, alpha = map(float, _need(cache, "clear"))
+        clear = (red, green, blue, alpha)
+        return CacheSpec(str(_need(cache, "format")), clear, str(_need(cache, "filter")))
+
+    @cached_property
+    def roles(self) -> dict[str, str]:
+        """Added uniform -> its role: previous-cache, current-cache, clock, period, ..."""
+        uniforms = _need(self.manifest, "uniforms")
+        return {str(_need(entry, "name")): str(_need(entry, "role")) for entry in uniforms}
+
+    @cached_property
+    def defaults(self) -> dict[str, float]:
+        """Role -> default value, of the added uniforms that have one."""
+        entries = _need(self.manifest, "uniforms")
+        return {
+            str(_need(entry, "role")): float(entry["default"])
+            for entry in entries
+            if entry.get("default") is not None
+        }
+
+    @cached_property
+    def twins(self) -> dict[str, str]:
+        """Uniform that wants the last frame's value -> the uniform whose value it is."""
+        return {twin: name for name, twin in _need(self.manifest, "previous").items()}
+
+    def _variants(self) -> list[Mapping[str, Any]]:
+        return list(_need(self.manifest, "variants"))
+
+    def _pass(self, entry: Mapping[str, Any]) -> PassSpec:
+        test = str(_need(entry, "depth", "test"))
+        if test not in _DEPTH_TESTS:
+            raise _broken(f"depth test {test!r} is neither less nor lequal")
+        return PassSpec(
+            name=str(_need(entry, "name")),
+            vertex=self._file(_need(entry, "vertex")),
+            fragment=self._file(_need(entry, "fragment")),
+            targets=tuple(_need(entry, "targets")),
+            depth_test=_DEPTH_TESTS[test],
+            depth_write=bool(_need(entry, "depth", "write")),
+            on_reset=bool(entry.get("on_reset", False)),
+        )
+
+    def _file(self, name: str) -> Source:
+        if name not in self.files:
+            raise input_error("SC022", f"the manifest names the file {name}, which is not there")
+        return Source(name, self.files[name])
+
+
+def load_bundle(folder: Path) -> Bundle:
+    """Read ``manifest.json`` and every file beside it that can be a shader.
+
+    Raises:
+        InputError: SC020 unreadable, SC021 not a manifest of this version.
+    """
+    path = folder / "manifest.json"
+    try:
+        manifest = json.loads(path.read_text(encoding="utf-8"))
+        names = [item for item in sorted(folder.iterdir()) if item.suffix in (".vert", ".frag")]
+        files = {item.name: item.read_text(encoding="utf-8") for item in names}
+    except (OSError, ValueError) as error:
+        raise input_error("SC020", f"cannot read the manifest {path}: {error}") from None
+    if not isinstance(manifest, dict) or manifest.get("schema_version") != SCHEMA_VERSION:
+        raise _broken(f"{path} is not of schema_version {SCHEMA_VERSION}")
+    return Bundle(manifest, files)
+
+
+def _need(entry: Any, *keys: str) -> Any:
+    for key in keys:
+        if not isinstance(entry, Mapping) or key not in entry:
+            raise _broken(f"it lacks {'.'.join(keys)}")
+        entry = entry[key]
+    return entry
+
+
+def _broken(reason: str) -> InputError:
+    return input_error("SC021", f"the manifest cannot be used: {reason}")
+
+
+def _no_variant(bundle: Bundle, algorithm: str) -> UsageError:
+    have = ", ".join(bundle.algorithms) or "none"
+    message = f"node {bundle.node_id} has no {algorithm} variant here"
+    return usage_error("SC026", message, hint=f"there are: {have}")

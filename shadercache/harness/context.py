@@ -1,0 +1,84 @@
+"""Open an OpenGL context without a screen and say what it runs on."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from types import TracebackType
+from typing import Any
+
+import moderngl
+
+from shadercache.diagnostics import Diagnostic, GraphicsError
+
+APT_LINE = "apt-get install -y --no-install-recommends libegl1 libgl1"
+"""Brings a software OpenGL to Debian 12/13 and Ubuntu 24.04 (glcontext loads both libraries)."""
+
+_SOFTWARE = ("llvmpipe", "softpipe", "swrast", "swiftshader")
+_SEAMLESS_CUBE_MAPS = 0x884F  # GL_TEXTURE_CUBE_MAP_SEAMLESS; moderngl has no name for it
+
+
+@dataclass(frozen=True, eq=False)
+class Gpu:
+    """One OpenGL context and the names the driver gives itself.
+
+    Two of them in one process need ``with gpu.ctx:`` around every use; one per process is enough.
+    """
+
+    ctx: moderngl.Context
+    renderer: str
+    vendor: str
+    version: str
+
+    @property
+    def is_software(self) -> bool:
+        """Whether the renderer runs on the CPU: timer queries mean nothing there."""
+        name = self.renderer.lower()
+        return any(word in name for word in _SOFTWARE)
+
+    def describe(self) -> dict[str, Any]:
+        """Renderer, vendor, version and whether it is a software renderer, for result files."""
+        return {
+            "renderer": self.renderer,
+            "vendor": self.vendor,
+            "version": self.version,
+            "software": self.is_software,
+        }
+
+    def release(self) -> None:
+        """Destroy the context with all that lives in it."""
+        self.ctx.release()
+
+    def __enter__(self) -> Gpu:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.release()
+
+
+def open_context() -> Gpu:
+    """A standalone context, by EGL or else by the system's default backend.
+
+    Raises:
+        GraphicsError: SC601, there is no OpenGL 3.3 here; the hint is the line to run.
+    """
+    ctx = _first_that_opens({"backend": "egl"}, {})
+    # Every engine samples cube maps across their edges today; GL keeps it off by default.
+    ctx.enable_direct(_SEAMLESS_CUBE_MAPS)
+    info = ctx.info
+    return Gpu(ctx, info["GL_RENDERER"], info["GL_VENDOR"], info["GL_VERSION"])
+
+
+def _first_that_opens(*settings: dict[str, Any]) -> moderngl.Context:
+    reasons: list[str] = []
+    for setting in settings:
+        try:
+            return moderngl.create_context(standalone=True, **setting)
+        except Exception as error:  # glcontext raises plain Exception
+            reasons.append(" ".join(str(error).split()))
+    message = f"no usable OpenGL 3.3: {'; '.join(reasons)}"
+    raise GraphicsError(Diagnostic("SC601", message, hint=f"run: sudo {APT_LINE}"))

@@ -1,0 +1,172 @@
+"""One pass of the manifest bound to a stage: its program, and where each input comes from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import moderngl
+import numpy as np
+
+from shadercache.diagnostics import Diagnostic, InputError
+from shadercache.harness.bundle import PassSpec
+from shadercache.harness.cache import CachePair
+from shadercache.harness.camera import Values
+from shadercache.harness.programs import Uniform
+from shadercache.harness.stage import Stage
+from shadercache.harness.textures import GlTexture
+from shadercache.source import Source
+
+CACHE_ROLES = ("previous-cache", "current-cache")
+NUMBER_ROLES = ("clock", "period", "block", "epsilon")
+
+
+@dataclass(frozen=True, slots=True)
+class FrameInputs:
+    """What the passes of one frame read: this and the last frame's uniforms, numbers by role."""
+
+    now: Values
+    before: Values
+    numbers: Values
+
+
+@dataclass(frozen=True, slots=True)
+class Naming:
+    """How the manifest names what it added: uniform -> role, twin -> original uniform."""
+
+    roles: Mapping[str, str]
+    twins: Mapping[str, str]
+
+
+NO_NAMES = Naming({}, {})
+"""For programs that hold nothing but the user's own uniforms."""
+
+
+class BoundPass:
+    """A pass that can be drawn. Everything is looked up once, when it is made."""
+
+    def __init__(self, stage: Stage, spec: PassSpec, naming: Naming) -> None:
+        """Compile the program and find a source for each of its inputs.
+
+        Raises:
+            InputError: SC520 no value for a uniform, SC521 none for an attribute, SC522 none for
+                a texture, SC523 a value of a wrong size, SC525 a target or role that is not
+                known, SC602 the driver refuses.
+        """
+        self.name = spec.name
+        self._stage = stage
+        self._spec = spec
+        self._fixed: list[tuple[Uniform, str]] = []
+        self._now: list[tuple[Uniform, str]] = []
+        self._before: list[tuple[Uniform, str]] = []
+        self._numbers: list[tuple[Uniform, str]] = []
+        self._units: list[tuple[Uniform, GlTexture | str]] = []
+        self._program = stage.programs.acquire(spec.vertex, spec.fragment)
+        try:
+            self._array = stage.vertex_array(self._program)
+            self._bind(naming)
+        except InputError:
+            self.release()
+            raise
+        self._unit_bytes = [np.int32(unit).tobytes() for unit in range(len(self._units))]
+
+    def draw(
+        self, inputs: FrameInputs, caches: CachePair | None, depth_test: str | None = None
+    ) -> None:
+        """Draw the mesh into the pass's targets; nothing is cleared.
+
+        Args:
+            caches: must be given if the pass reads or writes a cache.
+            depth_test: a moderngl depth function in place of the manifest's.
+        """
+        targets = self._targets(caches)
+        self._stage.targets.framebuffer(targets, self._spec.depth_write).use()
+        self._stage.gpu.ctx.depth_func = depth_test or self._spec.depth_test
+        self._load(inputs, caches)
+        self._array.render(moderngl.TRIANGLES)
+
+    def release(self) -> None:
+        """Give the program back."""
+        self._stage.drop(self._program)
+
+    def _load(self, inputs: FrameInputs, caches: CachePair | None) -> None:
+        for uniform, name in self._now:
+            uniform.write(uniform.encode(inputs.now[name], name))
+        for uniform, name in self._before:
+            uniform.write(uniform.encode(inputs.before[name], name))
+        for uniform, role in self._numbers:
+            uniform.write(uniform.encode(inputs.numbers[role], role))
+        for unit, (uniform, source) in enumerate(self._units):
+            texture = _cache_texture(source, caches) if isinstance(source, str) else source
+            texture.use(unit)
+            uniform.write(self._unit_bytes[unit])
+
+    def _targets(self, caches: CachePair | None) -> tuple[moderngl.Texture, ...]:
+        made = self._stage.targets
+        by_name = {"color": made.color}
+        if caches is not None:
+            by_name["cache"] = caches.current
+        if "mask" in self._spec.targets:
+            by_name["mask"] = made.mask
+        return tuple(by_name[name] for name in self._spec.targets)
+
+    def _bind(self, naming: Naming) -> None:
+        problems: list[Diagnostic] = []
+        for target in self._spec.targets:
+            if target not in ("color", "cache", "mask"):
+                problems.append(self._problem("SC525", f"has an unknown target {target!r}"))
+        values = self._stage.values(0)
+        for name, uniform in self._program.uniforms.items():
+            role = naming.roles.get(name)
+            if uniform.sampler is not None:
+                problems += self._bind_sampler(uniform, role)
+            elif role is not None:
+                problems += self._bind_role(uniform, role)
+            else:
+                problems += self._bind_value(uniform, naming.twins.get(name), values)
+        if problems:
+            raise InputError(problems)
+
+    def _bind_sampler(self, uniform: Uniform, role: str | None) -> list[Diagnostic]:
+        if role is not None:
+            if role not in CACHE_ROLES:
+                return [self._problem("SC525", f"has a sampler of unknown role {role!r}")]
+            self._units.append((uniform, role))
+            return []
+        texture = self._stage.texture(uniform.name)
+        if texture is None:
+            hint = f"in the scene, add [textures.{uniform.name}] with a file"
+            return [self._problem("SC522", f"needs the texture {uniform.name}", hint)]
+        kind = "cube map" if isinstance(texture, moderngl.TextureCube) else "2D texture"
+        if kind != uniform.sampler:
+            message = f"samples {uniform.name} as a {uniform.sampler}, but the scene has a {kind}"
+            return [self._problem("SC523", message)]
+        self._units.append((uniform, texture))
+        return []
+
+    def _bind_role(self, uniform: Uniform, role: str) -> list[Diagnostic]:
+        if role not in NUMBER_ROLES:
+            return [self._problem("SC525", f"has a uniform of unknown role {role!r}")]
+        self._numbers.append((uniform, role))
+        return []
+
+    def _bind_value(self, uniform: Uniform, twin: str | None, values: Values) -> list[Diagnostic]:
+        name = uniform.name if twin is None else twin
+        if name not in values:
+            hint = f"in the scene, under [uniforms], add: {name} = ..."
+            return [self._problem("SC520", f"needs the uniform {name}", hint)]
+        try:
+            uniform.encode(values[name], f"{name} of {self._stage.scene.path}")
+        except InputError as error:
+            return list(error.diagnostics)
+        (self._now if twin is None else self._before).append((uniform, name))
+        return []
+
+    def _problem(self, code: str, what: str, hint: str | None = None) -> Diagnostic:
+        place = Source(str(self._stage.scene.path), "")
+        return Diagnostic(code, f"{self._spec.fragment.name} {what}", place, hint=hint)
+
+
+def _cache_texture(role: str, caches: CachePair | None) -> moderngl.Texture:
+    assert caches is not None
+    return caches.previous if role == "previous-cache" else caches.current

@@ -1,0 +1,168 @@
+"""Compile and link programs, once for each pair of texts, and know what they want as input."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import Any
+
+import moderngl
+import numpy as np
+from numpy.typing import NDArray
+
+from shadercache.diagnostics import Diagnostic, InputError, input_error
+from shadercache.harness.context import Gpu
+from shadercache.source import Source, Span
+
+# GL types of samplers and what moderngl must bind for them; others are told to be unsupported.
+_SAMPLERS = {0x8B5E: "2D texture", 0x8B60: "cube map"}
+_SAMPLER_RANGES = (range(0x8B5D, 0x8B64), range(0x8DC0, 0x8DD9), range(0x9108, 0x910E))
+_FORMATS = {code: np.dtype(code) for code in "fiId"}
+
+# "0:12(5): error: ..." (Mesa), "0(12) : error ..." (NVIDIA), "ERROR: 0:12: ..." (others).
+_LOG_LINE = re.compile(r"^(?:ERROR: )?0[:(](\d+)(?:\((\d+)\))?[):]*\s*(.*)$", re.MULTILINE)
+
+
+@dataclass(eq=False)
+class Uniform:
+    """One active uniform of a linked program, and the bytes it holds now."""
+
+    name: str
+    sampler: str | None
+    _gl: moderngl.Uniform
+    _dtype: np.dtype[Any]
+    _count: int
+    _is_array: bool
+    _written: bytes = b""
+
+    def encode(self, values: NDArray[np.float64], giver: str) -> bytes:
+        """The bytes of a value; ``giver`` is who provided it, for the message.
+
+        Raises:
+            InputError: SC523, the value has more or fewer components than the uniform.
+        """
+        # Drivers drop unused elements at the end of an array, so a longer value is right there.
+        if values.size == self._count or (self._is_array and values.size > self._count):
+            return values[: self._count].astype(self._dtype).tobytes()
+        message = f"uniform {self.name} takes {self._count} numbers, but {giver} has {values.size}"
+        raise input_error("SC523", message)
+
+    def write(self, data: bytes) -> None:
+        """Upload, unless the program holds these bytes already."""
+        if data != self._written:
+            self._gl.write(data)
+            self._written = data
+
+
+@dataclass(eq=False)
+class Program:
+    """A linked program with its active uniforms and vertex attributes (name -> components)."""
+
+    name: str
+    gl: moderngl.Program
+    uniforms: dict[str, Uniform]
+    attributes: dict[str, int]
+    users: int = field(default=0)
+
+
+class Programs:
+    """Linked programs of one context, shared by text and counted by user.
+
+    Hundreds of nodes share the original's program; a node's own programs go when its last runner
+    goes.
+    """
+
+    def __init__(self, gpu: Gpu) -> None:
+        self._gpu = gpu
+        self._by_text: dict[tuple[str, str], Program] = {}
+
+    def __len__(self) -> int:
+        return len(self._by_text)
+
+    def acquire(self, vertex: Source, fragment: Source) -> Program:
+        """The program of two shaders; call ``release`` with it once for every ``acquire``.
+
+        Raises:
+            InputError: SC602 with the driver's log, SC524 for inputs the harness cannot give.
+        """
+        key = (vertex.text, fragment.text)
+        program = self._by_text.get(key)
+        if program is None:
+            program = self._by_text[key] = _link(self._gpu.ctx, vertex, fragment)
+        program.users += 1
+        return program
+
+    def release(self, program: Program) -> bool:
+        """Give one use back; True if it was the last and the program is gone."""
+        program.users -= 1
+        if program.users > 0:
+            return False
+        self._by_text = {key: kept for key, kept in self._by_text.items() if kept is not program}
+        program.gl.release()
+        return True
+
+
+def _link(ctx: moderngl.Context, vertex: Source, fragment: Source) -> Program:
+    try:
+        gl = ctx.program(vertex_shader=vertex.text, fragment_shader=fragment.text)
+    except moderngl.Error as error:
+        raise _refused(str(error), vertex, fragment) from None
+    uniforms: dict[str, Uniform] = {}
+    attributes: dict[str, int] = {}
+    for name in gl:
+        member: Any = gl[name]
+        if isinstance(member, moderngl.Uniform):
+            uniforms[name] = _uniform(fragment.name, name, member)
+        elif isinstance(member, moderngl.Attribute):
+            if not name.startswith("gl_"):
+                attributes[name] = _attribute(vertex.name, name, member)
+        else:
+            message = f"{fragment.name}: the harness cannot fill the uniform block {name}"
+            raise input_error("SC524", message)
+    return Program(fragment.name, gl, uniforms, attributes)
+
+
+def _uniform(shader: str, name: str, member: Any) -> Uniform:
+    sampler = _SAMPLERS.get(member.gl_type)
+    if sampler is None and any(member.gl_type in kinds for kinds in _SAMPLER_RANGES):
+        message = f"{shader}: the harness gives 2D textures and cube maps only, {name} is neither"
+        raise input_error("SC524", message)
+    if sampler is not None and member.array_length > 1:
+        raise input_error("SC524", f"{shader}: the harness cannot fill the sampler array {name}")
+    count = member.dimension * member.array_length
+    dtype = _FORMATS[member.fmt[-1]]
+    return Uniform(name, sampler, member, dtype, count, member.array_length > 1)
+
+
+def _attribute(shader: str, name: str, member: Any) -> int:
+    components = int(member.dimension)
+    if member.shape != "f" or member.array_length > 1 or components > 4:
+        message = f"{shader}: the harness gives float vectors only, attribute {name} is none"
+        raise input_error("SC524", message)
+    return components
+
+
+def _refused(log: str, vertex: Source, fragment: Source) -> InputError:
+    """The driver's words; each complaint with a line number is put at that line of the text."""
+    at_vertex = "vertex_shader" in log.split("=", 1)[0]
+    source = vertex if at_vertex else fragment
+    body = log.split("=\n", 1)[-1].strip()
+    places = [
+        Diagnostic("SC602", f"the driver says: {found[3]}", source, _place(source, found))
+        for found in _LOG_LINE.finditer(body)
+        if "warning" not in found[3].lower()
+    ]
+    if places:
+        return InputError(places)
+    words = " / ".join(line.strip() for line in body.splitlines() if line.strip())
+    message = f"{vertex.name} + {fragment.name}: the driver refuses the program: {words}"
+    return InputError(Diagnostic("SC602", message))
+
+
+def _place(source: Source, found: re.Match[str]) -> Span:
+    # moderngl strips the text before it compiles it, which moves the lines.
+    text = source.text
+    line = int(found[1]) + text[: len(text) - len(text.lstrip())].count("\n")
+    lines = text.splitlines(keepends=True)
+    start = sum(map(len, lines[: line - 1])) + max(0, int(found[2] or 1) - 1)
+    return Span(start, start + 1)

@@ -1,0 +1,104 @@
+"""Texture files on the GPU: ``.png`` (8 bits a channel) and ``.npz`` (any precision, cube maps).
+
+Row 0 of a file is uploaded first: it lies at texture coordinate v = 0, for both kinds of file.
+Values reach the shader as stored; nothing is converted from or to sRGB.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import moderngl
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from shadercache.diagnostics import InputError, input_error
+from shadercache.harness.context import Gpu
+from shadercache.harness.mesh import load_npz
+from shadercache.harness.scene import TextureSpec
+
+GlTexture = moderngl.Texture | moderngl.TextureCube
+
+_DTYPES = {"float32": "f4", "float16": "f2", "uint8": "f1"}
+_FILTERS = {
+    ("nearest", False): (moderngl.NEAREST, moderngl.NEAREST),
+    ("linear", False): (moderngl.LINEAR, moderngl.LINEAR),
+    ("nearest", True): (moderngl.NEAREST_MIPMAP_NEAREST, moderngl.NEAREST),
+    ("linear", True): (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR),
+}
+
+
+def load_pixels(path: Path) -> tuple[NDArray[np.generic], bool]:
+    """The pixels of a texture file and whether they are the six faces of a cube map.
+
+    Returns:
+        ``(pixels, False)`` with shape (h, w, c), or ``(faces, True)`` with shape (6, h, h, c) in
+        the order +X, -X, +Y, -Y, +Z, -Z; float32, float16 or uint8, 1 to 4 channels.
+
+    Raises:
+        InputError: SC530 unreadable file, SC531 no such array, a wrong shape or type.
+    """
+    if path.suffix.lower() == ".png":
+        return _load_png(path), False
+    arrays = load_npz(path, "SC530", "the texture")
+    is_cube = "faces" in arrays
+    pixels = arrays.get("faces", arrays.get("pixels"))
+    if pixels is None:
+        raise input_error("SC531", f"the texture {path} has neither 'pixels' nor 'faces'")
+    if pixels.ndim == (3 if is_cube else 2):
+        pixels = pixels[..., np.newaxis]
+    _check(path, pixels, is_cube)
+    return np.ascontiguousarray(pixels), is_cube
+
+
+def _load_png(path: Path) -> NDArray[np.generic]:
+    try:
+        with Image.open(path) as image:
+            return np.asarray(image.convert("RGBA"))
+    except (OSError, ValueError, Image.DecompressionBombError) as error:
+        raise input_error("SC530", f"cannot read the texture {path}: {error}") from None
+
+
+def _check(path: Path, pixels: NDArray[np.generic], is_cube: bool) -> None:
+    shape = pixels.shape
+    good = len(shape) == (4 if is_cube else 3) and min(shape) > 0 and shape[-1] <= 4
+    if good and is_cube:
+        good = shape[0] == 6 and shape[1] == shape[2]
+    if not good:
+        wanted = "(6, n, n, c)" if is_cube else "(h, w, c)"
+        raise _bad(path, f"has shape {shape}, not {wanted} with 1 to 4 channels")
+    if pixels.dtype.name not in _DTYPES:
+        raise _bad(path, f"has {pixels.dtype} values, not float32, float16 or uint8")
+    if not np.isfinite(pixels).all():
+        raise _bad(path, "holds NaN or infinity")
+
+
+def _bad(path: Path, what: str) -> InputError:
+    return input_error("SC531", f"the texture {path} {what}")
+
+
+def upload_texture(gpu: Gpu, spec: TextureSpec) -> GlTexture:
+    """Load a texture file into GL with its sampling state.
+
+    Raises:
+        InputError: SC530, SC531 as ``load_pixels``.
+    """
+    pixels, is_cube = load_pixels(spec.path)
+    texture = _create(gpu.ctx, pixels, is_cube)
+    if spec.mipmap:
+        texture.build_mipmaps()
+    texture.filter = _FILTERS[spec.filter, spec.mipmap]
+    if isinstance(texture, moderngl.Texture):
+        texture.repeat_x = texture.repeat_y = spec.wrap == "repeat"
+    if spec.anisotropy > 1.0:
+        texture.anisotropy = min(spec.anisotropy, gpu.ctx.max_anisotropy)
+    return texture
+
+
+def _create(ctx: moderngl.Context, pixels: NDArray[np.generic], is_cube: bool) -> GlTexture:
+    height, width, channels = pixels.shape[-3:]
+    kind = _DTYPES[pixels.dtype.name]
+    if is_cube:
+        return ctx.texture_cube((width, height), channels, pixels.tobytes(), dtype=kind)
+    return ctx.texture((width, height), channels, pixels.tobytes(), dtype=kind)

@@ -1,0 +1,193 @@
+"""Read typed values out of a TOML table; every mistake becomes a diagnostic at its line.
+
+All mistakes of a file are collected, so that the user mends them in one go.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+import tomllib
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from shadercache.diagnostics import Diagnostic, InputError
+from shadercache.source import Source, Span
+
+_AT = re.compile(r"\(at line (\d+), column (\d+)\)")
+_HEADER = re.compile(r"^[ \t]*\[+([^\[\]\n]*)\]+", re.MULTILINE)
+
+
+def read_toml(path: Path) -> tuple[Source, dict[str, Any]]:
+    """The text and the tables of a TOML file.
+
+    Raises:
+        InputError: SC501 unreadable file, SC502 not TOML.
+    """
+    try:
+        source = Source(str(path), path.read_text(encoding="utf-8"))
+    except OSError as error:
+        message = f"cannot read the scene {path}: {error.strerror}"
+        raise InputError(Diagnostic("SC501", message)) from None
+    except UnicodeDecodeError:
+        message = f"the scene {path} is not UTF-8 text"
+        raise InputError(Diagnostic("SC501", message)) from None
+    try:
+        return source, tomllib.loads(source.text)
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(_syntax_error(source, str(error))) from None
+
+
+def _syntax_error(source: Source, message: str) -> Diagnostic:
+    at = _AT.search(message)
+    lines = source.text.splitlines(keepends=True)
+    if at is None:
+        offset = len(source.text)
+    else:
+        offset = sum(map(len, lines[: int(at[1]) - 1])) + int(at[2]) - 1
+    sentence = _AT.sub("", message).strip()
+    return Diagnostic("SC502", f"not TOML: {sentence}", source, Span(offset, offset + 1))
+
+
+def locate(source: Source, table: str, key: str) -> Span | None:
+    """Where ``key`` of ``table`` ("" is the top level) stands in the text, as far as can be seen.
+
+    Only the plain spelling is found (``[table]`` and below it ``key =``); tomllib keeps no places.
+    """
+    starts = [("", 0)] + [(m[1].strip(), m.end()) for m in _HEADER.finditer(source.text)]
+    ends = [start for _, start in starts[1:]] + [len(source.text)]
+    for (name, start), end in zip(starts, ends, strict=True):
+        if name != table:
+            continue
+        found = re.search(rf"^[ \t]*{re.escape(key)}[ \t]*=", source.text[start:end], re.MULTILINE)
+        if found:
+            at = start + found.end() - len(found[0].lstrip())
+            return Span(at, at + len(key))
+        if table:
+            return Span(start - 1 - len(name), start - 1)
+    return None
+
+
+class Table:
+    """One table of a TOML file that notes what was asked for and what was wrong.
+
+    Wrong values yield a harmless stand-in; :meth:`InputError` comes from ``raise_problems``.
+    """
+
+    def __init__(
+        self,
+        source: Source,
+        values: Mapping[str, Any],
+        name: str = "",
+        problems: list[Diagnostic] | None = None,
+    ) -> None:
+        self.source = source
+        self.values = values
+        self.name = name
+        self.problems: list[Diagnostic] = [] if problems is None else problems
+        self._known: set[str] = set()
+
+    def problem(self, code: str, key: str, message: str, hint: str | None = None) -> None:
+        """Note a mistake at ``key``."""
+        place = locate(self.source, self.name, key)
+        self.problems.append(Diagnostic(code, message, self.source, place, hint))
+
+    def full(self, key: str) -> str:
+        """The dotted name of a key, as messages print it."""
+        return f"{self.name}.{key}" if self.name else key
+
+    def has(self, key: str) -> bool:
+        """Whether the table holds the key (marks it as known)."""
+        self._known.add(key)
+        return key in self.values
+
+    def table(self, key: str) -> Table:
+        """A table inside this one; an empty one if it is not there."""
+        value = self.values[key] if self.has(key) else {}
+        if not isinstance(value, dict):
+            self._wrong(key, "a table")
+            value = {}
+        return Table(self.source, value, self.full(key), self.problems)
+
+    def text(self, key: str, default: str | None = None, choices: tuple[str, ...] = ()) -> str:
+        """A string, one of ``choices`` if given."""
+        value = self._get(key, default)
+        if isinstance(value, str) and value and (not choices or value in choices):
+            return value
+        if value is not None:
+            self._wrong(key, f"one of {', '.join(choices)}" if choices else "a string")
+        return choices[0] if choices else "?"
+
+    def boolean(self, key: str, default: bool) -> bool:
+        """True or false."""
+        value = self._get(key, default)
+        if isinstance(value, bool):
+            return value
+        self._wrong(key, "true or false")
+        return default
+
+    def number(self, key: str, default: float | None = None) -> float:
+        """A finite number."""
+        value = self._get(key, default)
+        if is_number(value):
+            return float(value)
+        if value is not None:
+            self._wrong(key, "a finite number")
+        return 1.0
+
+    def whole(self, key: str, default: int | None, least: int) -> int:
+        """A whole number not below ``least``."""
+        value = self._get(key, default)
+        if isinstance(value, int) and not isinstance(value, bool) and value >= least:
+            return value
+        if value is not None:
+            self._wrong(key, f"a whole number from {least} up")
+        return least
+
+    def vector(
+        self, key: str, default: tuple[float, float, float] | None = None
+    ) -> tuple[float, float, float]:
+        """Three finite numbers."""
+        value = self._get(key, default)
+        if isinstance(value, list | tuple) and len(value) == 3 and all(map(is_number, value)):
+            return (float(value[0]), float(value[1]), float(value[2]))
+        if value is not None:
+            self._wrong(key, "three finite numbers")
+        return (0.0, 0.0, 1.0)
+
+    def file(self, key: str) -> Path:
+        """A path relative to the scene file, which must exist."""
+        path = Path(self.source.name).parent / self.text(key)
+        if key in self.values and not path.is_file():
+            self.problem("SC507", key, f"{self.full(key)}: there is no file {path}")
+        return path
+
+    def refuse_unknown(self) -> None:
+        """Note every key that nobody asked for: it is most likely misspelt."""
+        for key in self.values:
+            if key not in self._known:
+                known = ", ".join(sorted(self._known))
+                message = f"unknown key {self.full(key)}"
+                self.problem("SC504", key, message, hint=f"known here: {known}")
+
+    def raise_problems(self) -> None:
+        """Raise what was noted, if anything was."""
+        if self.problems:
+            raise InputError(self.problems)
+
+    def _get(self, key: str, default: Any) -> Any:
+        if self.has(key):
+            return self.values[key]
+        if default is None:
+            self.problem("SC503", key, f"{self.full(key)} is missing")
+        return default
+
+    def _wrong(self, key: str, wanted: str) -> None:
+        got = self.values.get(key)
+        self.problem("SC505", key, f"{self.full(key)} must be {wanted}, not {got!r}")
+
+
+def is_number(value: Any) -> bool:
+    """Whether a TOML value is a finite number (a boolean is not)."""
+    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)

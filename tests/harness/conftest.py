@@ -1,0 +1,74 @@
+"""One context, one torus scene and one hand-written emission for all tests of the harness."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from shadercache.diagnostics import GraphicsError
+from shadercache.harness.bundle import Bundle, load_bundle
+from shadercache.harness.context import Gpu, open_context
+from shadercache.harness.scene import Scene, load_scene
+from shadercache.harness.stage import Stage
+
+FIXTURES = Path(__file__).parent / "fixtures"
+
+
+def torus(rings: int = 48, sides: int = 24) -> dict[str, np.ndarray]:
+    """Arrays of a torus about the z axis: radii 0.8 and 0.3."""
+    u, v = np.meshgrid(
+        np.linspace(0.0, 2.0 * np.pi, rings, endpoint=False),
+        np.linspace(0.0, 2.0 * np.pi, sides, endpoint=False),
+        indexing="ij",
+    )
+    normal = np.stack([np.cos(v) * np.cos(u), np.cos(v) * np.sin(u), np.sin(v)], -1)
+    centre = np.stack([np.cos(u), np.sin(u), np.zeros_like(u)], -1) * 0.8
+    i, j = np.meshgrid(np.arange(rings), np.arange(sides), indexing="ij")
+    at = lambda a, b: (a % rings) * sides + b % sides  # noqa: E731
+    quads = np.stack(
+        [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1)], -1
+    )
+    return {
+        "position": (centre + 0.3 * normal).reshape(-1, 3).astype(np.float32),
+        "normal": normal.reshape(-1, 3).astype(np.float32),
+        "index": quads.reshape(-1, 3).astype(np.uint32),
+    }
+
+
+@pytest.fixture(scope="session")
+def gpu() -> Iterator[Gpu]:
+    try:
+        opened = open_context()
+    except GraphicsError as error:
+        pytest.fail(str(error))
+    with opened:
+        yield opened
+
+
+@pytest.fixture(scope="session")
+def scene_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A copy of the fixtures with the mesh made."""
+    folder = tmp_path_factory.mktemp("torus")
+    shutil.copytree(FIXTURES, folder, dirs_exist_ok=True)
+    np.savez(folder / "torus.npz", **torus())
+    return folder
+
+
+@pytest.fixture(scope="session")
+def scene(scene_folder: Path) -> Scene:
+    return load_scene(scene_folder)
+
+
+@pytest.fixture(scope="session")
+def bundle() -> Bundle:
+    return load_bundle(FIXTURES / "emission")
+
+
+@pytest.fixture(scope="session")
+def stage(gpu: Gpu, scene: Scene) -> Iterator[Stage]:
+    """The torus at 96 x 64 with float colours, as proofs want it."""
+    with Stage(gpu, scene, (96, 64), "rgba32f") as made:
+        yield made
