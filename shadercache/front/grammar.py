@@ -1,0 +1,105 @@
+"""The parser: made from the grammar once per process, and saved for the next.
+
+Making it takes some 200 ms, loading it some 20. The saved one is a pickle, so it is read only
+from the user's private cache folder (:func:`shadercache.paths.user_cache_folder`); without one
+the parser is made anew.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import os
+import pickle
+import sys
+import tempfile
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from shadercache.paths import data_path, user_cache_folder
+
+if TYPE_CHECKING:
+    from lark import Lark
+
+    from shadercache.front.build_statements import Builder
+
+
+class Parser(NamedTuple):
+    """Lark's parser and the builder whose methods it calls; they serve one file at a time."""
+
+    lark: Lark
+    builder: Builder
+
+
+@cache
+def load_parser() -> Parser:
+    """The parser of ``grammars/glsl.lark``. Lark is imported here, not with the package."""
+    from shadercache.front.build_statements import Builder
+
+    text = data_path("grammars", "glsl.lark").read_text(encoding="utf-8")
+    builder = Builder()
+    folder = user_cache_folder()
+    if folder is None:
+        return Parser(_make(text, builder), builder)
+    path = folder / f"glsl-{_key(text)}.grammar"
+    lark = _load(path, builder)
+    if lark is None:
+        lark = _make(text, builder)
+        _save(path, lark)
+    return Parser(lark, builder)
+
+
+def _key(text: str) -> str:
+    """What a saved parser depends on: the grammar, Lark and Python."""
+    import lark
+
+    from shadercache.front import tokens
+
+    parts = (text, lark.__version__, sys.version, tokens.__name__)
+    return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
+
+
+def _make(text: str, builder: Builder) -> Lark:
+    from lark import Lark
+
+    from shadercache.front.tokens import TokenLexer
+
+    return Lark(
+        text,
+        parser="lalr",
+        lexer=TokenLexer,
+        transformer=builder,
+        keep_all_tokens=True,
+        maybe_placeholders=False,
+        propagate_positions=False,
+    )
+
+
+def _load(path: Path, builder: Builder) -> Lark | None:
+    """The saved parser; ``None`` where there is none that can be read."""
+    from lark import Lark
+
+    try:
+        saved = pickle.loads(path.read_bytes())
+        return Lark._load_from_dict(saved["data"], saved["memo"], transformer=builder)
+    except Exception:  # A damaged pickle can raise anything; the parser is then made anew.
+        return None
+
+
+def _save(path: Path, lark: Lark) -> None:
+    """Write the parser under its name at one stroke, so that nobody reads half of it."""
+    from lark.lark import _LOAD_ALLOWED_OPTIONS
+
+    buffer = io.BytesIO()
+    lark.save(buffer, _LOAD_ALLOWED_OPTIONS)
+    try:
+        handle, name = tempfile.mkstemp(dir=path.parent, prefix=".glsl-")
+        try:
+            with os.fdopen(handle, "wb") as file:
+                file.write(buffer.getvalue())
+            os.replace(name, path)
+        except OSError:
+            os.unlink(name)
+    except OSError:
+        return  # A full or read-only disk costs time, not the result.

@@ -1,0 +1,59 @@
+"""The one door of the front end: :func:`parse`."""
+
+from __future__ import annotations
+
+from threading import Lock
+
+from shadercache.ast.nodes import Module
+from shadercache.diagnostics import Diagnostic, InputError
+from shadercache.front.lexis import Lexemes
+from shadercache.front.preprocess import preprocess
+from shadercache.source import Source, Span
+
+MAX_BRACKETS = 1000
+"""Brackets that may be open at one place."""
+
+_OPENING = frozenset("([{")
+_CLOSING = frozenset(")]}")
+_one_at_a_time = Lock()
+
+
+def parse(source: Source) -> Module:
+    """The syntax tree of a shader, with spans into ``source``.
+
+    Raises :class:`InputError`: with all errors of the preprocessor, or with the first error of
+    syntax.
+    """
+    prepared = preprocess(source)
+    _check_depth(source, prepared.lexemes)
+    from lark.exceptions import UnexpectedToken
+
+    from shadercache.front.errors import explain
+    from shadercache.front.grammar import load_parser
+    from shadercache.front.tokens import TokenStream
+
+    stream = TokenStream(source, prepared.version, prepared.lexemes)
+    with _one_at_a_time:
+        lark, builder = load_parser()
+        builder.begin(stream)
+        try:
+            decls = lark.parse(stream)
+        except UnexpectedToken as error:
+            raise InputError(explain(error, stream)) from None
+        finally:
+            builder.end()
+    span = Span(0, len(source.text))
+    return Module(span, prepared.version, prepared.profile, prepared.directives, decls)
+
+
+def _check_depth(source: Source, lexemes: Lexemes) -> None:
+    depth = 0
+    for index, text in enumerate(lexemes.texts):
+        if text in _OPENING:
+            depth += 1
+            if depth > MAX_BRACKETS:
+                span = Span(lexemes.starts[index], lexemes.ends[index])
+                message = f"more than {MAX_BRACKETS} brackets are open here"
+                raise InputError(Diagnostic("SC105", message, source, span))
+        elif text in _CLOSING:
+            depth -= 1

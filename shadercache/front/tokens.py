@@ -1,0 +1,176 @@
+"""The lexer that feeds the parser: kinds of tokens, and which names are types just now.
+
+Whether a word is a TYPE_NAME or a NAME depends on the scopes and on what the parser can take: in
+``Ray Ray = Ray(o, d);`` the second word is a variable and the third still the constructor. The
+lexer therefore asks the parser's state for each name that a struct has, and only for those. When
+a scope closes, the parser has already seen the token that follows it; that token is judged again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Container, Iterator
+from functools import cache
+from typing import Any
+
+from lark.common import LexerConf
+from lark.lexer import Lexer, LexerState
+from lark.parsers.lalr_parser_state import ParserState
+
+from shadercache.diagnostics import Diagnostic, InputError
+from shadercache.front.lexis import Lexemes, is_number, is_word
+from shadercache.lang import words
+from shadercache.source import Source, Span
+
+MAX_STACK = 4000
+"""Symbols that the parser may have open; what nests without brackets is limited by it."""
+
+
+class Token:
+    """A terminal of the grammar, with its text and its place in the user's file."""
+
+    __slots__ = ("end", "start", "text", "type")
+
+    # Lark gives these of the last token to the end of the input; nobody reads them.
+    line = column = end_line = end_column = start_pos = end_pos = None
+
+    def __init__(self, type_: str, text: str, start: int, end: int) -> None:
+        self.type = type_
+        self.text = text
+        self.start = start
+        self.end = end
+
+
+class Scopes:
+    """Which names are types in the scopes that are open, innermost last."""
+
+    __slots__ = ("_frames", "_types", "pending")
+
+    def __init__(self) -> None:
+        self._frames: list[dict[str, bool]] = [{}]
+        self._types: set[str] = set()
+        self.pending: Token | None = None
+
+    def open(self) -> int:
+        """Open a scope; the number of scopes that are open now."""
+        self._frames.append({})
+        return len(self._frames)
+
+    def close(self) -> None:
+        """Close the innermost scope and judge the token anew that the parser has in hand."""
+        self._frames.pop()
+        token = self.pending
+        if token is not None and token.text in self._types:
+            token.type = "TYPE_NAME" if self.is_type(token.text) else "NAME"
+
+    def declare_type(self, name: str) -> None:
+        """A struct of this name begins."""
+        self._types.add(name)
+        self._frames[-1][name] = True
+
+    def declare_variable(self, name: str) -> None:
+        """A variable of this name begins; it may hide a struct."""
+        if name in self._types:
+            self._frames[-1][name] = False
+
+    def is_type(self, name: str) -> bool:
+        """Does the name mean a struct here?"""
+        if name in self._types:
+            for frame in reversed(self._frames):
+                if name in frame:
+                    return frame[name]
+        return False
+
+
+class TokenStream:
+    """What is parsed: the lexemes of one file, and the scopes that the parser keeps for it."""
+
+    def __init__(self, source: Source, version: int, lexemes: Lexemes) -> None:
+        self.source = source
+        self.version = version
+        self.lexemes = lexemes
+        self.scopes = Scopes()
+        self.index = -1
+
+    def error(self, code: str, message: str, hint: str | None = None) -> InputError:
+        """An error at the lexeme that is being read."""
+        span = Span(self.lexemes.starts[self.index], self.lexemes.ends[self.index])
+        return InputError(Diagnostic(code, message, self.source, span, hint))
+
+
+class TokenLexer(Lexer):
+    """Lark's door for a lexer of one's own; the text it is given is a :class:`TokenStream`."""
+
+    __future_interface__ = 2
+
+    def __init__(self, lexer_conf: LexerConf) -> None:
+        self._fixed = {
+            term.pattern.value: term.name
+            for term in lexer_conf.terminals
+            if term.pattern is not None and term.pattern.type == "str"
+        }
+        self._kinds: dict[int, dict[str, str]] = {}
+
+    def lex(self, lexer_state: LexerState, parser_state: ParserState[int]) -> Iterator[Any]:
+        """The tokens of a stream, each made when the parser asks for it."""
+        stream: Any = lexer_state.text
+        scopes = stream.scopes
+        kinds = self._kinds_of(stream.version).copy()
+        stack = parser_state.state_stack
+        states = parser_state.parse_conf.states
+        lexemes = stream.lexemes
+        types = scopes._types
+        find = kinds.get
+        for text, start, end in zip(lexemes.texts, lexemes.starts, lexemes.ends, strict=True):
+            stream.index += 1
+            kind = find(text)
+            if kind is None:
+                kind = kinds[text] = _kind_of(text, stream)
+            if text in types:
+                kind = _name_kind(text, scopes, states[stack[-1]])
+            if len(stack) > MAX_STACK:
+                raise stream.error("SC105", "this is nested too deeply")
+            token = Token(kind, text, start, end)
+            scopes.pending = token
+            yield token
+
+    def _kinds_of(self, version: int) -> dict[str, str]:
+        kinds = self._kinds.get(version)
+        if kinds is None:
+            kinds = self._kinds[version] = {**_word_kinds(version), **self._fixed}
+        return kinds
+
+
+def _name_kind(text: str, scopes: Scopes, acceptable: Container[str]) -> str:
+    """What a name is that some struct has. Where only one kind may stand it is that kind."""
+    if "TYPE_NAME" not in acceptable:
+        return "NAME"
+    return "TYPE_NAME" if "NAME" not in acceptable or scopes.is_type(text) else "NAME"
+
+
+@cache
+def _word_kinds(version: int) -> dict[str, str]:
+    """The terminals of the words and operators that the grammar does not spell out."""
+    return {
+        **dict.fromkeys(words.reserved_words(version), "RESERVED"),
+        **dict.fromkeys(words.type_names(version), "BASIC_TYPE"),
+        **dict.fromkeys(words.qualifier_words(version), "QUALIFIER"),
+        **dict.fromkeys(words.TRUTH_WORDS, "LITERAL"),
+        **dict.fromkeys(words.PRECEDENCE, "BINARY"),
+        **dict.fromkeys(words.ASSIGN_OPS, "ASSIGN"),
+        **dict.fromkeys(words.SIGN_OPS, "SIGN"),
+        **dict.fromkeys(words.PREFIX_OPS, "PREFIX"),
+        **dict.fromkeys(words.STEP_OPS, "STEP"),
+    }
+
+
+def _kind_of(text: str, stream: TokenStream) -> str:
+    """The terminal of a name or number; an error for what is neither."""
+    if is_word(text) and text.isascii():
+        return "NAME"
+    if text[0].isdigit() or (text[0] == "." and len(text) > 1):
+        if is_number(text):
+            return "LITERAL"
+        raise stream.error("SC102", f"'{text}' is not a number of GLSL")
+    shown = f"'{text}'" if text.isprintable() else f"U+{ord(text):04X}"
+    kind = "" if text.isascii() else ", which is not ASCII and may stand in comments only"
+    raise stream.error("SC101", f"unexpected character {shown}{kind}")

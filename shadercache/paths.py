@@ -1,0 +1,57 @@
+"""Where data lies: the folders beside the code, and the user's cache folder.
+
+``grammars/`` and ``corpus/`` stand at the top of the source tree. A wheel holds them inside the
+package as ``shadercache/_data/grammars`` and ``shadercache/_data/corpus``.
+"""
+
+from __future__ import annotations
+
+import os
+import stat
+from pathlib import Path
+
+_PACKAGE = Path(__file__).resolve().parent
+
+
+def data_path(*parts: str) -> Path:
+    """The path of a data file or folder, such as ``data_path("grammars", "glsl.lark")``.
+
+    A wheel's copy is preferred, so that an installed package never reads a folder that merely
+    lies beside it. The path is returned even where nothing exists there.
+    """
+    packed = _PACKAGE / "_data"
+    root = packed if packed.is_dir() else _PACKAGE.parent
+    return root.joinpath(*parts)
+
+
+def user_cache_folder() -> Path | None:
+    """The user's own cache folder, made with mode 0700 where it is missing.
+
+    ``None`` where there is none to be had: the folder cannot be made or written, it belongs to
+    somebody else, or others may write in it. What is read from there is trusted, so a folder that
+    another user could have filled is never used.
+    """
+    base = os.environ.get("XDG_CACHE_HOME", "")
+    try:
+        # The XDG base directory specification tells to ignore a relative path.
+        root = Path(base) if Path(base).is_absolute() else Path.home() / ".cache"
+        folder = root / "shadercache"
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        return folder if _is_private(folder) else None
+    except (OSError, RuntimeError):
+        return None
+
+
+def _is_private(folder: Path) -> bool:
+    info = folder.lstat()
+    if not stat.S_ISDIR(info.st_mode) or not os.access(folder, os.W_OK | os.X_OK):
+        return False
+    if hasattr(os, "getuid"):
+        if info.st_uid != os.getuid():
+            return False
+        mode = stat.S_IMODE(info.st_mode)
+        if mode & (stat.S_IWGRP | stat.S_IWOTH):
+            return False
+        if mode != 0o700:
+            folder.chmod(0o700)
+    return True
