@@ -214,8 +214,12 @@ def _variants(text: str) -> Iterator[str]:
         for prefix in ("", "i", "u") if _GVEC.search(text) else ("",):
             yield _GVEC.sub(prefix, text)
         return
+    generic = set(_GENERIC.findall(text))
     for size in sizes:
-        yield _GENERIC.sub(lambda match, size=size: _sized(match[0], size), text)
+        expanded = text
+        for word in generic:
+            expanded = expanded.replace(word, _sized(word, size))
+        yield expanded
 
 
 def _sized(generic: str, size: str) -> str:

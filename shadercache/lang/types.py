@@ -14,10 +14,8 @@ SCALARS = ("float", "int", "uint", "bool", "double")
 
 _PREFIX = {"float": "", "int": "i", "uint": "u", "bool": "b", "double": "d"}
 
-_SAMPLER_SHAPES = (
-    "1D 2D 3D Cube 2DRect 1DArray 2DArray Buffer 2DMS 2DMSArray CubeArray".split()
-)
-_SHADOW_SHAPES = "1D 2D Cube 2DRect 1DArray 2DArray CubeArray".split()
+_SHADOW_SHAPES = ("1D", "2D", "Cube", "2DRect", "1DArray", "2DArray", "CubeArray")
+_SAMPLER_SHAPES = (*_SHADOW_SHAPES, "3D", "Buffer", "2DMS", "2DMSArray")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

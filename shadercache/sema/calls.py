@@ -1,0 +1,124 @@
+"""Calls: which function a call means, and whether its arguments suit."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from shadercache.ast.nodes import Call
+from shadercache.lang.builtins import Signature
+from shadercache.lang.types import Type
+from shadercache.sema.constants import Constants
+from shadercache.sema.context import ERROR, Context
+from shadercache.sema.lvalues import why_not_writable
+from shadercache.sema.overloads import Candidate, convertible, exact_match, parameters
+from shadercache.sema.scopes import FunctionSet, Overload
+
+_SHOWN = 8
+
+
+class CallChecker:
+    """Resolves calls; what was found for a name and argument types is remembered."""
+
+    def __init__(self, context: Context, constants: Constants) -> None:
+        self._context = context
+        self._constants = constants
+        self._resolved: dict[
+            tuple[str, tuple[Type, ...]], tuple[int, Candidate, tuple[int, ...]]
+        ] = {}
+
+    def check(self, node: Call) -> Type:
+        """Resolve a call whose arguments are typed; the type of its result."""
+        types = self._context.types
+        args = tuple([types[arg] for arg in node.args])
+        entry = self._context.scopes.visible.get(node.name)
+        own = entry if isinstance(entry, FunctionSet) else None
+        if entry is not None and own is None:
+            what = "a type" if isinstance(entry, Type) else "a variable"
+            return self._context.error("SC204", f"'{node.name}' is {what}, not a function", node)
+        # More overloads may have been declared since the same call was resolved last.
+        count = len(own.overloads) if own else 0
+        key = (node.name, args)
+        known = self._resolved.get(key)
+        if known is None or known[0] != count:
+            found = self._resolve(node, own.overloads if own else [], args)
+            if found is None:
+                return ERROR
+            outs = tuple(i for i, (_, way) in enumerate(parameters(found)) if way != "in")
+            known = self._resolved[key] = (count, found, outs)
+        return self._use(node, known[1], known[2])
+
+    def _use(self, node: Call, found: Candidate, outs: tuple[int, ...]) -> Type:
+        context = self._context
+        context.calls[node] = found
+        if context.function is not None:
+            context.called[context.function].append(node)
+        for i in outs:
+            problem = why_not_writable(node.args[i], context)
+            if problem is not None:
+                message, place = problem
+                context.error("SC209", f"{message} by '{node.name}'", place)
+        if isinstance(found, Signature) and found.foldable and not outs:
+            self._constants.call(node, found, node.args)
+        return found.result
+
+    def _resolve(
+        self, node: Call, own: Sequence[Overload], args: tuple[Type, ...]
+    ) -> Candidate | None:
+        """The function that is called; ``None`` once a diagnostic or an earlier one says why."""
+        builtin = self._context.builtin_functions(node.name)
+        if not own and not builtin:
+            known = self._context.known_functions
+            self._context.undeclared("function", node.name, node, known)
+            return None
+        if ERROR in args:
+            return None
+        exact = exact_match(own, args) or exact_match(builtin, args)
+        if exact is not None:
+            if own and isinstance(exact, Signature):
+                self._warn_hidden(node, exact)
+            return exact
+        # Functions of the user hide the built-in ones (except in ES, where they join them).
+        candidates: list[Candidate] = [*own]
+        if not own or self._context.es:
+            candidates += builtin
+        best = convertible(candidates, args, self._context.conversions)
+        if len(best) == 1:
+            return best[0]
+        self._complain(node, args, candidates, best)
+        return None
+
+    def _warn_hidden(self, node: Call, found: Signature) -> None:
+        message = f"'{found}' is hidden by the shader's own '{node.name}' on some drivers"
+        self._context.warn("SC290", message, node)
+
+    def _complain(
+        self, node: Call, args: tuple[Type, ...], candidates: list[Candidate], best: list[Candidate]
+    ) -> None:
+        call = f"{node.name}({', '.join(map(str, args))})"
+        if best:
+            message = f"the call {call} is ambiguous"
+            self._context.error("SC208", message, node, _listed(best))
+            return
+        counts = sorted({len(parameters(item)) for item in candidates})
+        if len(args) not in counts:
+            takes = " or ".join(map(str, counts))
+            message = f"'{node.name}' takes {takes} arguments, not {len(args)}"
+            self._context.error("SC207", message, node, _listed(candidates))
+            return
+        message = f"no function fits the call {call}"
+        same = [item for item in candidates if len(parameters(item)) == len(args)]
+        self._context.error("SC206", message, node, _listed(same))
+
+
+def _listed(candidates: Sequence[Candidate]) -> str:
+    """``candidates: float f(int), float f(vec2)``; long lists are cut."""
+    shown = [_described(item) for item in candidates[:_SHOWN]]
+    more = len(candidates) - len(shown)
+    return f"candidates: {', '.join(shown)}" + (f" and {more} more" if more else "")
+
+
+def _described(candidate: Candidate) -> str:
+    if isinstance(candidate, Signature):
+        return str(candidate)
+    params = [f"{way} {kind}".removeprefix("in ") for kind, way in parameters(candidate)]
+    return f"{candidate.result} {candidate.proto.name}({', '.join(params)})"

@@ -1,0 +1,79 @@
+"""The semantic check: what every name means and which type every expression has.
+
+``check`` goes through a module once, in source order, and fills the tables of :class:`Facts`. It
+collects all mistakes; an expression that was complained about silences what depends on it.
+"""
+
+from __future__ import annotations
+
+from shadercache.ast.nodes import (
+    BlockDecl,
+    Decl,
+    FunctionDef,
+    FunctionProto,
+    Module,
+    QualifierDecl,
+    VarDecl,
+)
+from shadercache.diagnostics import InputError, Severity
+from shadercache.sema.context import Context, callee
+from shadercache.sema.facts import Facts, Stage
+from shadercache.sema.functions import FunctionChecker
+from shadercache.sema.statements import StatementChecker
+from shadercache.sema.typespecs import TypeResolver
+from shadercache.sema.variables import VariableChecker
+from shadercache.source import Source
+
+
+def check(module: Module, source: Source, stage: Stage = "fragment") -> Facts:
+    """Resolve all names and types of ``module``, which was parsed from ``source``.
+
+    Raises :class:`InputError` with every mistake found (SC2xx), in source order.
+    """
+    return _Checker(Context(module, source, stage)).run()
+
+
+class _Checker:
+    """Wires the parts together and walks the global declarations."""
+
+    def __init__(self, context: Context) -> None:
+        self._context = context
+        self._types = TypeResolver(context)
+        self._variables = VariableChecker(context, self._types)
+        self._functions = FunctionChecker(context, self._types)
+        self._statements = StatementChecker(context, self._types, self._variables, self._functions)
+
+    def run(self) -> Facts:
+        for decl in self._context.module.decls:
+            self._declaration(decl)
+        self._functions.check_all()
+        found = sorted(
+            self._context.diagnostics, key=lambda item: item.span.start if item.span else 0
+        )
+        if any(item.severity is Severity.ERROR for item in found):
+            raise InputError(found)
+        context, constants = self._context, self._types.expressions.constants
+        return Facts(
+            types=context.types,
+            symbols=context.symbols,
+            declared=context.declared,
+            calls={call: callee(target) for call, target in context.calls.items()},
+            constants=constants.scalars(),
+            constant_expressions=constants.expressions,
+            functions=tuple(d for d in context.module.decls if isinstance(d, FunctionDef)),
+            called={function: tuple(calls) for function, calls in context.called.items()},
+            structs=context.structs,
+            warnings=tuple(found),
+        )
+
+    def _declaration(self, decl: Decl) -> None:
+        if isinstance(decl, FunctionDef):
+            self._statements.check_function(decl)
+        elif isinstance(decl, VarDecl):
+            self._variables.declare(decl)
+        elif isinstance(decl, BlockDecl):
+            self._variables.declare_block(decl)
+        elif isinstance(decl, FunctionProto):
+            self._functions.declare(decl)
+        elif isinstance(decl, QualifierDecl):
+            self._variables.qualify(decl)

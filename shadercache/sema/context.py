@@ -1,0 +1,145 @@
+"""State that the parts of the checker share while they go through one module."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+
+from shadercache.ast.nodes import (
+    Call,
+    Expr,
+    FunctionDef,
+    FunctionProto,
+    Member,
+    Module,
+    Name,
+    Node,
+    StructDef,
+)
+from shadercache.diagnostics import Diagnostic, Severity
+from shadercache.lang import builtins
+from shadercache.lang.builtins import Signature
+from shadercache.lang.types import StructType, Type
+from shadercache.sema.conversions import Conversions
+from shadercache.sema.facts import Declares, Stage, Symbol
+from shadercache.sema.scopes import Overload, Scopes
+from shadercache.source import Source
+
+ERROR = Type("<error>")
+"""Type of an expression that was already complained about: whoever uses it stays silent."""
+
+# Extensions that give an older version functions and conversions of a later one.
+_EXTENSION_VERSIONS = {
+    "GL_ARB_gpu_shader5": 400,
+    "GL_ARB_texture_gather": 400,
+    "GL_ARB_texture_query_lod": 400,
+    "GL_ARB_gpu_shader_fp64": 400,
+    "GL_ARB_shading_language_packing": 420,
+    "GL_ARB_texture_query_levels": 430,
+    "GL_ARB_derivative_control": 450,
+}
+
+
+@dataclass(slots=True)
+class Context:
+    """The module, its language version, the scopes and the tables that are being filled."""
+
+    module: Module
+    source: Source
+    stage: Stage
+    scopes: Scopes = field(default_factory=Scopes)
+    types: dict[Expr, Type] = field(default_factory=dict)
+    symbols: dict[Name, Symbol] = field(default_factory=dict)
+    declared: dict[Declares, Symbol] = field(default_factory=dict)
+    calls: dict[Call, Overload | Signature] = field(default_factory=dict)
+    structs: dict[StructType, StructDef] = field(default_factory=dict)
+    called: dict[FunctionDef, list[Call]] = field(default_factory=dict)
+    function: FunctionDef | None = None
+    diagnostics: list[Diagnostic] = field(default_factory=list)
+    version: int = 330
+    es: bool = False
+    function_version: int = 330
+    conversions: Conversions = field(init=False)
+    _undeclared: set[str] = field(default_factory=set)
+
+    def __post_init__(self) -> None:
+        self.version = self.module.version
+        self.es = self.module.profile == "es"
+        extensions = enabled_extensions(self.module)
+        lifted = [_EXTENSION_VERSIONS.get(name, 0) for name in extensions]
+        self.function_version = max([self.version, *lifted])
+        lifts = "GL_ARB_gpu_shader5" in extensions and not self.es
+        self.conversions = Conversions(max(self.version, 400 if lifts else 0), self.es)
+
+    def error(self, code: str, message: str, node: Node, hint: str | None = None) -> Type:
+        """Report a mistake at ``node``; returns the type that silences what depends on it."""
+        self.diagnostics.append(Diagnostic(code, message, self.source, node.span, hint))
+        return ERROR
+
+    def warn(self, code: str, message: str, node: Node, hint: str | None = None) -> None:
+        """Report something legal but doubtful."""
+        self.diagnostics.append(
+            Diagnostic(code, message, self.source, node.span, hint, Severity.WARNING)
+        )
+
+    def undeclared(
+        self, what: str, name: str, node: Node, known: Callable[[], Iterable[str]]
+    ) -> Type:
+        """Report an unknown name, once, with the nearest known one as a hint."""
+        if name in self._undeclared:
+            return ERROR
+        self._undeclared.add(name)
+        return self.error("SC201", f"undeclared {what} '{name}'", node, did_you_mean(name, known()))
+
+    def no_field(self, message: str, node: Node, fields: Iterable[str]) -> Type:
+        """Report an unknown field."""
+        name = node.name if isinstance(node, Member) else ""
+        return self.error("SC213", message, node, did_you_mean(name, fields))
+
+    def check_name(self, name: str, node: Node) -> None:
+        """Names with ``gl_`` are reserved, those with ``__`` doubtful (section 3.7)."""
+        if name.startswith("gl_"):
+            self.error("SC203", "names with 'gl_' are reserved", node)
+        elif "__" in name:
+            self.warn("SC292", f"'{name}': names with '__' are reserved", node)
+
+    def builtin_functions(self, name: str) -> tuple[Signature, ...]:
+        """The overloads of a built-in function in this version and stage."""
+        return builtins.functions(name, self.function_version, self.module.profile, self.stage)
+
+    def known_functions(self) -> list[str]:
+        """Names of all functions that can be called here (for hints)."""
+        own = self.scopes.names()
+        return own + [name for name in builtins.function_names() if self.builtin_functions(name)]
+
+    def known_variables(self) -> list[str]:
+        """Names of all variables that can be read here (for hints)."""
+        profile, names = self.module.profile, builtins.variable_names()
+        return self.scopes.names() + [
+            name for name in names if builtins.variable(name, self.stage, self.version, profile)
+        ]
+
+
+def enabled_extensions(module: Module) -> set[str]:
+    """Names of the extensions that the kept directives enable."""
+    found = set()
+    for directive in module.directives:
+        text = directive.text.replace("#", " ").replace(":", " : ").split()
+        if text[:1] == ["extension"] and text[-1] in ("enable", "require", "warn"):
+            found.add(text[1])
+    return found
+
+
+def did_you_mean(name: str, known: Iterable[str]) -> str | None:
+    """``did you mean 'x'?`` for the known name nearest to ``name``."""
+    from difflib import get_close_matches  # only mistakes need it, and it is slow to import
+
+    best = get_close_matches(name, set(known), 1, 0.7)
+    return f"did you mean '{best[0]}'?" if best else None
+
+
+def callee(target: Overload | Signature) -> FunctionDef | FunctionProto | Signature:
+    """What the facts name as called: a definition where there is one."""
+    if isinstance(target, Signature):
+        return target
+    return target.definition or target.proto

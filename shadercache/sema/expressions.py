@@ -1,0 +1,333 @@
+"""Types and names of expressions.
+
+Expressions are walked with an explicit stack, operands before operators, so that a chain of a
+hundred thousand additions needs no recursion. An operand of the type ``ERROR`` was complained about
+already; what uses it gets the same type, silently.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from operator import attrgetter
+from typing import Any
+
+from shadercache.ast.nodes import (
+    Assign,
+    Binary,
+    Call,
+    Comma,
+    Conditional,
+    Construct,
+    Expr,
+    Index,
+    Length,
+    Literal,
+    Member,
+    Name,
+    Postfix,
+    TypeSpec,
+    Unary,
+)
+from shadercache.lang import builtins
+from shadercache.lang.types import BOOL, INT, UINT, Type, array_of, vector
+from shadercache.sema.calls import CallChecker
+from shadercache.sema.constants import SWIZZLES, Constants
+from shadercache.sema.constructors import construct_problem
+from shadercache.sema.context import ERROR, Context
+from shadercache.sema.facts import Kind, Symbol
+from shadercache.sema.fold import literal
+from shadercache.sema.lvalues import why_not_writable
+from shadercache.sema.operators import binary_type, unary_type
+
+_OPERANDS: Mapping[type, Callable[[Any], tuple[Expr, ...]]] = {
+    Binary: attrgetter("left", "right"),
+    Call: attrgetter("args"),
+    Construct: attrgetter("args"),
+    Member: lambda node: (node.object,),
+    Assign: attrgetter("target", "value"),
+    Index: attrgetter("object", "index"),
+    Unary: lambda node: (node.operand,),
+    Postfix: lambda node: (node.operand,),
+    Conditional: attrgetter("condition", "then", "other"),
+    Comma: attrgetter("left", "right"),
+    Length: lambda node: (node.object,),
+}
+
+
+class ExpressionChecker:
+    """Fills the tables of types, symbols, calls and constants for one expression at a time."""
+
+    def __init__(self, context: Context, resolve_spec: Callable[[TypeSpec], Type]) -> None:
+        self._context = context
+        self._types = context.types
+        self._visible = context.scopes.visible
+        self._symbols = context.symbols
+        self._resolve_spec = resolve_spec
+        self._literals: dict[str, tuple[Type, bool | int | float | None]] = {}
+        self._binary_types: dict[tuple[str, Type, Type], Type | None] = {}
+        self._members: dict[tuple[Type, str], Type | None] = {}
+        self._builtins: dict[str, Symbol | None] = {}
+        self.constants = Constants(context.types, context.conversions)
+        self._calls = CallChecker(context, self.constants)
+        self._rules: Mapping[type, Callable[[Any], Type]] = {
+            Binary: self._binary,
+            Call: self._calls.check,
+            Construct: self._construct,
+            Member: self._member,
+            Assign: self._assign,
+            Index: self._index,
+            Unary: self._unary,
+            Postfix: self._postfix,
+            Conditional: self._conditional,
+            Comma: self._comma,
+            Length: self._length,
+        }
+
+    def check(self, root: Expr) -> Type:
+        """Type of ``root``, after its parts and it have been entered into the tables."""
+        order: list[Expr] = []
+        stack = [root]
+        types = self._types
+        while stack:
+            node = stack.pop()
+            if type(node) is Name:
+                types[node] = self._name(node)
+            elif type(node) is Literal:
+                types[node] = self._literal(node)
+            else:
+                order.append(node)
+                stack.extend(_OPERANDS[type(node)](node))
+        # Parents came before their operands and left before right: backwards, operands come first.
+        rules = self._rules
+        for node in reversed(order):
+            types[node] = rules[node.__class__](node)
+        return types[root]
+
+    # --- leaves -----------------------------------------------------------------------------------
+
+    def _literal(self, node: Literal) -> Type:
+        found = self._literals.get(node.text)
+        if found is None:
+            found = self._literals[node.text] = literal(node.text)
+        kind, value = found
+        if value is None:
+            return self._context.error("SC232", "the integer needs more than 32 bits", node)
+        self.constants.expressions.add(node)
+        self.constants.values[node] = value
+        return kind
+
+    def _name(self, node: Name) -> Type:
+        entry = self._visible.get(node.name)
+        if entry is None:
+            entry = self._builtin(node.name)
+        if type(entry) is Symbol:
+            self._symbols[node] = entry
+            if entry.kind == "const":
+                self.constants.use(node, entry)
+            return entry.type
+        if entry is not None or self._context.builtin_functions(node.name):
+            what = "a type" if type(entry) is Type else "a function"
+            return self._context.error("SC204", f"'{node.name}' is {what}, not a variable", node)
+        known = self._context.known_variables
+        return self._context.undeclared("variable", node.name, node, known)
+
+    def _builtin(self, name: str) -> Symbol | None:
+        """The built-in variable of that name; one symbol for all its uses."""
+        if name not in self._builtins:
+            context = self._context
+            found = builtins.variable(name, context.stage, context.version, context.module.profile)
+            symbol = None
+            if found is not None:
+                kind: Kind = "const" if found.storage == "const" else "builtin"
+                symbol = Symbol(name, found.type, kind, writable=found.storage == "out")
+                if found.storage == "const":
+                    self.constants.declare_builtin(symbol, found)
+            self._builtins[name] = symbol
+        return self._builtins[name]
+
+    # --- operators --------------------------------------------------------------------------------
+
+    def _unary(self, node: Unary) -> Type:
+        operand = self._types[node.operand]
+        if operand is ERROR:
+            return ERROR
+        kind = unary_type(node.op, operand)
+        if kind is None:
+            return self._context.error("SC205", f"'{node.op}' does not apply to {operand}", node)
+        if node.op in ("++", "--"):
+            self._require_writable(node.operand)
+        elif node.operand in self.constants.expressions:
+            self._types[node] = kind
+            self.constants.unary(node)
+        return kind
+
+    def _postfix(self, node: Postfix) -> Type:
+        operand = self._types[node.operand]
+        if operand is ERROR:
+            return ERROR
+        kind = unary_type(node.op, operand)
+        if kind is None:
+            return self._context.error("SC205", f"'{node.op}' does not apply to {operand}", node)
+        self._require_writable(node.operand)
+        return kind
+
+    def _binary(self, node: Binary) -> Type:
+        left, right = self._types[node.left], self._types[node.right]
+        key = (node.op, left, right)
+        if key in self._binary_types:
+            kind = self._binary_types[key]
+        elif left is ERROR or right is ERROR:
+            kind = ERROR
+        else:
+            kind = binary_type(node.op, left, right, self._context.conversions)
+            self._binary_types[key] = kind
+        if kind is None:
+            message = f"'{node.op}' does not apply to {left} and {right}"
+            return self._context.error("SC205", message, node)
+        constant = self.constants.expressions
+        if node.left in constant and node.right in constant and kind is not ERROR:
+            self._types[node] = kind
+            self.constants.binary(node)
+        return kind
+
+    def _conditional(self, node: Conditional) -> Type:
+        condition, then, other = (
+            self._types[part] for part in (node.condition, node.then, node.other)
+        )
+        if condition is not BOOL and condition is not ERROR:
+            message = f"the condition of '?:' is {condition}, not bool"
+            return self._context.error("SC212", message, node.condition)
+        if ERROR in (condition, then, other):
+            return ERROR
+        kind = self._context.conversions.common(then, other)
+        if kind is None or kind.holds_opaque:
+            message = f"'?:' cannot choose between {then} and {other}"
+            return self._context.error("SC205", message, node)
+        if self.constants.expressions.issuperset((node.condition, node.then, node.other)):
+            self._types[node] = kind
+            self.constants.conditional(node)
+        return kind
+
+    def _comma(self, node: Comma) -> Type:
+        return self._types[node.right]
+
+    def _assign(self, node: Assign) -> Type:
+        target, value = self._types[node.target], self._types[node.value]
+        if target is ERROR:
+            return ERROR
+        self._require_writable(node.target)
+        if value is ERROR:
+            return target
+        conversions = self._context.conversions
+        result: Type | None = value
+        if node.op != "=":
+            result = binary_type(node.op[:-1], target, value, conversions)
+        if result is None or not conversions.converts(result, target) or target.holds_opaque:
+            message = f"cannot assign {value} to {target}"
+            if node.op != "=":
+                message = f"'{node.op}' does not apply to {target} and {value}"
+            self._context.error("SC210", message, node)
+        return target
+
+    def _require_writable(self, target: Expr) -> None:
+        problem = why_not_writable(target, self._context)
+        if problem is not None:
+            self._context.error("SC209", *problem)
+
+    # --- parts ------------------------------------------------------------------------------------
+
+    def _member(self, node: Member) -> Type:
+        whole = self._types[node.object]
+        if whole is ERROR:
+            return ERROR
+        key = (whole, node.name)
+        if key not in self._members:
+            self._members[key] = member_type(whole, node.name, self._context.version)
+        kind = self._members[key]
+        if kind is None:
+            return self._bad_member(node, whole)
+        if node.object in self.constants.expressions:
+            self._types[node] = kind
+            self.constants.member(node)
+        return kind
+
+    def _bad_member(self, node: Member, whole: Type) -> Type:
+        if whole.struct is not None and not whole.dims:
+            message = f"{whole} has no field '{node.name}'"
+            return self._context.no_field(message, node, whole.struct.fields)
+        message = f"{whole} has no field '{node.name}'"
+        if whole.is_vector:
+            message = f"'{node.name}' is no swizzle of {whole}"
+        return self._context.error("SC213", message, node)
+
+    def _index(self, node: Index) -> Type:
+        whole, at = self._types[node.object], self._types[node.index]
+        if whole is ERROR or at is ERROR:
+            return ERROR
+        if not (whole.dims or whole.rows > 1):
+            return self._context.error("SC214", f"{whole} cannot be indexed", node)
+        if at is not INT and at is not UINT:
+            return self._context.error("SC214", f"the index is {at}, not int or uint", node.index)
+        kind = whole.element
+        self._check_range(node, whole)
+        constant = self.constants.expressions
+        if node.index not in constant:
+            self._check_dynamic(node, whole)
+        elif node.object in constant:
+            self._types[node] = kind
+            self.constants.index(node)
+        return kind
+
+    def _check_range(self, node: Index, whole: Type) -> None:
+        at = self.constants.values.get(node.index)
+        size = whole.dims[0] if whole.dims else (whole.cols if whole.cols > 1 else whole.rows)
+        if isinstance(at, int) and (at < 0 or (size is not None and at >= size)):
+            self._context.error("SC214", f"index {at} is outside of {whole}", node.index)
+
+    def _check_dynamic(self, node: Index, whole: Type) -> None:
+        """What only a constant may index: unsized arrays, and before 4.00 arrays of samplers."""
+        if whole.is_unsized and whole.dims[0] is None:
+            message = f"{whole} has no size yet: only a constant may index it"
+            self._context.error("SC214", message, node.index)
+        elif whole.holds_opaque and self._context.function_version < 400:
+            message = "before GLSL 4.00 only a constant may index an array of samplers"
+            self._context.error("SC214", message, node.index)
+
+    def _length(self, node: Length) -> Type:
+        whole = self._types[node.object]
+        if whole is ERROR:
+            return ERROR
+        size = whole.dims[0] if whole.dims else None
+        if whole.rows > 1 and not whole.dims and self._context.version >= 420:
+            size = whole.cols if whole.is_matrix else whole.rows
+        if size is None:
+            return self._context.error("SC213", f"{whole} has no length()", node)
+        self.constants.set(node, size)
+        return INT
+
+    def _construct(self, node: Construct) -> Type:
+        kind = self._resolve_spec(node.type)
+        args = [self._types[arg] for arg in node.args]
+        if kind is ERROR or ERROR in args:
+            return ERROR
+        if kind.dims and kind.dims[0] is None and args:
+            kind = array_of(kind.element, len(args))
+        problem = construct_problem(kind, args, self._context.conversions)
+        if problem is not None:
+            return self._context.error("SC219", problem, node)
+        if self.constants.expressions.issuperset(node.args):
+            self._types[node] = kind
+            self.constants.construct(node)
+        return kind
+
+
+def member_type(whole: Type, name: str, version: int) -> Type | None:
+    """Type of ``.name``: a field, or a swizzle (section 5.5); scalars have one from 4.20 on."""
+    if whole.dims:
+        return None
+    if whole.struct is not None:
+        return whole.struct.fields.get(name)
+    if whole.base is None or whole.cols > 1 or (whole.rows == 1 and version < 420):
+        return None
+    fits = any(set(name) <= set(letters[: whole.rows]) for letters in SWIZZLES)
+    return vector(whole.base, len(name)) if fits and 1 <= len(name) <= 4 else None

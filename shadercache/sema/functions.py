@@ -1,0 +1,149 @@
+"""Functions: heads, overload sets, recursion (GLSL 3.30 section 6)."""
+
+from __future__ import annotations
+
+from shadercache.ast.nodes import Call, FunctionDef, FunctionProto, Param
+from shadercache.lang.types import VOID, Type
+from shadercache.sema.context import ERROR, Context
+from shadercache.sema.facts import Symbol
+from shadercache.sema.scopes import FunctionSet, Overload
+from shadercache.sema.typespecs import TypeResolver
+
+
+class FunctionChecker:
+    """Declares functions and, at the end, looks at all of them together."""
+
+    def __init__(self, context: Context, types: TypeResolver) -> None:
+        self._context = context
+        self._resolver = types
+        self._all: list[Overload] = []
+
+    def declare(self, proto: FunctionProto, definition: FunctionDef | None = None) -> Overload:
+        """Enter a prototype, or the head of a definition, into the global functions."""
+        context = self._context
+        overload = self._overload(proto)
+        context.check_name(proto.name, proto)
+        entry = context.scopes.function_set(proto.name)
+        if not isinstance(entry, FunctionSet):
+            message = f"'{proto.name}' is already declared, and not as a function"
+            context.error("SC202", message, proto)
+            entry = FunctionSet(proto.name)
+        before = entry.find(overload.params)
+        if before is None:
+            entry.overloads.append(overload)
+            self._all.append(overload)
+        else:
+            self._compare(before, overload)
+            overload = before
+        if definition is not None:
+            if overload.definition is not None:
+                message = f"'{proto.name}' with these parameters is defined twice"
+                context.error("SC202", message, proto)
+            overload.definition = definition
+        return overload
+
+    def _overload(self, proto: FunctionProto) -> Overload:
+        result = self._resolver.resolve(proto.type)
+        if result is not ERROR and (result.holds_opaque or result.is_unsized):
+            result = self._context.error("SC224", f"a function cannot return {result}", proto.type)
+        params = tuple(self._param_type(param) for param in proto.params)
+        return Overload(proto, result, params, tuple(map(direction, proto.params)))
+
+    def _param_type(self, param: Param) -> Type:
+        context = self._context
+        kind = self._resolver.with_dims(self._resolver.resolve(param.type), param.dims, param)
+        if kind is ERROR:
+            return kind
+        words = param.qualifiers.words
+        if kind is VOID:
+            context.error("SC204", "a parameter cannot be void", param)
+        elif kind.is_unsized:
+            context.error("SC215", "an array parameter needs a size", param)
+        elif kind.holds_opaque and param.writes_back:
+            context.error("SC221", f"a parameter of type {kind} cannot be written", param)
+        if "const" in words and param.writes_back:
+            context.error("SC221", "a 'const' parameter cannot be written", param)
+        return kind
+
+    def _compare(self, before: Overload, now: Overload) -> None:
+        """A function declared again must agree in everything (section 6.1)."""
+        name = now.proto.name
+        if ERROR in (before.result, now.result):
+            return
+        if before.result is not now.result:
+            message = f"'{name}' was declared to return {before.result}, not {now.result}"
+            self._context.error("SC224", message, now.proto)
+        elif before.directions != now.directions:
+            message = f"'{name}' was declared with other parameter qualifiers"
+            self._context.error("SC224", message, now.proto)
+
+    def declare_params(self, function: FunctionDef, overload: Overload) -> None:
+        """Enter the parameters into the scope of the function's body."""
+        context = self._context
+        for param, kind in zip(function.proto.params, overload.params, strict=True):
+            if param.name is None:
+                continue
+            context.check_name(param.name, param)
+            if context.scopes.here(param.name) is not None:
+                message = f"two parameters are called '{param.name}'"
+                context.error("SC202", message, param)
+            writable = not param.qualifiers.has("const")
+            symbol = Symbol(param.name, kind, "param", param.qualifiers, param, False, writable)
+            context.scopes.declare(param.name, symbol)
+            context.declared[param] = symbol
+
+    def check_all(self) -> None:
+        """There is a ``main``, nothing calls itself, what is called is defined."""
+        context = self._context
+        self._check_main()
+        called = {id(target) for target in context.calls.values()}
+        for overload in self._all:
+            if overload.definition is None and id(overload) in called:
+                message = f"'{overload.proto.name}' is called but not defined here"
+                context.warn("SC291", message, overload.proto)
+        find_recursion(context)
+
+    def _check_main(self) -> None:
+        context = self._context
+        mains = [item for item in self._all if item.proto.name == "main"]
+        if not any(item.definition for item in mains):
+            context.error("SC217", "there is no function 'void main()'", context.module)
+        for item in mains:
+            if item.params or item.result not in (VOID, ERROR):
+                message = "'main' takes no parameters and returns void"
+                context.error("SC217", message, item.proto)
+
+
+def direction(param: Param) -> str:
+    """``in``, ``out`` or ``inout``."""
+    return next((word for word in param.qualifiers.words if word in ("out", "inout")), "in")
+
+
+def find_recursion(context: Context) -> None:
+    """Report each call that closes a cycle of calls (section 6.1 forbids it even if never run)."""
+    done: set[FunctionDef] = set()
+    for start in context.called:
+        path: list[FunctionDef] = []
+        stack: list[tuple[FunctionDef, Call | None]] = [(start, None)]
+        while stack:
+            function, call = stack.pop()
+            if call is None and path and path[-1] is function:
+                path.pop()
+                done.add(function)
+            elif function in path and call is not None:
+                cycle = [*path[path.index(function) :], function]
+                names = " > ".join(item.name for item in cycle)
+                context.error("SC216", f"recursion is not allowed: {names}", call)
+            elif function not in done:
+                path.append(function)
+                stack.append((function, None))
+                stack.extend(_user_calls(context, function))
+
+
+def _user_calls(context: Context, function: FunctionDef) -> list[tuple[FunctionDef, Call | None]]:
+    calls: list[tuple[FunctionDef, Call | None]] = []
+    for call in reversed(context.called[function]):
+        target = context.calls[call]
+        if isinstance(target, Overload) and target.definition in context.called:
+            calls.append((target.definition, call))
+    return calls
