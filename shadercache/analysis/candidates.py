@@ -1,0 +1,268 @@
+"""Every node of a shader, offered for caching or refused with a reason.
+
+A node is one expression on one call path from ``main`` (DESIGN section 2). The checks stand in
+:meth:`_Judge.refusal` in the order in which they are reported.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from hashlib import blake2b
+
+from shadercache.analysis.cost import FETCH, CostTable
+from shadercache.analysis.derivatives import DerivativeUses
+from shadercache.analysis.effects import Does, EffectTable
+from shadercache.analysis.instances import Instance, Place, Use, find_instances
+from shadercache.analysis.refusals import Code, Refusal
+from shadercache.analysis.slices import DERIVATIVE, Slice, SliceTable
+from shadercache.analysis.spine import written_anywhere
+from shadercache.ast import nodes as n
+from shadercache.ast.walk import expressions
+from shadercache.lang.types import Type
+from shadercache.sema.facts import Facts
+from shadercache.source import Source
+
+MAX_CHANNELS = 3
+"""Payload channels of a cache texel; the fourth holds the depth."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Candidate:
+    """A node: an expression, how it is reached, what it costs, whether it may be cached.
+
+    ``cost`` is the static cost P of computing its value alone (its backward slice), in scalar
+    operations; ``ratio`` is P/T with T the cost of the whole shader. ``inputs`` are the uniforms,
+    varyings and built-in variables that the value depends on; ``text`` the expression as written,
+    on one line.
+    """
+
+    id: str
+    instance: Instance | None
+    place: Place | None
+    expr: n.Expr
+    text: str
+    path: str
+    type: Type
+    cost: float
+    ratio: float
+    inputs: frozenset[str]
+    refusal: Refusal | None
+
+    @property
+    def offered(self) -> bool:
+        """May it be cached, and might that pay?"""
+        return self.refusal is None
+
+    @property
+    def legal(self) -> bool:
+        """May it be cached, whether or not it pays?"""
+        return self.refusal is None or self.refusal.unprofitable
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Candidates:
+    """The nodes of a shader with the tables they were judged by."""
+
+    nodes: tuple[Candidate, ...]
+    instances: tuple[Instance, ...]
+    slices: SliceTable
+    uses: DerivativeUses
+    total_cost: float
+
+
+def find_candidates(
+    module: n.Module, facts: Facts, source: Source, printed: dict[str, str], table: EffectTable
+) -> Candidates:
+    """Judge every expression of ``main`` and of every function it reaches.
+
+    ``module`` has unique names; ``printed`` holds the text of each function and initialised global as
+    the user's source has it, from which the ids are made. Raises :class:`InputError` SC401 on too many call paths.
+    """
+    instances = find_instances(table)
+    costs = CostTable(facts)
+    slices = SliceTable(module, instances, table, costs)
+    uses = DerivativeUses(instances, slices, table)
+    judge = _Judge(module, facts, source, table, slices, uses, costs)
+    digests = _digests(instances, printed)
+    found: list[Candidate] = []
+    for instance in instances:
+        found.extend(judge.candidate(instance, place, digests) for place in instance.places.all)
+    found.extend(_initialisers(module, facts, source, printed))
+    return Candidates(tuple(found), instances, slices, uses, judge.total)
+
+
+class _Judge:
+    """Decides on one expression of one instance at a time."""
+
+    def __init__(
+        self,
+        module: n.Module,
+        facts: Facts,
+        source: Source,
+        table: EffectTable,
+        slices: SliceTable,
+        uses: DerivativeUses,
+        costs: CostTable,
+    ) -> None:
+        self.facts, self.source, self.table, self.slices = facts, source, table, slices
+        self.uses, self.costs = uses, costs
+        main = table.functions["main"]
+        self.total = costs.function(main) or 1.0
+        self.discards = bool(table.of(main.body).does & Does.DISCARD)
+        bit = slices.leaf_bit
+        written = written_anywhere(module, table)
+        self.mutable = sum({bit(name) for name in written})
+        self.derivative = bit(DERIVATIVE)
+        self.varying = sum({bit(name) for name in _varyings(module)})
+
+    def candidate(
+        self, instance: Instance, place: Place, digests: dict[Instance, str]
+    ) -> Candidate:
+        kind = self.facts.types[place.expr]
+        found = self.slices.before(instance, place.step.index, place.expr)
+        cost = self.slices.cost(found.atoms) + self.costs.of(place.expr)
+        refusal = self.refusal(instance, place, kind, found, cost)
+        return Candidate(
+            id=_node_id(instance, place, digests),
+            instance=instance,
+            place=place,
+            expr=place.expr,
+            text=_text(self.source, place.expr),
+            path=instance.label,
+            type=kind,
+            cost=cost,
+            ratio=cost / self.total,
+            inputs=self.slices.leaf_names(found.leaves),
+            refusal=refusal,
+        )
+
+    def refusal(
+        self, instance: Instance, place: Place, kind: Type, found: Slice, cost: float
+    ) -> Refusal | None:
+        return (
+            self._by_place(instance, place)
+            or self._by_type(kind)
+            or self._by_effects(instance, place)
+            or self._by_inputs(place.expr, found)
+            or self._by_use(instance, place)
+            or (Refusal(Code.CHEAP) if cost < FETCH else None)
+        )
+
+    def _by_place(self, instance: Instance, place: Place) -> Refusal | None:
+        uses = (instance.use, place.use)
+        if Use.LOOP in uses:
+            return Refusal(Code.LOOP)
+        if place.use is Use.LVALUE:
+            return Refusal(Code.LVALUE)
+        if Use.CONSTANT in uses or self.facts.is_constant(place.expr):
+            return Refusal(Code.CONSTANT)
+        if Use.CONDITIONAL in uses:
+            return Refusal(Code.CONDITIONAL)
+        if instance.after_exit or place.step.after_exit:
+            return Refusal(Code.AFTER_EXIT)
+        return None
+
+    def _by_type(self, kind: Type) -> Refusal | None:
+        if kind.is_void or kind.holds_opaque:
+            return Refusal(Code.OPAQUE, str(kind))
+        if kind.components is None or kind.components > MAX_CHANNELS:
+            return Refusal(Code.WIDE, str(kind))
+        if not (kind.is_float and (kind.is_scalar or kind.is_vector)):
+            return Refusal(Code.NOT_FLOAT, str(kind))
+        return None
+
+    def _by_effects(self, instance: Instance, place: Place) -> Refusal | None:
+        effects = self.table.of(place.expr)
+        if effects.writes:
+            return Refusal(Code.SIDE_EFFECT, "writes " + ", ".join(sorted(effects.writes)))
+        if instance.order_matters or place.step.order_matters:
+            return Refusal(Code.ORDER)
+        if self.discards:
+            return Refusal(Code.DISCARDS)
+        return None
+
+    def _by_inputs(self, expr: n.Expr, found: Slice) -> Refusal | None:
+        names = self.slices.leaf_names
+        if found.leaves & self.mutable:
+            return Refusal(Code.MUTABLE_GLOBAL, ", ".join(sorted(names(found.leaves & self.mutable))))
+        if found.leaves & self.derivative:
+            return Refusal(Code.DERIVATIVE)
+        screen = sorted(name for name in names(found.leaves) if name.startswith("gl_"))
+        if screen:
+            return Refusal(Code.SCREEN, ", ".join(screen))
+        if not found.leaves and not self.table.of(expr).does:
+            return Refusal(Code.CONSTANT)
+        if not found.leaves & self.varying:
+            return Refusal(Code.UNIFORM, ", ".join(sorted(names(found.leaves))))
+        return None
+
+    def _by_use(self, instance: Instance, place: Place) -> Refusal | None:
+        if self.uses.fed_by(instance, place):
+            return Refusal(Code.FEEDS_DERIVATIVE)
+        return None
+
+
+def _varyings(module: n.Module) -> set[str]:
+    """Names of the inputs that differ from fragment to fragment."""
+    found: set[str] = set()
+    for decl in module.decls:
+        if isinstance(decl, n.VarDecl) and decl.qualifiers.has("in"):
+            found |= {item.name for item in decl.declarators}
+        elif isinstance(decl, n.BlockDecl) and decl.qualifiers.has("in"):
+            found |= {decl.instance or ""} | {i.name for f in decl.fields for i in f.declarators}
+    return found - {""}
+
+
+def _text(source: Source, expr: n.Expr) -> str:
+    return " ".join(source.text[expr.span.start : expr.span.end].split())
+
+
+def _digest(*parts: str) -> str:
+    return blake2b("\0".join(parts).encode(), digest_size=4).hexdigest()
+
+
+def _digests(instances: tuple[Instance, ...], printed: dict[str, str]) -> dict[Instance, str]:
+    """A digest of every call path: the functions on it as written, and which calls it takes."""
+    found: dict[Instance, str] = {}
+    for item in instances:
+        own = printed[item.places.function.name]
+        if item.parent is None or item.place is None:
+            found[item] = _digest(own)
+        else:
+            found[item] = _digest(found[item.parent], str(item.place.ordinal), own)
+    return found
+
+
+def _node_id(instance: Instance, place: Place, digests: dict[Instance, str]) -> str:
+    name = instance.places.function.name
+    return f"{name}.{place.ordinal}-{_digest(digests[instance], str(place.ordinal))}"
+
+
+def _initialisers(
+    module: n.Module, facts: Facts, source: Source, printed: dict[str, str]
+) -> list[Candidate]:
+    """The expressions in initialisers of globals: all refused (law 9: refused means told)."""
+    found: list[Candidate] = []
+    for decl in module.decls:
+        if not isinstance(decl, n.VarDecl):
+            continue
+        for item in decl.declarators:
+            for number, expr in enumerate(expressions(item.init) if item.init else ()):
+                code = Code.CONSTANT if facts.is_constant(expr) else Code.INITIALISER
+                digest = _digest(printed[item.name], str(number))
+                found.append(
+                    Candidate(
+                        id=f"{item.name}.{number}-{digest}",
+                        instance=None,
+                        place=None,
+                        expr=expr,
+                        text=_text(source, expr),
+                        path=f"(initialiser of {item.name})",
+                        type=facts.types[expr],
+                        cost=0.0,
+                        ratio=0.0,
+                        inputs=frozenset(),
+                        refusal=Refusal(code),
+                    )
+                )
+    return found

@@ -1,0 +1,207 @@
+"""What an expression, a statement or a function reads, writes and may do.
+
+The analysis works by name, so it needs a module in which every identifier means one thing
+(:mod:`shadercache.transform.unique_names`); it needs no table of types and can therefore be run
+again after any rewrite.
+
+A call counts with everything that the called function, and what that calls, does to global
+variables; its locals and parameters stay its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import Flag, auto
+
+from shadercache.ast import nodes as n
+from shadercache.ast.walk import children
+from shadercache.lang.builtins import Signature
+from shadercache.lang.builtins import functions as builtin_functions
+
+
+class Does(Flag):
+    """What evaluating a piece of program may do beside reading and writing variables."""
+
+    NOTHING = 0
+    DISCARD = auto()
+    RETURN = auto()
+    JUMP = auto()
+    """``break`` or ``continue``."""
+    DERIVATIVE = auto()
+    """``dFdx``, ``dFdy``, ``fwidth`` and what else needs derivatives explicitly."""
+    IMPLICIT_LOD = auto()
+    """A texture fetch whose level of detail comes from derivatives."""
+
+
+@dataclass(frozen=True, slots=True)
+class Effects:
+    """Variables read and written (by name), and what else is done."""
+
+    reads: frozenset[str] = frozenset()
+    writes: frozenset[str] = frozenset()
+    does: Does = Does.NOTHING
+
+    def __or__(self, other: Effects) -> Effects:
+        return Effects(
+            self.reads | other.reads, self.writes | other.writes, self.does | other.does
+        )
+
+
+NO_EFFECTS = Effects()
+
+
+def union(effects: Iterable[Effects]) -> Effects:
+    """All of them together."""
+    total = NO_EFFECTS
+    for item in effects:
+        total = total | item
+    return total
+
+
+def root_variable(target: n.Expr) -> str | None:
+    """The variable that an assignment to ``target`` changes: ``v`` for ``v.xy[1]``."""
+    while not isinstance(target, n.Name):
+        if not isinstance(target, n.Member | n.Index):
+            return None
+        target = target.object
+    return target.name
+
+
+class EffectTable:
+    """Effects of every piece of one module; computed on demand and kept.
+
+    Shape: one :class:`Effects` per node of the tree, keyed by identity.
+    """
+
+    def __init__(self, module: n.Module) -> None:
+        self.functions = {d.name: d for d in module.decls if isinstance(d, n.FunctionDef)}
+        self.version = module.version
+        self._table: dict[n.Node, Effects] = {}
+        self._summaries: dict[str, Effects] = {}
+
+    def of(self, node: n.Node) -> Effects:
+        """The effects of evaluating an expression or executing a statement."""
+        found = self._table.get(node)
+        if found is None:
+            for item in _postorder(node, self._table):
+                self._table[item] = self._own(item)
+            found = self._table[node]
+        return found
+
+    def summary(self, name: str) -> Effects:
+        """What a call of the user's function ``name`` does outside of the function."""
+        found = self._summaries.get(name)
+        if found is None:
+            function = self.functions[name]
+            inside = self.of(function.body)
+            own = local_names(function)
+            does = inside.does & ~(Does.RETURN | Does.JUMP)
+            found = Effects(inside.reads - own, inside.writes - own, does)
+            self._summaries[name] = found
+        return found
+
+    def _own(self, node: n.Node) -> Effects:
+        """Combine the (known) effects of the children with what the node itself does."""
+        match node:
+            case n.Name():
+                return Effects(reads=frozenset((node.name,)))
+            case n.Assign():
+                return self._assign(node)
+            case n.Unary(op="++" | "--") | n.Postfix():
+                inside = self._table[node.operand]
+                return inside | _written(node.operand)
+            case n.Call():
+                return self._call(node)
+            case n.Declarator():
+                inside = union(self._table[child] for child in children(node))
+                written = frozenset((node.name,)) if node.init is not None else frozenset()
+                return inside | Effects(writes=written)
+            case n.Return():
+                inside = NO_EFFECTS if node.value is None else self._table[node.value]
+                return inside | Effects(does=Does.RETURN)
+            case n.Jump():
+                return Effects(does=Does.DISCARD if node.word == "discard" else Does.JUMP)
+            case _:
+                return union(self._table[child] for child in children(node))
+
+    def _assign(self, node: n.Assign) -> Effects:
+        inside = self._table[node.target] | self._table[node.value]
+        if node.op == "=" and isinstance(node.target, n.Name):
+            # The old value is not read.
+            inside = self._table[node.value]
+        return inside | _written(node.target)
+
+    def _call(self, node: n.Call) -> Effects:
+        total = union(self._table[arg] for arg in node.args)
+        if node.name in self.functions:
+            total = total | self.summary(node.name)
+        else:
+            total = total | Effects(does=_builtin_does(node, self.version))
+        for arg, out in zip(node.args, out_arguments(node, self), strict=True):
+            if out:
+                total = total | _written(arg)
+        return total
+
+
+def out_arguments(call: n.Call, table: EffectTable) -> tuple[bool, ...]:
+    """For each argument of a call: may the called function write to it?"""
+    function = table.functions.get(call.name)
+    if function is not None:
+        return tuple(param.writes_back for param in function.proto.params)
+    signatures = _signatures(call, table.version)
+    return tuple(
+        any(item.params[i].direction != "in" for item in signatures)
+        for i in range(len(call.args))
+    )
+
+
+def _signatures(call: n.Call, version: int) -> list[Signature]:
+    found = builtin_functions(call.name, version)
+    return [item for item in found if len(item.params) == len(call.args)]
+
+
+def needs_derivative(call: n.Call, table: EffectTable) -> bool:
+    """Is it a built-in that takes a derivative, openly or for a level of detail?"""
+    return call.name not in table.functions and bool(_builtin_does(call, table.version))
+
+
+def _builtin_does(call: n.Call, version: int) -> Does:
+    does = Does.NOTHING
+    for item in _signatures(call, version):
+        if item.derivative:
+            does |= Does.DERIVATIVE
+        if item.implicit_lod:
+            does |= Does.IMPLICIT_LOD
+    return does
+
+
+def _written(target: n.Expr) -> Effects:
+    root = root_variable(target)
+    return Effects(writes=frozenset((root,))) if root else NO_EFFECTS
+
+
+def _postorder(node: n.Node, done: dict[n.Node, Effects]) -> list[n.Node]:
+    """Children before parents, skipping what is done; no recursion (long operator chains)."""
+    order: list[n.Node] = []
+    stack = [node]
+    while stack:
+        item = stack.pop()
+        if item in done:
+            continue
+        order.append(item)
+        stack.extend(children(item))
+    order.reverse()
+    return order
+
+
+def local_names(function: n.FunctionDef) -> frozenset[str]:
+    """Names of the parameters and of all variables declared in a function."""
+    names = {param.name for param in function.proto.params if param.name}
+    stack: list[n.Node] = [function.body]
+    while stack:
+        item = stack.pop()
+        if isinstance(item, n.Declarator):
+            names.add(item.name)
+        stack.extend(children(item))
+    return frozenset(names)

@@ -1,0 +1,194 @@
+"""Function instances (one for each call path from ``main``) and the uses of their expressions.
+
+An expression of a function that is called twice has two values per fragment; a node is therefore an
+expression together with the path of calls that leads to it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import Enum
+
+from shadercache.analysis.effects import EffectTable, out_arguments
+from shadercache.analysis.spine import Spine, Step
+from shadercache.ast import nodes as n
+from shadercache.ast.walk import EXPRESSIONS, children
+from shadercache.diagnostics import input_error
+
+MAX_INSTANCES = 20_000
+"""Call paths are capped here (a call graph of 20 functions calling twice has a million)."""
+
+
+class Use(Enum):
+    """How an expression stands in its function."""
+
+    PLAIN = "evaluated once in every call"
+    LVALUE = "the place of an assignment or of an out argument"
+    CONDITIONAL = "evaluated only under a condition"
+    LOOP = "inside a loop"
+    CONSTANT = "in a place that must be constant"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Place:
+    """An expression of a function: its number in source order, its step and its use."""
+
+    ordinal: int
+    expr: n.Expr
+    step: Step
+    use: Use
+
+
+class Places:
+    """All expressions of one function with their places, in source order."""
+
+    def __init__(self, function: n.FunctionDef, table: EffectTable) -> None:
+        self.function = function
+        self.spine = Spine(function, table)
+        self.all: list[Place] = []
+        for step in self.spine.steps:
+            self._visit(step, table)
+        self.of = {place.expr: place for place in self.all}
+        self.calls = [
+            (place, place.expr, table.functions[place.expr.name])
+            for place in self.all
+            if isinstance(place.expr, n.Call) and place.expr.name in table.functions
+        ]
+
+    def _visit(self, step: Step, table: EffectTable) -> None:
+        stack: list[tuple[n.Node, Use, bool]] = [(step.stmt, Use.PLAIN, False)]
+        while stack:
+            node, use, target = stack.pop()
+            if isinstance(node, EXPRESSIONS):
+                shown = Use.LVALUE if target else use
+                self.all.append(Place(len(self.all), node, step, shown))
+            stack.extend(reversed(list(_parts(node, use, target, table))))
+
+
+def _parts(
+    node: n.Node, use: Use, target: bool, table: EffectTable
+) -> Iterator[tuple[n.Node, Use, bool]]:
+    """The children of a node with their use, and whether they are part of an l-value."""
+    guarded = use if use is Use.LOOP else Use.CONDITIONAL
+    match node:
+        case n.For() | n.While() | n.DoWhile():
+            yield from ((child, Use.LOOP, False) for child in children(node))
+        case n.If(condition=first) | n.Switch(selector=first) | n.Conditional(condition=first):
+            for child in children(node):
+                yield child, use if child is first else guarded, False
+        case n.Binary(op="&&" | "||"):
+            yield node.left, use, False
+            yield node.right, guarded, False
+        case n.Assign():
+            yield node.target, use, True
+            yield node.value, use, False
+        case n.Unary(op="++" | "--") | n.Postfix():
+            yield node.operand, use, True
+        case n.Member():
+            yield node.object, use, target
+        case n.Index():
+            yield node.object, use, target
+            yield node.index, use, False
+        case n.Call():
+            for arg, out in zip(node.args, out_arguments(node, table), strict=True):
+                yield arg, use, out
+        case n.TypeSpec() | n.Case() | n.LayoutItem():
+            yield from ((child, Use.CONSTANT, False) for child in children(node))
+        case n.Declarator():
+            yield from ((dim, Use.CONSTANT, False) for dim in node.dims if dim is not None)
+            if node.init is not None:
+                yield node.init, use, False
+        case _:
+            yield from ((child, use, False) for child in children(node))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Instance:
+    """A function as reached by one path of calls.
+
+    ``label`` is the path as people read it (``main > marble > noise@2``: the second call of
+    ``noise`` in ``marble``). ``use``, ``after_exit`` and ``order_matters`` say what holds for the
+    call itself or for any call above it.
+    """
+
+    index: int
+    places: Places
+    parent: Instance | None
+    call: n.Call | None
+    place: Place | None
+    label: str
+    use: Use
+    after_exit: bool
+    order_matters: bool
+
+    @property
+    def path(self) -> tuple[n.Call, ...]:
+        """The calls from ``main`` down to this function; empty for ``main``."""
+        if self.parent is None or self.call is None:
+            return ()
+        return (*self.parent.path, self.call)
+
+
+def find_instances(table: EffectTable) -> tuple[Instance, ...]:
+    """All instances reached from ``main``, callers before callees, in order of evaluation text.
+
+    Raises :class:`InputError` SC401 where there are more than :data:`MAX_INSTANCES`.
+    """
+    places: dict[str, Places] = {}
+    count = _count("main", table, places, {})
+    if count > MAX_INSTANCES:
+        raise input_error(
+            "SC401", f"the shader has {count} call paths; at most {MAX_INSTANCES} are analysed"
+        )
+    main = Instance(0, places["main"], None, None, None, "main", Use.PLAIN, False, False)
+    found = [main]
+    for instance in found:  # grows while it runs
+        found.extend(_callees(instance, places, len(found)))
+    return tuple(found)
+
+
+def _count(
+    name: str, table: EffectTable, places: dict[str, Places], counts: dict[str, int]
+) -> int:
+    if name not in counts:
+        here = places.setdefault(name, Places(table.functions[name], table))
+        inner = (_count(callee.name, table, places, counts) for _, _, callee in here.calls)
+        counts[name] = 1 + sum(inner)
+    return counts[name]
+
+
+def _callees(caller: Instance, places: dict[str, Places], first: int) -> Iterator[Instance]:
+    total: dict[str, int] = {}
+    for _, _, callee in caller.places.calls:
+        total[callee.name] = total.get(callee.name, 0) + 1
+    seen: dict[str, int] = {}
+    for offset, (place, call, callee) in enumerate(caller.places.calls):
+        number = seen[callee.name] = seen.get(callee.name, 0) + 1
+        suffix = f"@{number}" if total[callee.name] > 1 else ""
+        yield Instance(
+            index=first + offset,
+            places=places[callee.name],
+            parent=caller,
+            call=call,
+            place=place,
+            label=f"{caller.label} > {callee.name}{suffix}",
+            use=_worse(caller.use, place.use),
+            after_exit=caller.after_exit or place.step.after_exit,
+            order_matters=caller.order_matters or _moves(place),
+        )
+
+
+def _moves(place: Place) -> bool:
+    """Do side effects around this call forbid to move anything out of its statement?"""
+    stmt = place.step.stmt
+    is_root = isinstance(stmt, n.ExprStmt) and (
+        stmt.expr is place.expr
+        or (isinstance(stmt.expr, n.Assign) and stmt.expr.value is place.expr)
+    )
+    return place.step.order_matters and not is_root
+
+
+def _worse(one: Use, other: Use) -> Use:
+    ranking = (Use.LOOP, Use.CONDITIONAL, Use.CONSTANT, Use.LVALUE, Use.PLAIN)
+    return min(one, other, key=ranking.index)

@@ -1,0 +1,78 @@
+"""What a whole shader must be like for any of its values to be cached."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from shadercache.ast import nodes as n
+from shadercache.ast.walk import walk
+from shadercache.diagnostics import Diagnostic, InputError
+from shadercache.source import Source
+
+MIN_VERSION = 330
+
+_BUILTIN_OUTPUTS = ("gl_FragColor", "gl_FragData", "gl_FragDepth", "gl_SampleMask")
+
+
+def find_color(module: n.Module, source: Source) -> str:
+    """The name of the fragment shader's colour output.
+
+    Raises :class:`InputError` where it has none or several (SC403), writes a built-in output
+    (SC404), or asks for early fragment tests (SC405: the first pass must not write depth for a
+    fragment that it discards).
+    """
+    problems = list(_unsupported(module, source))
+    outputs = [
+        (item, decl)
+        for decl in module.decls
+        if isinstance(decl, n.VarDecl) and decl.qualifiers.has("out")
+        for item in decl.declarators
+    ]
+    if len(outputs) != 1 or outputs[0][1].type.name != "vec4" or outputs[0][0].dims:
+        message = "a shader to cache in has exactly one output, a vec4 colour"
+        span = outputs[-1][0].span if outputs else None
+        hint = f"this one has {len(outputs)} outputs"
+        problems.append(Diagnostic("SC403", message, source, span, hint))
+    if problems:
+        raise InputError(problems)
+    return outputs[0][0].name
+
+
+def check_stages(
+    fragment: n.Module, fragment_source: Source, vertex: n.Module, vertex_source: Source
+) -> None:
+    """Does the vertex shader write every varying that the fragment shader reads?
+
+    Raises :class:`InputError` SC406 for a varying that is missing or of another type.
+    """
+    given = {name: kind for name, kind, _ in _interface(vertex, "out")}
+    problems: list[Diagnostic] = []
+    for name, kind, node in _interface(fragment, "in"):
+        if name not in given:
+            message = f"{vertex_source.name} does not write '{name}'"
+        elif given[name] != kind:
+            message = f"'{name}' is {kind} here and {given[name]} in {vertex_source.name}"
+        else:
+            continue
+        problems.append(Diagnostic("SC406", message, fragment_source, node.span))
+    if problems:
+        raise InputError(problems)
+
+
+def _interface(module: n.Module, word: str) -> Iterator[tuple[str, str, n.Node]]:
+    for decl in module.decls:
+        if isinstance(decl, n.VarDecl) and decl.qualifiers.has(word):
+            for item in decl.declarators:
+                yield item.name, decl.type.name, item
+        elif isinstance(decl, n.BlockDecl) and decl.qualifiers.has(word):
+            yield decl.name, "block", decl
+
+
+def _unsupported(module: n.Module, source: Source) -> Iterator[Diagnostic]:
+    for node in walk(module):
+        if isinstance(node, n.Name) and node.name in _BUILTIN_OUTPUTS:
+            message = f"a shader that writes {node.name} cannot be cached"
+            yield Diagnostic("SC404", message, source, node.span)
+        elif isinstance(node, n.LayoutItem) and node.name == "early_fragment_tests":
+            message = "a shader with early_fragment_tests cannot be cached: its first pass discards"
+            yield Diagnostic("SC405", message, source, node.span)

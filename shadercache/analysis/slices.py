@@ -1,0 +1,158 @@
+"""Which steps of the program, and which inputs, the value of an expression depends on.
+
+Everything is kept as bit sets in plain integers: one bit for each (instance, step) and for each
+argument handed down a call path (an *atom*), one bit for each input (a *leaf*: a uniform, a
+varying, a built-in variable, a global, or a marker such as :data:`DERIVATIVE`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from shadercache.analysis.cost import CostTable
+from shadercache.analysis.effects import Does, EffectTable
+from shadercache.analysis.instances import Instance
+from shadercache.ast import nodes as n
+from shadercache.ast.walk import walk
+
+DERIVATIVE = "%derivative"
+"""Leaf of a value that was computed from an explicit derivative (no GLSL name begins with %)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Slice:
+    """Atoms and leaves as bit sets."""
+
+    atoms: int = 0
+    leaves: int = 0
+
+    def __or__(self, other: Slice) -> Slice:
+        return Slice(self.atoms | other.atoms, self.leaves | other.leaves)
+
+
+NOTHING = Slice()
+
+
+class SliceTable:
+    """Backward slices over all instances of a module."""
+
+    def __init__(
+        self,
+        module: n.Module,
+        instances: tuple[Instance, ...],
+        table: EffectTable,
+        cost: CostTable,
+    ) -> None:
+        self._table = table
+        self._cost = cost
+        self._leaf_bits: dict[str, int] = {}
+        self._atom_costs: list[float] = []
+        self._totals: dict[int, float] = {0: 0.0}
+        self._globals = _global_initialisers(module)
+        self._params: dict[tuple[Instance, str], Slice] = {}
+        self._steps: dict[Instance, list[Slice]] = {}
+        self.step_bits: dict[Instance, list[int]] = {}
+        self.argument_bits: dict[tuple[Instance, str], int] = {}
+        for instance in instances:  # callers first
+            self._hand_down(instance)
+            self._fill(instance)
+
+    def before(self, instance: Instance, step: int, node: n.Node) -> Slice:
+        """What evaluating ``node`` at that step depends on, ``node`` itself apart."""
+        effects = self._table.of(node)
+        found = self._of_names(instance, step, effects.reads)
+        if effects.does & Does.DERIVATIVE:
+            found = found | Slice(0, self.leaf_bit(DERIVATIVE))
+        return found
+
+    def step(self, instance: Instance, index: int) -> Slice:
+        """What a step depends on, itself included."""
+        return self._steps[instance][index]
+
+    def leaf_bit(self, name: str) -> int:
+        """The bit of an input."""
+        return self._leaf_bits.setdefault(name, 1 << len(self._leaf_bits))
+
+    def leaf_names(self, leaves: int) -> frozenset[str]:
+        """The inputs in a bit set."""
+        return frozenset(name for name, bit in self._leaf_bits.items() if bit & leaves)
+
+    def cost(self, atoms: int) -> float:
+        """Static cost of executing the given atoms once."""
+        found = self._totals.get(atoms)
+        if found is None:
+            bits = bin(atoms)[:1:-1]
+            found = sum(cost for cost, bit in zip(self._atom_costs, bits, strict=False) if bit == "1")
+            self._totals[atoms] = found
+        return found
+
+    def _new_atom(self, cost: float) -> int:
+        self._atom_costs.append(cost)
+        return 1 << (len(self._atom_costs) - 1)
+
+    def _hand_down(self, instance: Instance) -> None:
+        """Slices of the arguments that the caller passes to this instance."""
+        caller, call, place = instance.parent, instance.call, instance.place
+        if caller is None or call is None or place is None:
+            return
+        index = place.step.index
+        for param, arg in zip(instance.places.function.proto.params, call.args, strict=True):
+            if param.name is None:
+                continue
+            bit = self._new_atom(self._cost.of(arg))
+            self.argument_bits[instance, param.name] = bit
+            self._params[instance, param.name] = self.before(caller, index, arg) | Slice(bit)
+            if place.step.is_control:
+                # Inside a conditional or a loop any of its statements may have come before.
+                whole = self.before(caller, index, place.step.stmt)
+                self._params[instance, param.name] |= whole
+
+    def _fill(self, instance: Instance) -> None:
+        slices = self._steps[instance] = []
+        bits = self.step_bits[instance] = []
+        for step in instance.places.spine.steps:
+            bit = self._new_atom(self._cost.of(step.stmt))
+            bits.append(bit)
+            slices.append(self.before(instance, step.index, step.stmt) | Slice(bit))
+
+    def _of_names(self, instance: Instance, step: int, names: Iterable[str]) -> Slice:
+        found = NOTHING
+        for name in names:
+            indices, from_entry = instance.places.spine.definitions(name, step)
+            for index in indices:
+                found = found | self._steps[instance][index]
+            if name in self._globals:
+                # A global may also have been written elsewhere: it always counts as an input.
+                found = found | self._of_global(name)
+            elif from_entry and (instance, name) in self._params:
+                found = found | self._params[instance, name]
+        return found
+
+    def _of_global(self, name: str) -> Slice:
+        found = Slice(0, self.leaf_bit(name))
+        init = self._globals[name]
+        if init is not None:
+            for item in self._table.of(init).reads:
+                if item in self._globals and item != name:
+                    found = found | self._of_global(item)
+        return found
+
+
+def _global_initialisers(module: n.Module) -> dict[str, n.Expr | None]:
+    """Every global variable, block member and block instance, with its initialiser."""
+    found: dict[str, n.Expr | None] = {}
+    for decl in module.decls:
+        match decl:
+            case n.VarDecl():
+                found |= {item.name: item.init for item in decl.declarators}
+            case n.BlockDecl():
+                if decl.instance is not None:
+                    found[decl.instance] = None
+                for item in decl.fields:
+                    found |= {one.name: None for one in item.declarators}
+    for decl in module.decls:
+        for node in walk(decl):
+            if isinstance(node, n.Name) and node.name.startswith("gl_"):
+                found.setdefault(node.name, None)
+    return found

@@ -1,0 +1,123 @@
+"""The statements of a function that every call executes, in order, and who defines what they read.
+
+The *spine* of a function is the list of its unconditional statements, nested plain blocks
+flattened. A conditional, a loop or a ``switch`` is one step, taken as a whole: it may write what
+any statement inside it writes. Values that are cached are computed on the spine, so this simple
+form of reaching definitions is exact where it matters and safe elsewhere.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from shadercache.analysis.effects import Does, Effects, EffectTable, root_variable
+from shadercache.ast import nodes as n
+from shadercache.ast.walk import children
+
+CONTROL = (n.If, n.Switch, n.For, n.While, n.DoWhile)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Step:
+    """One unconditional statement.
+
+    ``after_exit``: an earlier statement may have left the function or discarded the fragment, so
+    that this one is not always reached. ``order_matters``: the statement has side effects inside
+    its expression (not just at its root), so that nothing may be moved out of it.
+    """
+
+    index: int
+    stmt: n.Stmt
+    effects: Effects
+    after_exit: bool
+    order_matters: bool
+
+    @property
+    def is_control(self) -> bool:
+        """Is it a conditional, a loop or a switch as a whole?"""
+        return isinstance(self.stmt, CONTROL)
+
+
+class Spine:
+    """The steps of one function, and the definitions that reach each of them."""
+
+    def __init__(self, function: n.FunctionDef, table: EffectTable) -> None:
+        self.function = function
+        self.steps: list[Step] = []
+        self._writes: dict[str, list[tuple[int, bool]]] = {}
+        self._collect(function.body.body, table)
+
+    def definitions(self, name: str, before: int) -> tuple[tuple[int, ...], bool]:
+        """Which steps may have given ``name`` the value that step ``before`` reads.
+
+        Returns their indices, and whether the value at the function's entry may still be there.
+        """
+        found: list[int] = []
+        for index, kills in reversed(self._writes.get(name, ())):
+            if index < before:
+                found.append(index)
+                if kills:
+                    return tuple(found), False
+        return tuple(found), True
+
+    def _collect(self, stmts: Iterable[n.Stmt], table: EffectTable) -> None:
+        left = False
+        for stmt in _flatten(stmts):
+            effects = table.of(stmt)
+            index = len(self.steps)
+            self.steps.append(Step(index, stmt, effects, left, _order_matters(stmt, table)))
+            kills = _overwrites(stmt)
+            for name in effects.writes | kills:
+                self._writes.setdefault(name, []).append((index, name in kills))
+            left = left or bool(effects.does & (Does.RETURN | Does.DISCARD))
+
+
+def _flatten(stmts: Iterable[n.Stmt]) -> Iterator[n.Stmt]:
+    for stmt in stmts:
+        if isinstance(stmt, n.Block):
+            yield from _flatten(stmt.body)
+        else:
+            yield stmt
+
+
+def _overwrites(stmt: n.Stmt) -> frozenset[str]:
+    """Variables whose old value the statement makes irrelevant to every later reader.
+
+    ``s += x`` counts: whoever reads ``s`` afterwards reads it through this statement.
+    """
+    match stmt:
+        case n.DeclStmt(decl=n.VarDecl(declarators=items)):
+            return frozenset(item.name for item in items)
+        case n.ExprStmt(expr=n.Assign(target=n.Name(name=name))):
+            return frozenset((name,))
+    return frozenset()
+
+
+def _order_matters(stmt: n.Stmt, table: EffectTable) -> bool:
+    """Does a part of the statement's expression have a side effect, its root apart?"""
+    if isinstance(stmt, CONTROL):
+        return bool(_header_effects(stmt, table))
+    root = stmt.expr if isinstance(stmt, n.ExprStmt) else stmt
+    if root is None:
+        return False
+    if isinstance(root, n.DeclStmt) and isinstance(root.decl, n.VarDecl):
+        return any(table.of(item.init).writes for item in root.decl.declarators if item.init)
+    return any(table.of(child).writes for child in children(root))
+
+
+def _header_effects(stmt: n.Stmt, table: EffectTable) -> frozenset[str]:
+    match stmt:
+        case n.If(condition=condition):
+            return table.of(condition).writes
+        case n.Switch(selector=selector):
+            return table.of(selector).writes
+    return frozenset()
+
+
+def written_anywhere(module: n.Module, table: EffectTable) -> frozenset[str]:
+    """Names of the global variables that some function of the module writes."""
+    return frozenset[str]().union(*(table.summary(name).writes for name in table.functions))
+
+
+__all__ = ["CONTROL", "Spine", "Step", "root_variable", "written_anywhere"]

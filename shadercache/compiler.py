@@ -1,0 +1,185 @@
+"""The compiler: from two shader sources and a node to the programs of its variants.
+
+The passes, in order (each in its own file):
+
+1.  :mod:`front.parse`              text to tree
+2.  :mod:`sema.check`               names and types; every error of the user is found here
+3.  :mod:`transform.unique_names`   every identifier means one thing, so the rest works by name
+4.  :mod:`transform.split`          one declarator to a declaration
+5.  :mod:`sema.check`               types of the tree that the rest works on
+6.  :mod:`analysis.candidates`      every node, offered or refused
+
+and for one node, for each pass of each algorithm:
+
+7.  :mod:`transform.specialise`     cut the node out of clones of the functions on its call path
+8.  :mod:`emit.assemble`            add the look-up, the store and a new ``main``
+9.  :mod:`transform.remove_dead`    keep what the pass's outputs need, in turns with
+10. :mod:`transform.drop_parameters`
+11. :mod:`transform.make_precise`   in proof mode only
+12. :mod:`emit.printer`             tree to text
+"""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from shadercache.analysis.candidates import Candidate, Candidates, find_candidates
+from shadercache.analysis.effects import EffectTable
+from shadercache.ast import nodes as n
+from shadercache.diagnostics import Diagnostic, InputError, UsageError, input_error
+from shadercache.emit.fragment import FragmentProgram
+from shadercache.emit.printer import print_node
+from shadercache.emit.program_set import ProgramSet, emit_programs
+from shadercache.emit.vertex import VertexEmitter
+from shadercache.front.parse import parse
+from shadercache.manifest import build_manifest
+from shadercache.options import ALGORITHMS, Options
+from shadercache.sema.check import check
+from shadercache.sema.facts import Facts, Stage
+from shadercache.analysis.restrictions import check_stages, find_color
+from shadercache.source import Source
+from shadercache.transform.names import fresh_prefix
+from shadercache.transform.split import split_declarations
+from shadercache.transform.unique_names import make_names_unique
+
+RECURSION_LIMIT = 20_000
+"""Statements are walked recursively; Python's own limit is meant for C stacks of old."""
+
+
+@dataclass(frozen=True)
+class Analysis:
+    """A fragment shader with all its nodes, and the vertex shader where one was given."""
+
+    fragment: Source
+    vertex: Source | None
+    candidates: Candidates
+    program: FragmentProgram
+    vertex_module: n.Module | None
+
+    @property
+    def nodes(self) -> tuple[Candidate, ...]:
+        """Every node, in order of call paths and source."""
+        return self.candidates.nodes
+
+    @cached_property
+    def _by_id(self) -> dict[str, Candidate]:
+        return {node.id: node for node in self.nodes}
+
+    def node(self, node_id: str) -> Candidate:
+        """The node with this id. Raises :class:`UsageError` SC010 or SC011 if there is none."""
+        found = self._by_id.get(node_id)
+        if found is not None:
+            return found
+        hint = f"'shadercache nodes {self.fragment.name}' lists the nodes"
+        stem = node_id.rpartition("-")[0]
+        if any(node.id.rpartition("-")[0] == stem for node in self.nodes):
+            message = (
+                f"node '{node_id}' is not from this source of {self.fragment.name}: "
+                "a function on its call path has changed since"
+            )
+            raise UsageError(Diagnostic("SC011", message, hint=hint))
+        message = f"{self.fragment.name} has no node '{node_id}'"
+        raise UsageError(Diagnostic("SC010", message, hint=hint))
+
+
+@dataclass(frozen=True, slots=True)
+class Emission:
+    """What a rewrite yields: the texts by file name, and the manifest."""
+
+    files: dict[str, str]
+    manifest: dict[str, Any]
+
+
+def analyse(fragment: Source, vertex: Source | None = None) -> Analysis:
+    """Parse, check and judge every expression of a fragment shader.
+
+    Raises :class:`InputError` with every diagnostic of the first stage that finds any.
+    """
+    sys.setrecursionlimit(max(sys.getrecursionlimit(), RECURSION_LIMIT))
+    prefix = fresh_prefix(fragment.text, vertex.text if vertex else "")
+    parsed = parse(fragment)
+    module, facts = _normalise(parsed, fragment, "fragment")
+    color = find_color(module, fragment)
+    printed = _printed(parsed, module)
+    candidates = find_candidates(module, facts, fragment, printed, EffectTable(module))
+    program = FragmentProgram(module, facts, candidates, color, prefix)
+    vertex_module = None
+    if vertex is not None:
+        vertex_module, _ = _normalise(parse(vertex), vertex, "vertex")
+        check_stages(module, fragment, vertex_module, vertex)
+    return Analysis(fragment, vertex, candidates, program, vertex_module)
+
+
+def rewrite(
+    analysis: Analysis,
+    node: Candidate,
+    options: Options | None = None,
+    algorithms: tuple[int, ...] = ALGORITHMS,
+    *,
+    unprofitable: bool = False,
+) -> Emission:
+    """The programs that cache ``node``, by the given algorithms, with their manifest.
+
+    A node that is refused only as cheaper than a fetch is rewritten where ``unprofitable`` is set.
+    Raises :class:`InputError` with the refusal's code for any other refused node, SC402 without a
+    vertex shader, SC319 where an algorithm that was asked for alone cannot be used for the node.
+    """
+    _require(analysis, node, unprofitable)
+    options = options or Options()
+    programs = emit_programs(analysis.program, _vertex(analysis), node, options, algorithms)
+    if not programs.variants:
+        raise InputError(_unfit(analysis, node, programs))
+    manifest = build_manifest(analysis.fragment, _vertex_source(analysis), node, options, programs)
+    return Emission(programs.files, manifest)
+
+
+def _unfit(analysis: Analysis, node: Candidate, programs: ProgramSet) -> Diagnostic:
+    reason = next(iter(programs.refused.values()))
+    message = f"'{node.text}' cannot be cached in one pass: {reason}"
+    return Diagnostic("SC319", message, analysis.fragment, node.expr.span)
+
+
+def _require(analysis: Analysis, node: Candidate, unprofitable: bool) -> None:
+    refusal = node.refusal
+    if refusal is None or (refusal.unprofitable and unprofitable):
+        return
+    hint = "caching it anyway takes --unprofitable" if refusal.unprofitable else None
+    message = f"'{node.text}' {refusal.sentence}"
+    raise InputError(
+        Diagnostic(refusal.code.code, message, analysis.fragment, node.expr.span, hint)
+    )
+
+
+def _vertex(analysis: Analysis) -> VertexEmitter:
+    if analysis.vertex_module is None:
+        raise input_error("SC402", "a vertex shader is needed to rewrite a shader", "give --vert")
+    return VertexEmitter(analysis.vertex_module, analysis.program.prefix)
+
+
+def _vertex_source(analysis: Analysis) -> Source:
+    assert analysis.vertex is not None
+    return analysis.vertex
+
+
+def _normalise(module: n.Module, source: Source, stage: Stage) -> tuple[n.Module, Facts]:
+    """Passes 2 to 5: check, then bring the tree into the form that the rest works on."""
+    facts = check(module, source, stage)
+    plain = split_declarations(make_names_unique(module, facts))
+    return (module, facts) if plain is module else (plain, check(plain, source, stage))
+
+
+def _printed(parsed: n.Module, module: n.Module) -> dict[str, str]:
+    """The text of every function and initialised global as the user wrote it, by its unique name.
+
+    Renaming keeps the order of functions, so that they can be paired.
+    """
+    old = [d for d in parsed.decls if isinstance(d, n.FunctionDef)]
+    new = [d for d in module.decls if isinstance(d, n.FunctionDef)]
+    printed = {item.name: print_node(was) for was, item in zip(old, new, strict=True)}
+    for decl in module.decls:
+        if isinstance(decl, n.VarDecl):
+            printed |= {i.name: print_node(i.init) for i in decl.declarators if i.init is not None}
+    return printed

@@ -1,0 +1,178 @@
+"""The fragment shaders of all passes of a node's variants."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from shadercache.analysis.candidates import Candidate, Candidates
+from shadercache.analysis.derivatives import DerivativeUse
+from shadercache.analysis.effects import Does, EffectTable
+from shadercache.analysis.instances import Use
+from shadercache.ast import nodes as n
+from shadercache.emit.assemble import (
+    Shader,
+    call_all,
+    interface,
+    merge,
+    variable,
+    with_locations,
+    without_main,
+)
+from shadercache.emit.runtime import load_part, runtime_names
+from shadercache.sema.facts import Facts
+from shadercache.transform.drop_parameters import drop_parameters
+from shadercache.transform.names import FreshNames
+from shadercache.transform.remove_dead import remove_dead
+from shadercache.transform.specialise import Clones, Cut, CutKind, insert_clones, specialise
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FragmentProgram:
+    """The user's fragment shader, checked and with unique names, and how to extend it."""
+
+    module: n.Module
+    facts: Facts
+    candidates: Candidates
+    color: str
+    prefix: str
+
+
+class FragmentEmitter:
+    """Makes the passes of one node. Each method returns a finished shader."""
+
+    def __init__(self, program: FragmentProgram, node: Candidate) -> None:
+        assert node.instance is not None and node.place is not None
+        self.program, self.node = program, node
+        self.components = node.type.components or 1
+        self.payload = program.prefix + "payload"
+        self.store = program.prefix + "store"
+        found = program.candidates.slices.before(node.instance, node.place.step.index, node.expr)
+        self.fetches = program.candidates.uses.inside(node.instance, node.place, found)
+
+    def original(self) -> Shader:
+        """The user's shader itself, with what it does not need removed."""
+        return original(self.program)
+
+    def one(self) -> Shader:
+        """One pass: look up, else compute; then shade."""
+        names = self._names()
+        fetched = [(use, f"fetch_{i}") for i, use in enumerate(self.fetches)]
+        clones: list[Clones] = []
+        cuts: list[Cut] = []
+        for use, name in fetched:
+            clones.append(self._clone(names, f"{name}_ahead", (*cuts, _cut(use, self._own(name), "goal"))))
+            cuts.append(_cut(use, self._own(name), "use"))
+        ahead = call_all(self._own("fetch_ahead"), [group.entry for group in clones])
+        clones.append(self._clone(names, "compute", (*cuts, self._node_cut("goal"))))
+        clones.append(self._clone(names, "shade", (self._node_cut("use"),)))
+        types = self.program.facts.types
+        extra = [variable(str(types[use.place.expr]), self._own(name)) for use, name in fetched]
+        return self._finish("passes/one", clones, [*extra, ahead], both=True)
+
+    def hit(self) -> Shader:
+        """Two passes, first. The discard comes last where the shading takes derivatives."""
+        clones = [self._clone(self._names(), "shade", (self._node_cut("use"),))]
+        early = self._finish("passes/hit", clones, both=True)
+        main = EffectTable(early.module).functions["main"]
+        if EffectTable(early.module).of(main.body).does & (Does.DERIVATIVE | Does.IMPLICIT_LOD):
+            return self._finish("passes/hit_late", clones, both=True)
+        return early
+
+    def miss(self) -> Shader:
+        """Two passes, second: the original, keeping the payload."""
+        clones = [self._clone(self._names(), "shade", (self._node_cut("store"),))]
+        return self._finish("passes/miss", clones, both=True)
+
+    def reuse(self) -> Shader:
+        """Three passes, first: carry payloads over."""
+        return self._finish("passes/reuse", [])
+
+    def payload_only(self) -> Shader:
+        """Three passes, second: compute payloads."""
+        clones = [self._clone(self._names(), "compute", (self._node_cut("goal"),))]
+        return self._finish("passes/payload", clones)
+
+    def shade(self) -> Shader:
+        """Three passes, third: the colour from the payload."""
+        clones = [self._clone(self._names(), "shade", (self._node_cut("use"),))]
+        return self._finish("passes/shade", clones, store=False)
+
+    def hit_mask(self) -> Shader:
+        """What the look-up says, for the eyes and for the hit rate."""
+        wanted = {self._own("outcome"): 0}
+        return self._build("passes/hit_mask", [], (), wanted)
+
+    def unfit_for_one_pass(self) -> DerivativeUse | None:
+        """An implicit fetch of the payload that cannot be made before the branch, if any."""
+        for use in self.fetches:
+            plain = use.instance.use is Use.PLAIN and use.place.use is Use.PLAIN
+            moves = use.instance.order_matters or use.place.step.order_matters
+            left = use.instance.after_exit or use.place.step.after_exit
+            if not plain or moves or left:
+                return use
+        return None
+
+    def _own(self, name: str) -> str:
+        return self.program.prefix + name
+
+    def _names(self) -> FreshNames:
+        return FreshNames(runtime_names(self.program.prefix))
+
+    def _clone(self, names: FreshNames, entry: str, cuts: tuple[Cut, ...]) -> Clones:
+        prefix = self.program.prefix
+        return specialise(self.program.module, cuts, prefix + entry, names, prefix)
+
+    def _node_cut(self, kind: CutKind) -> Cut:
+        assert self.node.instance is not None
+        return Cut(self.node.instance.path, self.node.expr, self.payload, kind)
+
+    def _finish(
+        self,
+        template: str,
+        clones: list[Clones],
+        extra: list[n.Decl] | None = None,
+        both: bool = False,
+        store: bool = True,
+    ) -> Shader:
+        """``both``: colour and cache are written; else the cache if ``store``, else the colour."""
+        outputs = [self.program.color] if both or not store else []
+        outputs += [self.store] if store else []
+        locations = {name: i for i, name in enumerate(outputs)}
+        return self._build(template, clones, extra or (), locations)
+
+    def _build(
+        self,
+        template: str,
+        clones: list[Clones],
+        extra: list[n.Decl] | tuple[()],
+        locations: dict[str, int],
+    ) -> Shader:
+        prefix = self.program.prefix
+        # ``main`` comes last: GLSL wants functions declared before they are called.
+        names = ("lookup", "store", template)
+        parts = [load_part(name, self.components, prefix) for name in names]
+        user = insert_clones(self.program.module, *clones)
+        module = merge(self.program.module, without_main(user), extra, *parts)
+        made = {clone.name for group in clones for _, clone in group.made}
+        module = _shrink(module, locations, made)
+        return interface(with_locations(module, locations))
+
+
+def original(program: FragmentProgram) -> Shader:
+    """The user's shader with unique names and without what it does not need."""
+    module = remove_dead(program.module, (program.color,))
+    return interface(with_locations(module, {program.color: 0}))
+
+
+def _cut(use: DerivativeUse, name: str, kind: CutKind) -> Cut:
+    return Cut(use.instance.path, use.place.expr, name, kind)
+
+
+def _shrink(module: n.Module, wanted: dict[str, int], clones: set[str]) -> n.Module:
+    """Remove what is dead; a parameter that nobody reads keeps its argument alive, so in turns."""
+    while True:
+        module = remove_dead(module, wanted)
+        smaller = drop_parameters(module, clones)
+        if smaller is module:
+            return module
+        module = smaller

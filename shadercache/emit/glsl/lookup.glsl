@@ -1,0 +1,59 @@
+// The look-up in the cache of the previous frame. PAYLOAD and CHANNELS stand for the payload's type
+// and for the texel's channels that hold it.
+
+in vec4 sc_current;   // clip-space position in this frame
+in vec4 sc_previous;  // clip-space position of the same surface point in the previous frame
+
+uniform sampler2D sc_cache;  // what the previous frame stored: payload and 1/w
+uniform int sc_clock;        // frames, already reduced to [0, sc_period)
+uniform int sc_period;       // frames between two refreshes of a pixel
+uniform int sc_block;        // edge in pixels of the squares that are refreshed together
+uniform float sc_epsilon;    // greatest accepted difference of depths, relative to the depth
+
+PAYLOAD sc_payload;
+
+// A well mixed 32-bit hash of a block's coordinates.
+uint sc_hash(uvec2 block) {
+    uint x = block.x * 1973u + block.y * 9277u + 26699u;
+    x ^= x << 13;
+    x ^= x >> 17;
+    x ^= x << 5;
+    x *= 0x9E3779B9u;
+    return x ^ (x >> 15);
+}
+
+// (h + clock) mod period == 0 with h uniform in [0, period): no remainder is taken, since
+// 0 <= h + clock < 2 * period. The blocks lie on multiples of sc_block, so on 2x2 quads.
+bool sc_due() {
+    uvec2 block = uvec2(gl_FragCoord.xy / float(sc_block));
+    int h = int(((sc_hash(block) >> 16) * uint(sc_period)) >> 16);
+    int phase = h + sc_clock;
+    return phase == 0 || phase == sc_period;
+}
+
+// Reprojection: where the surface point was, whether it was seen there, and what was stored.
+// Returns SC_HIT, SC_REFRESH, SC_OUTSIDE or SC_DEPTH.
+int sc_look_up(out vec4 texel) {
+    vec2 size = vec2(textureSize(sc_cache, 0));
+    vec2 motion = sc_previous.xy / sc_previous.w - sc_current.xy / sc_current.w;
+    vec2 place = gl_FragCoord.xy + 0.5 * size * motion;
+    // At rest the motion is exactly zero: the texel itself is read, and nothing is filtered.
+    if (motion == vec2(0.0)) {
+        texel = texelFetch(sc_cache, ivec2(gl_FragCoord.xy), 0);
+    } else {
+        texel = textureLod(sc_cache, place / size, 0.0);
+    }
+    if (sc_due()) {
+        return SC_REFRESH;
+    }
+    // All four texels of the filter lie in the cache; a point behind the camera was not seen.
+    if (!(sc_previous.w > 0.0 && all(greaterThanEqual(place, vec2(0.5)))
+            && all(lessThanEqual(place, size - 0.5)))) {
+        return SC_OUTSIDE;
+    }
+    // Both depths are 1/w. A comparison with NaN is false and so a miss.
+    if (!(abs(texel.w * sc_previous.w - 1.0) <= sc_epsilon)) {
+        return SC_DEPTH;
+    }
+    return SC_HIT;
+}

@@ -1,0 +1,7 @@
+// Not part of any variant: what the look-up says at every visible pixel.
+out float sc_outcome;
+
+void main() {
+    vec4 texel;
+    sc_outcome = float(sc_look_up(texel));
+}

@@ -1,0 +1,142 @@
+"""All programs of a node: which passes each algorithm has, and their files.
+
+The table of algorithms here is the one place that knows them; an engine, and the harness, learns
+from the manifest what to do.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+
+from shadercache.analysis.candidates import Candidate
+from shadercache.emit.assemble import Shader
+from shadercache.emit.fragment import FragmentEmitter, FragmentProgram
+from shadercache.emit.printer import print_module
+from shadercache.emit.vertex import VertexEmitter
+from shadercache.options import Options
+from shadercache.transform.make_precise import make_precise
+
+COLOR, CACHE, MASK = "color", "cache", "mask"
+PREVIOUS, CURRENT = "previous-cache", "current-cache"
+
+
+@dataclass(frozen=True, slots=True)
+class Pass:
+    """One draw of all objects: its files, targets, depth test and what it reads."""
+
+    name: str
+    file: str
+    targets: tuple[str, ...]
+    depth_test: str
+    reads: tuple[str, ...]
+    on_reset: bool
+    uniforms: tuple[str, ...] = ()
+    attributes: tuple[str, ...] = ()
+
+
+@dataclass(slots=True)
+class ProgramSet:
+    """The files of all passes, the passes of each algorithm, and the algorithms that do not fit."""
+
+    files: dict[str, str] = field(default_factory=dict)
+    variants: dict[int, tuple[Pass, ...]] = field(default_factory=dict)
+    original: Pass | None = None
+    debug: Pass | None = None
+    refused: dict[int, str] = field(default_factory=dict)
+    previous: dict[str, str] = field(default_factory=dict)
+    unchanging: tuple[str, ...] = ()
+    prefix: str = ""
+    color: str = ""
+
+
+_ORIGINAL = Pass("original", "original", (COLOR,), "less", (), True)
+_HIT_MASK = Pass("hit-mask", "hit-mask", (MASK,), "less", (PREVIOUS,), False)
+
+_PASSES: dict[int, tuple[tuple[Pass, Callable[[FragmentEmitter], Shader]], ...]] = {
+    1: (
+        (
+            Pass("shade", "1-pass", (COLOR, CACHE), "less", (PREVIOUS,), True),
+            FragmentEmitter.one,
+        ),
+    ),
+    2: (
+        (
+            Pass("hit", "2-pass.hit", (COLOR, CACHE), "less", (PREVIOUS,), False),
+            FragmentEmitter.hit,
+        ),
+        (Pass("miss", "2-pass.miss", (COLOR, CACHE), "less", (), True), FragmentEmitter.miss),
+    ),
+    3: (
+        (
+            Pass("reuse", "3-pass.reuse", (CACHE,), "less", (PREVIOUS,), False),
+            FragmentEmitter.reuse,
+        ),
+        (
+            Pass("payload", "3-pass.payload", (CACHE,), "less", (), True),
+            FragmentEmitter.payload_only,
+        ),
+        (
+            # The visible surface has been drawn twice already: equal depth is the winner.
+            Pass("shade", "3-pass.shade", (COLOR,), "lequal", (CURRENT,), True),
+            FragmentEmitter.shade,
+        ),
+    ),
+}
+
+
+def emit_programs(
+    program: FragmentProgram,
+    vertex: VertexEmitter,
+    node: Candidate,
+    options: Options,
+    algorithms: tuple[int, ...],
+) -> ProgramSet:
+    """Every pass of the given algorithms for a node, with the original and the hit mask."""
+    emitter = FragmentEmitter(program, node)
+    made = ProgramSet(
+        previous=vertex.previous_twins(),
+        unchanging=vertex.unchanging(),
+        prefix=program.prefix,
+        color=program.color,
+    )
+    write = _Writer(made, vertex, options, f"node {node.id}")
+    made.original = write.add(_ORIGINAL, emitter.original())
+    made.debug = write.add(_HIT_MASK, emitter.hit_mask())
+    for number in algorithms:
+        unfit = emitter.unfit_for_one_pass() if number == 1 else None
+        if unfit is not None:
+            made.refused[number] = (
+                "the payload fetches a texture with implicit level of detail at a place "
+                "from which the fetch cannot be moved before the branch"
+            )
+            continue
+        made.variants[number] = tuple(
+            write.add(item, build(emitter)) for item, build in _PASSES[number]
+        )
+    return made
+
+
+@dataclass(frozen=True, slots=True)
+class _Writer:
+    """Prints shaders into a program set."""
+
+    made: ProgramSet
+    vertex: VertexEmitter
+    options: Options
+    about: str
+
+    def add(self, item: Pass, fragment: Shader) -> Pass:
+        """Print both stages of a pass; return the pass with its interface filled in."""
+        vertex = self.vertex.for_fragment(fragment)
+        for stage, shader in (("frag", fragment), ("vert", vertex)):
+            self.made.files[f"{item.file}.{stage}"] = self._text(item, shader)
+        uniforms = tuple(dict.fromkeys((*vertex.uniforms, *fragment.uniforms)))
+        return replace(item, uniforms=uniforms, attributes=vertex.inputs)
+
+    def _text(self, item: Pass, shader: Shader) -> str:
+        module = shader.module
+        if self.options.mode == "proof":
+            module = make_precise(module, self.vertex.prefix)
+        version, rest = print_module(module).split("\n", 1)
+        return f"{version}\n// shadercache: {item.file}, {self.about}\n{rest}"

@@ -1,0 +1,181 @@
+"""The manifest: everything an engine must know to run the variants, as plain JSON data.
+
+The published schema is ``manifest.schema.json`` beside this file.
+"""
+
+from __future__ import annotations
+
+from hashlib import sha256
+from typing import Any
+
+from shadercache import __version__
+from shadercache.analysis.candidates import Candidate
+from shadercache.emit.program_set import Pass, ProgramSet
+from shadercache.emit.runtime import OUTCOMES
+from shadercache.options import Options
+from shadercache.source import Source
+
+SCHEMA_VERSION = 1
+
+CLEAR = (0.0, 0.0, 0.0, -1.0)
+"""Of an empty cache texel: 1/w is positive wherever something is drawn, so -1 matches nothing."""
+
+_CHANNELS = ("x", "xy", "xyz")
+
+FRAME = (
+    "Swap the two caches: what was written in the last frame is the previous cache now.",
+    "Clear the depth buffer to 1, the colour target to the background, and the cache that is "
+    "written in this frame to cache.clear.",
+    "Set the uniforms. A name among the values of 'previous' gets what its key had in the last "
+    "frame; the clock is the frame number modulo the period, reduced on the CPU.",
+    "Draw the passes of the variant in order. All objects finish a pass before the next begins. "
+    "Bind targets[i] at colour attachment i; do not blend.",
+)
+
+RESET = (
+    "On the first frame, and whenever the last frame does not show the same scene (camera cut, "
+    "resize, new projection, reloaded shader): clear both caches to cache.clear.",
+    "Draw only the passes with on_reset true.",
+)
+
+RELIES_ON = (
+    "opaque geometry, drawn without blending, alpha to coverage or multisampling",
+    "the depth function 'less' in the application, with depth cleared to 1",
+    "one colour output; colours are written as the shader computes them, with no conversion to "
+    "sRGB between the passes",
+    "a viewport that covers the whole target and begins at (0, 0), as large as the cache",
+    "the same geometry, in the same order, in every pass of a frame",
+)
+
+
+def build_manifest(
+    fragment: Source,
+    vertex: Source,
+    node: Candidate,
+    options: Options,
+    programs: ProgramSet,
+) -> dict[str, Any]:
+    """The manifest of a program set."""
+    assert programs.original is not None and programs.debug is not None
+    channels = _CHANNELS[(node.type.components or 1) - 1]
+    relies = list(RELIES_ON)
+    if programs.unchanging:
+        names = ", ".join(programs.unchanging)
+        relies.append(f"these decide the position and do not change between frames: {names}")
+    return {
+        "schema_version": SCHEMA_VERSION,
+        "generator": f"shadercache {__version__}",
+        "source": {"fragment": _source(fragment), "vertex": _source(vertex)},
+        "node": _node(fragment, node),
+        "mode": options.mode,
+        "color": {"output": programs.color, "location": 0},
+        "cache": {
+            "format": options.cache_format,
+            "buffers": 2,
+            "clear": list(CLEAR),
+            "filter": "linear",
+            "wrap": "clamp-to-edge",
+            "channels": {"payload": channels, "depth": "w"},
+            "depth_encoding": "1/w",
+        },
+        "uniforms": _uniforms(programs.prefix, options),
+        "previous": programs.previous,
+        "original": _pass(programs.original),
+        "variants": [
+            {"algorithm": f"{number}-pass", "passes": [_pass(item) for item in passes]}
+            for number, passes in programs.variants.items()
+        ],
+        "refused": [
+            {"algorithm": f"{number}-pass", "reason": reason}
+            for number, reason in programs.refused.items()
+        ],
+        "debug": _pass(programs.debug) | {"values": OUTCOMES},
+        "frame": list(FRAME),
+        "reset": list(RESET),
+        "relies_on": relies,
+    }
+
+
+def _source(source: Source) -> dict[str, str]:
+    return {"name": source.name, "sha256": sha256(source.text.encode()).hexdigest()}
+
+
+def _node(source: Source, node: Candidate) -> dict[str, Any]:
+    start, end = source.position(node.expr.span.start), source.position(node.expr.span.end)
+    return {
+        "id": node.id,
+        "path": node.path,
+        "text": node.text,
+        "type": str(node.type),
+        "span": {
+            "line": start.line,
+            "column": start.column,
+            "end_line": end.line,
+            "end_column": end.column,
+        },
+    }
+
+
+def _pass(item: Pass) -> dict[str, Any]:
+    return {
+        "name": item.name,
+        "vertex": f"{item.file}.vert",
+        "fragment": f"{item.file}.frag",
+        "targets": list(item.targets),
+        "depth": {"test": item.depth_test, "write": True},
+        "reads": list(item.reads),
+        "uniforms": list(item.uniforms),
+        "attributes": list(item.attributes),
+        "on_reset": item.on_reset,
+    }
+
+
+def _uniforms(prefix: str, options: Options) -> list[dict[str, Any]]:
+    """Every uniform that the compiler adds, the twins of the user's apart."""
+
+    def entry(
+        name: str, kind: str, role: str, meaning: str, unit: str | None = None, **more: Any
+    ) -> dict[str, Any]:
+        base = {"name": prefix + name, "type": kind, "role": role, "meaning": meaning}
+        return base | {"unit": unit, "range": more.get("range"), "default": more.get("default")}
+
+    return [
+        entry("cache", "sampler2D", "previous-cache", "what the last frame stored"),
+        entry("payloads", "sampler2D", "current-cache", "what this frame has stored so far"),
+        entry(
+            "clock",
+            "int",
+            "clock",
+            "number of the frame modulo the period",
+            "frames",
+            range="[0, period)",
+            default=0,
+        ),
+        entry(
+            "period",
+            "int",
+            "period",
+            "frames between two refreshes of a pixel; 1 refreshes everything in every frame",
+            "frames",
+            range="[1, 65536)",
+            default=32,
+        ),
+        entry(
+            "block",
+            "int",
+            "block",
+            "edge of the squares of pixels that are refreshed together",
+            "pixels",
+            range=">= 2, even",
+            default=4,
+        ),
+        entry(
+            "epsilon",
+            "float",
+            "epsilon",
+            "accepted difference between the cached and the expected depth",
+            "relative to 1/w",
+            range="> 0",
+            default=options.tolerance,
+        ),
+    ]

@@ -1,0 +1,181 @@
+"""Proof mode: forbid the driver to rearrange floating-point arithmetic.
+
+Drivers fold across expressions (``(x * 2.1) * 3.3`` becomes one product), so cutting an expression
+changes the last bits. With ``precise`` on every floating-point value of original and variants both
+compute exactly what is written, and must agree to the bit (DESIGN section 4, law 2)::
+
+    float f(float x) { return x * 2.1 * 3.3; }
+
+    float f(float x) { precise float sc_result = x * 2.1 * 3.3; return sc_result; }
+
+``precise`` needs GLSL 4.00. It goes on locals, global variables, outputs and out parameters; a
+returned value and an argument of a user's function become locals first, since ``precise`` does not
+reach into expressions that are not assigned to a precise variable.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+from shadercache.analysis.effects import EffectTable
+from shadercache.ast import nodes as n
+from shadercache.ast.walk import children
+from shadercache.lang.types import builtin_type
+from shadercache.source import NOWHERE
+from shadercache.transform.replace import replace_expressions
+
+PRECISE_VERSION = 400
+
+
+def make_precise(module: n.Module, prefix: str) -> n.Module:
+    """The module at ``#version 400`` or higher with precise values and invariant varyings."""
+    table = EffectTable(module)
+    decls = tuple(_decl(decl, prefix, table) for decl in module.decls)
+    return replace(module, version=max(module.version, PRECISE_VERSION), decls=decls)
+
+
+def _decl(decl: n.Decl, prefix: str, table: EffectTable) -> n.Decl:
+    match decl:
+        case n.FunctionDef():
+            body = _Function(decl, prefix, table.functions, table).block(decl.body)
+            return replace(decl, proto=_proto(decl.proto), body=body)
+        case n.FunctionProto():
+            return _proto(decl)
+        case n.VarDecl():
+            return _variable(decl)
+        case _:
+            return decl
+
+
+def _proto(proto: n.FunctionProto) -> n.FunctionProto:
+    params = tuple(
+        replace(item, qualifiers=_with(item.qualifiers, "precise"))
+        if item.writes_back and _is_float(item.type)
+        else item
+        for item in proto.params
+    )
+    return replace(proto, params=params)
+
+
+def _variable(decl: n.VarDecl) -> n.VarDecl:
+    words = decl.qualifiers
+    if not _is_float(decl.type) or not decl.declarators or words.has("const", "uniform", "in"):
+        return decl
+    return replace(decl, qualifiers=_with(words, "precise"))
+
+
+def _with(qualifiers: n.Qualifiers, word: str) -> n.Qualifiers:
+    if qualifiers.has(word):
+        return qualifiers
+    return replace(qualifiers, words=(word, *qualifiers.words))
+
+
+def _is_float(spec: n.TypeSpec) -> bool:
+    """Structs count: ``precise`` applies to their members."""
+    kind = builtin_type(spec.name)
+    return kind is None or kind.base in ("float", "double")
+
+
+@dataclass(slots=True)
+class _Function:
+    """Rewrites the body of one function of a module."""
+
+    function: n.FunctionDef
+    prefix: str
+    functions: dict[str, n.FunctionDef]
+    table: EffectTable
+    count: int = 0
+    ahead: list[n.Stmt] = field(default_factory=list)
+    """Statements that must come before the one at hand."""
+
+    def block(self, block: n.Block) -> n.Block:
+        body: list[n.Stmt] = []
+        for stmt in block.body:
+            new = self.statement(stmt)
+            body += [*self.ahead, new]
+            self.ahead = []
+        return replace(block, body=tuple(body))
+
+    def alone(self, stmt: n.Stmt) -> n.Stmt:
+        """A statement that is the whole body of a conditional or loop."""
+        return self.block(stmt if isinstance(stmt, n.Block) else n.Block(stmt.span, (stmt,)))
+
+    def statement(self, stmt: n.Stmt) -> n.Stmt:
+        match stmt:
+            case n.Block():
+                return self.block(stmt)
+            case n.If():
+                other = self.alone(stmt.other) if stmt.other else None
+                return replace(stmt, then=self.alone(stmt.then), other=other)
+            case n.For(init=n.DeclStmt(decl=n.VarDecl() as decl) as init):
+                head = replace(init, decl=_variable(decl))
+                return replace(stmt, init=head, body=self.alone(stmt.body))
+            case n.For() | n.While() | n.DoWhile():
+                return replace(stmt, body=self.alone(stmt.body))
+            case n.Return(value=value) if value is not None:
+                return self.returned(replace(stmt, value=self.expression(value)))
+            case n.ExprStmt(expr=expr) if expr is not None:
+                return replace(stmt, expr=self.expression(expr))
+            case n.DeclStmt(decl=n.VarDecl() as decl):
+                return replace(stmt, decl=self.declaration(decl))
+            case _:
+                return stmt
+
+    def declaration(self, decl: n.VarDecl) -> n.VarDecl:
+        items = tuple(
+            replace(item, init=self.expression(item.init)) if item.init is not None else item
+            for item in decl.declarators
+        )
+        return _variable(replace(decl, declarators=items))
+
+    def returned(self, stmt: n.Return) -> n.Return:
+        kind = self.function.proto.type
+        if stmt.value is None or isinstance(stmt.value, n.Name | n.Literal) or not _is_float(kind):
+            return stmt
+        return replace(stmt, value=self.local(kind, (), stmt.value))
+
+    def expression(self, expr: n.Expr) -> n.Expr:
+        """Turn the arguments of the user's functions into precise locals, where order allows."""
+        if any(self.table.of(child).writes for child in children(expr)):
+            return expr
+        calls = {item for item in _unconditional(expr) if isinstance(item, n.Call)}
+
+        def named(original: n.Expr, rebuilt: n.Expr) -> n.Expr:
+            callee = self.functions.get(rebuilt.name) if isinstance(rebuilt, n.Call) else None
+            if original not in calls or callee is None or not isinstance(rebuilt, n.Call):
+                return rebuilt
+            pairs = zip(callee.proto.params, rebuilt.args, strict=True)
+            return replace(rebuilt, args=tuple(self.argument(*pair) for pair in pairs))
+
+        return replace_expressions(expr, named)
+
+    def argument(self, param: n.Param, arg: n.Expr) -> n.Expr:
+        simple = isinstance(arg, n.Name | n.Literal)
+        if simple or param.writes_back or not _is_float(param.type):
+            return arg
+        return self.local(param.type, param.dims, arg)
+
+    def local(self, kind: n.TypeSpec, dims: n.Dims, value: n.Expr) -> n.Name:
+        """A new precise local that holds ``value``."""
+        self.count += 1
+        name = f"{self.prefix}exact_{self.count}"
+        item = n.Declarator(value.span, name, dims, value)
+        words = n.Qualifiers(NOWHERE, ("precise",))
+        self.ahead.append(n.DeclStmt(value.span, n.VarDecl(value.span, words, kind, (item,))))
+        return n.Name(value.span, name)
+
+
+def _unconditional(expr: n.Expr) -> list[n.Node]:
+    """The parts of an expression that are always evaluated when it is."""
+    found: list[n.Node] = []
+    stack: list[n.Node] = [expr]
+    while stack:
+        item = stack.pop()
+        found.append(item)
+        if isinstance(item, n.Conditional):
+            stack.append(item.condition)
+        elif isinstance(item, n.Binary) and item.op in ("&&", "||"):
+            stack.append(item.left)
+        else:
+            stack.extend(children(item))
+    return found

@@ -1,0 +1,46 @@
+"""Fresh names: the one place that makes them.
+
+Every name this compiler adds begins with ``sc_``. Where the user's text already has such a name
+(as an identifier or inside a macro), another prefix is taken, so that nothing can collide.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+PREFIX = "sc_"
+
+
+def fresh_prefix(*texts: str) -> str:
+    """A prefix that no identifier in the given source texts begins with.
+
+    ``sc_``, else ``sc1_``, ``sc2_`` ... GLSL reserves names that begin with ``gl_`` or hold two
+    underscores (GLSL 3.30 section 3.6); neither can come out.
+    """
+    taken = {word for text in texts for word in re.findall(r"sc\d*_", text)}
+    number = 0
+    prefix = PREFIX
+    while prefix in taken:
+        number += 1
+        prefix = f"sc{number}_"
+    return prefix
+
+
+class FreshNames:
+    """Makes names that are not in use; remembers what it made."""
+
+    def __init__(self, taken: Iterable[str]) -> None:
+        self._taken = set(taken)
+
+    def make(self, wanted: str) -> str:
+        """``wanted`` if it is free, else ``wanted_1``, ``wanted_2`` ..."""
+        # Two underscores in a row are reserved (GLSL 3.30 section 3.6).
+        wanted = re.sub(r"__+", "_", wanted)
+        name, number = wanted, 0
+        stem = wanted.rstrip("_")
+        while name in self._taken:
+            number += 1
+            name = f"{stem}_{number}"
+        self._taken.add(name)
+        return name

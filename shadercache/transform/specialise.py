@@ -1,0 +1,193 @@
+"""Clone the functions along call paths, so that one call can be changed and the others stay.
+
+With a *use* of ``fbm(q)`` in ``marble``, reached from ``main``::
+
+    float marble(vec3 p) {                      float marble(vec3 p) { ... }
+        return sin(fbm(p * 2.0));        =>     float sc_marble(vec3 p) {
+    }                                               return sin(sc_payload);
+    void main() { color = marble(v_p); }        }
+                                                void main() { ... }
+                                                void sc_main() { color = sc_marble(v_p); }
+
+Three things can be asked for, each at an expression on a call path:
+
+* *use*: the expression is replaced by a variable;
+* *store*: its value goes to the variable first (in a statement of its own), then the variable is
+  used;
+* *goal*: as store, and everything after it is cut off: the functions on the path return nothing.
+
+``main`` is cloned like any function, so several programs' bodies can be made from one module.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import Literal, TypeAlias
+
+from shadercache.ast import nodes as n
+from shadercache.ast.walk import walk
+from shadercache.source import NOWHERE
+from shadercache.transform.names import FreshNames
+from shadercache.transform.replace import replace_expressions
+
+
+CutKind: TypeAlias = Literal["use", "store", "goal"]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Cut:
+    """One expression to replace: the calls from ``main`` to its function, itself, the variable."""
+
+    path: tuple[n.Call, ...]
+    expr: n.Expr
+    variable: str
+    kind: CutKind
+
+
+@dataclass(slots=True)
+class _Tree:
+    """The cuts sorted by call path: those in this function, and those below its calls."""
+
+    cuts: list[Cut] = field(default_factory=list)
+    below: dict[n.Call, _Tree] = field(default_factory=dict)
+    has_goal: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Clones:
+    """The clone of ``main``, and of every function on the way, each with what it was made from."""
+
+    entry: str
+    made: tuple[tuple[n.FunctionDef, n.FunctionDef], ...]
+    """Pairs (original, clone)."""
+
+
+def specialise(
+    module: n.Module, cuts: tuple[Cut, ...], entry: str, names: FreshNames, prefix: str
+) -> Clones:
+    """Clone ``main`` (as ``entry``) and the functions on the cuts' paths, with the cuts made.
+
+    The other clones get fresh names that begin with ``prefix``. At most one cut is a goal. The clones are not yet in the module: see :func:`insert_clones`.
+    """
+    functions = {d.name: d for d in module.decls if isinstance(d, n.FunctionDef)}
+    maker = _Maker(functions, names, prefix)
+    maker.clone(functions["main"], _sort(cuts), entry)
+    return Clones(entry, tuple(maker.made))
+
+
+def insert_clones(module: n.Module, *clones: Clones) -> n.Module:
+    """The module with each clone behind its original (and its prototype behind the original's)."""
+    by_original: dict[str, list[n.FunctionDef]] = {}
+    for group in clones:
+        for original, clone in group.made:
+            by_original.setdefault(original.name, []).append(clone)
+    decls: list[n.Decl] = []
+    for decl in module.decls:
+        decls.append(decl)
+        if isinstance(decl, n.FunctionDef):
+            decls.extend(by_original.get(decl.name, ()))
+        elif isinstance(decl, n.FunctionProto):
+            decls.extend(clone.proto for clone in by_original.get(decl.name, ()))
+    return replace(module, decls=tuple(decls))
+
+
+def _sort(cuts: tuple[Cut, ...]) -> _Tree:
+    root = _Tree()
+    for cut in cuts:
+        at = root
+        at.has_goal = at.has_goal or cut.kind == "goal"
+        for call in cut.path:
+            at = at.below.setdefault(call, _Tree())
+            at.has_goal = at.has_goal or cut.kind == "goal"
+        at.cuts.append(cut)
+    return root
+
+
+class _Maker:
+    """Clones functions, callees first."""
+
+    def __init__(
+        self, functions: dict[str, n.FunctionDef], names: FreshNames, prefix: str
+    ) -> None:
+        self.functions, self.names, self.prefix = functions, names, prefix
+        self.made: list[tuple[n.FunctionDef, n.FunctionDef]] = []
+
+    def clone(self, function: n.FunctionDef, tree: _Tree, name: str | None = None) -> str:
+        """Add the clone of a function with the cuts of ``tree`` made; return its name."""
+        body = _Body()
+        for call, below in tree.below.items():
+            body.renamed[call] = self.clone(self.functions[call.name], below)
+            if below.has_goal:
+                body.moved.append(_Moved(call, None, True))
+        for cut in tree.cuts:
+            body.used[cut.expr] = cut.variable
+            if cut.kind != "use":
+                body.moved.append(_Moved(cut.expr, cut.variable, cut.kind == "goal"))
+        name = name or self.names.make(self.prefix + function.name)
+        proto = replace(function.proto, name=name)
+        if tree.has_goal:
+            proto = replace(proto, type=n.TypeSpec(NOWHERE, "void"))
+        clone = replace(function, proto=proto, body=body.block(function.body)[0])
+        self.made.append((function, clone))
+        return name
+
+
+@dataclass(frozen=True, slots=True)
+class _Moved:
+    """An expression that gets a statement of its own before the one it stands in.
+
+    Without a ``variable`` it is a call on the way to the goal, which returns nothing any more.
+    """
+
+    expr: n.Expr
+    variable: str | None
+    is_last: bool
+
+
+@dataclass(slots=True)
+class _Body:
+    """Rewrites the statements of one function."""
+
+    renamed: dict[n.Expr, str] = field(default_factory=dict)
+    used: dict[n.Expr, str] = field(default_factory=dict)
+    moved: list[_Moved] = field(default_factory=list)
+
+    def block(self, block: n.Block) -> tuple[n.Block, bool]:
+        """The rewritten block, and whether it ends in the goal."""
+        body: list[n.Stmt] = []
+        for stmt in block.body:
+            if isinstance(stmt, n.Block):
+                new, ended = self.block(stmt)
+                body.append(new)
+            else:
+                ended = self.statement(stmt, body)
+            if ended:
+                return replace(block, body=tuple(body)), True
+        return replace(block, body=tuple(body)), False
+
+    def statement(self, stmt: n.Stmt, body: list[n.Stmt]) -> bool:
+        """Append the rewritten statement; tell whether the goal is reached with it."""
+        inside = [item for item in self.moved if any(part is item.expr for part in walk(stmt))]
+        for item in sorted(inside, key=lambda item: item.is_last):
+            body.append(self._own_statement(item))
+            if item.is_last:
+                return True
+        body.append(replace_expressions(stmt, self._rewritten))
+        return False
+
+    def _rewritten(self, original: n.Expr, rebuilt: n.Expr) -> n.Expr:
+        if original in self.used:
+            return n.Name(original.span, self.used[original])
+        if original in self.renamed and isinstance(rebuilt, n.Call):
+            return replace(rebuilt, name=self.renamed[original])
+        return rebuilt
+
+    def _own_statement(self, item: _Moved) -> n.ExprStmt:
+        """``variable = expression;``, or the call that leads to the goal."""
+        span = item.expr.span
+        if item.variable is None:
+            return n.ExprStmt(span, replace_expressions(item.expr, self._rewritten))
+        value = replace_expressions(
+            item.expr, lambda old, new: new if old is item.expr else self._rewritten(old, new)
+        )
+        return n.ExprStmt(span, n.Assign(span, "=", n.Name(span, item.variable), value))
