@@ -1,0 +1,129 @@
+"""Read sources and write results: whole or not at all."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from errno import EISDIR, ENOTDIR
+from pathlib import Path
+
+from shadercache.diagnostics import Diagnostic, InputError, UsageError, usage_error
+from shadercache.source import Source, Span
+
+MANIFEST = "manifest.json"
+
+
+def read_source(path: str) -> Source:
+    """The text of a shader file, or of stdin for ``-``, named as the user named it.
+
+    A byte order mark is dropped; line ends stay as they are.
+
+    Raises:
+        InputError: SC001, the file cannot be read or is not UTF-8 text.
+    """
+    name = "<stdin>" if path == "-" else path
+    try:
+        data = sys.stdin.buffer.read() if path == "-" else Path(path).read_bytes()
+    except (OSError, ValueError) as error:  # ValueError: a null character in the path
+        reason = getattr(error, "strerror", None) or str(error)
+        raise InputError(Diagnostic("SC001", f"cannot read {name}: {reason}")) from None
+    try:
+        return Source(name, data.decode("utf-8-sig"))
+    except UnicodeDecodeError as error:
+        raise _not_utf8(name, data, error) from None
+
+
+def read_pair(fragment: str, vertex: str | None) -> tuple[Source, Source]:
+    """A fragment shader and its vertex shader, by default the ``.vert`` file beside it.
+
+    Raises:
+        InputError: SC001, a file cannot be read.
+        UsageError: SC005, there is no vertex shader, or both are stdin.
+    """
+    if vertex is None:
+        beside = Path(fragment).with_suffix(".vert") if fragment not in ("-", "") else None
+        if beside is None or not beside.is_file():
+            raise usage_error("SC005", "the vertex shader is missing", hint="name it with --vert")
+        vertex = str(beside)
+    if fragment == vertex == "-":
+        raise usage_error("SC005", "only one of the two shaders can come from stdin")
+    return read_source(fragment), read_source(vertex)
+
+
+def _not_utf8(name: str, data: bytes, error: UnicodeDecodeError) -> InputError:
+    start = len(data[: error.start].decode("utf-8-sig"))
+    source = Source(name, data.decode("utf-8-sig", errors="replace"))
+    message = f"not UTF-8 text: {error.reason} (byte 0x{data[error.start]:02x})"
+    return InputError(Diagnostic("SC001", message, source, Span(start, start + 1)))
+
+
+@contextmanager
+def atomic_folder(out: Path) -> Iterator[Path]:
+    """An empty folder to write results into; they appear in ``out`` only if the block succeeds.
+
+    A new ``out`` is made by one rename. Into a folder that exists the files are moved one by one
+    (files with other names stay); its old manifest goes first and the new one comes last, so that
+    a folder with a manifest is always complete.
+
+    Raises:
+        UsageError: SC002, the folder cannot be written or the disk is full.
+    """
+    out = Path(os.path.realpath(out))
+    home = out if out.is_dir() else out.parent
+    missing = [folder for folder in (*home.parents[::-1], home) if not folder.exists()]
+    staged: Path | None = None
+    try:
+        if out.exists() and out is not home:
+            raise NotADirectoryError(ENOTDIR, "is a file, not a folder", str(out))
+        home.mkdir(parents=True, exist_ok=True)
+        staged = Path(tempfile.mkdtemp(prefix=f".{out.name}-", suffix=".tmp", dir=home))
+        yield staged
+        _publish(staged, out)
+        missing = []
+    except OSError as error:
+        raise _cannot_write(out, staged, error) from None
+    finally:
+        if staged is not None:
+            shutil.rmtree(staged, ignore_errors=True)
+        for folder in reversed(missing):
+            with suppress(OSError):
+                folder.rmdir()
+
+
+def _publish(staged: Path, out: Path) -> None:
+    if not out.exists():
+        staged.chmod(0o777 & ~_umask())  # mkdtemp makes it private
+        staged.rename(out)
+        return
+    files = sorted(path.relative_to(staged) for path in staged.rglob("*") if path.is_file())
+    files.sort(key=lambda path: path == Path(MANIFEST))
+    for path in files:
+        if (out / path).is_dir():
+            raise IsADirectoryError(
+                EISDIR, "is a folder, but a file must go there", str(out / path)
+            )
+    if Path(MANIFEST) in files:
+        (out / MANIFEST).unlink(missing_ok=True)
+    for path in files:
+        (out / path).parent.mkdir(parents=True, exist_ok=True)
+        (staged / path).replace(out / path)
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
+
+
+def _cannot_write(out: Path, staged: Path | None, error: OSError) -> OSError | UsageError:
+    """Names the file as ``out`` would hold it; leaves an error about another file alone."""
+    place = str(error.filename or out)
+    if staged is not None:
+        place = place.replace(str(staged), str(out))
+        if not place.startswith(str(out)):
+            return error
+    return usage_error("SC002", f"cannot write {place}: {error.strerror or error}")

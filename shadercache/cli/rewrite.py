@@ -1,0 +1,59 @@
+"""``shadercache rewrite``: the variants that cache one node, and the manifest for the engine."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import typer
+
+from shadercache.cli.io import MANIFEST, atomic_folder, read_pair
+from shadercache.options import ALGORITHMS, CacheFormat, Mode, Options
+
+if TYPE_CHECKING:
+    from shadercache.compiler import Emission
+
+
+def command(
+    fragment: Annotated[str, typer.Argument(metavar="FRAG", help="Fragment shader; - is stdin.")],
+    node: Annotated[str, typer.Option(metavar="ID", help="The node to cache, from 'nodes'.")],
+    out: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="Folder to write.")],
+    vert: Annotated[
+        str | None,
+        typer.Option(metavar="FILE", help="Vertex shader; if left out, FRAG with .vert."),
+    ] = None,
+    passes: Annotated[
+        Literal["1", "2", "3", "all"], typer.Option(help="Geometry passes of the variant.")
+    ] = "all",
+    cache_format: Annotated[
+        CacheFormat, typer.Option("--format", help="Texel format of the cache.")
+    ] = "rgba16f",
+    mode: Annotated[
+        Mode, typer.Option(help="proof pins the arithmetic down (#version 400).")
+    ] = "plain",
+    unprofitable: Annotated[
+        bool, typer.Option("--unprofitable", help="Also a node that costs less than a fetch.")
+    ] = False,
+) -> None:
+    """Write the shaders that cache one node, and manifest.json, which tells how to run them."""
+    from shadercache.compiler import analyse, rewrite
+
+    analysis = analyse(*read_pair(fragment, vert))
+    emission = rewrite(
+        analysis,
+        analysis.node(node),
+        Options(mode=mode, cache_format=cache_format),
+        algorithms=ALGORITHMS if passes == "all" else (int(passes),),
+        unprofitable=unprofitable,
+    )
+    _write(emission, out)
+    print(f"wrote {len(emission.files)} shaders and {MANIFEST} to {out}")
+
+
+def _write(emission: Emission, out: Path) -> None:
+    with atomic_folder(out) as folder:
+        for name, text in emission.files.items():
+            (folder / name).write_text(text, encoding="utf-8", newline="")
+        manifest = json.dumps(emission.manifest, indent=2) + "\n"
+        (folder / MANIFEST).write_text(manifest, encoding="utf-8")
