@@ -30,13 +30,13 @@ from shadercache.analysis.candidates import Candidate, Candidates, find_candidat
 from shadercache.analysis.effects import EffectTable
 from shadercache.ast import nodes as n
 from shadercache.diagnostics import Diagnostic, InputError, UsageError, input_error
+from shadercache.emit import program_set
 from shadercache.emit.fragment import FragmentProgram
 from shadercache.emit.printer import print_node
-from shadercache.emit.program_set import ProgramSet, emit_programs
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.front.parse import parse
-from shadercache.manifest import build_manifest
-from shadercache.options import ALGORITHMS, Options
+from shadercache.manifest import build_manifest, original_manifest
+from shadercache.options import ALGORITHMS, Mode, Options
 from shadercache.sema.check import check
 from shadercache.sema.facts import Facts, Stage
 from shadercache.analysis.restrictions import check_stages, find_color
@@ -129,14 +129,21 @@ def rewrite(
     """
     _require(analysis, node, unprofitable)
     options = options or Options()
-    programs = emit_programs(analysis.program, _vertex(analysis), node, options, algorithms)
+    programs = program_set.emit_programs(analysis.program, _vertex(analysis), node, options, algorithms)
     if not programs.variants:
         raise InputError(_unfit(analysis, node, programs))
     manifest = build_manifest(analysis.fragment, _vertex_source(analysis), node, options, programs)
     return Emission(programs.files, manifest)
 
 
-def _unfit(analysis: Analysis, node: Candidate, programs: ProgramSet) -> Diagnostic:
+def emit_original(analysis: Analysis, mode: Mode = "plain") -> Emission:
+    """The user's own shaders, printed from the tree: the reference of laws 1 to 3."""
+    options = Options(mode)
+    programs = program_set.emit_original(analysis.program, _vertex(analysis), options)
+    return Emission(programs.files, original_manifest(programs, options))
+
+
+def _unfit(analysis: Analysis, node: Candidate, programs: program_set.ProgramSet) -> Diagnostic:
     reason = next(iter(programs.refused.values()))
     message = f"'{node.text}' cannot be cached in one pass: {reason}"
     return Diagnostic("SC319", message, analysis.fragment, node.expr.span)

@@ -96,6 +96,16 @@ def build_manifest(
     }
 
 
+def original_manifest(programs: ProgramSet, options: Options) -> dict[str, Any]:
+    """The part of a manifest that says how to draw the unchanged shader."""
+    assert programs.original is not None
+    return {
+        "schema_version": SCHEMA_VERSION,
+        "mode": options.mode,
+        "original": _pass(programs.original),
+    }
+
+
 def _source(source: Source) -> dict[str, str]:
     return {"name": source.name, "sha256": sha256(source.text.encode()).hexdigest()}
 

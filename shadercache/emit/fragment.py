@@ -49,10 +49,6 @@ class FragmentEmitter:
         found = program.candidates.slices.before(node.instance, node.place.step.index, node.expr)
         self.fetches = program.candidates.uses.inside(node.instance, node.place, found)
 
-    def original(self) -> Shader:
-        """The user's shader itself, with what it does not need removed."""
-        return original(self.program)
-
     def one(self) -> Shader:
         """One pass: look up, else compute; then shade."""
         names = self._names()

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.emit.assemble import Shader
-from shadercache.emit.fragment import FragmentEmitter, FragmentProgram
+from shadercache.emit.fragment import FragmentEmitter, FragmentProgram, original
 from shadercache.emit.printer import print_module
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.options import Options
@@ -101,7 +101,7 @@ def emit_programs(
         color=program.color,
     )
     write = _Writer(made, vertex, options, f"node {node.id}")
-    made.original = write.add(_ORIGINAL, emitter.original())
+    made.original = write.add(_ORIGINAL, original(program))
     made.debug = write.add(_HIT_MASK, emitter.hit_mask())
     for number in algorithms:
         unfit = emitter.unfit_for_one_pass() if number == 1 else None
@@ -114,6 +114,13 @@ def emit_programs(
         made.variants[number] = tuple(
             write.add(item, build(emitter)) for item, build in _PASSES[number]
         )
+    return made
+
+
+def emit_original(program: FragmentProgram, vertex: VertexEmitter, options: Options) -> ProgramSet:
+    """The user's shaders themselves, printed: what variants are compared with."""
+    made = ProgramSet(prefix=program.prefix, color=program.color)
+    made.original = _Writer(made, vertex, options, "unchanged").add(_ORIGINAL, original(program))
     return made
 
 

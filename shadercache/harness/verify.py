@@ -1,0 +1,252 @@
+"""The laws of DESIGN section 4, checked by rendering, node by node.
+
+Everything is drawn small (the laws are about bits, not about looks) in RGBA32F, with a low
+resolution stand-in for the mesh where the scene has one. Laws 2 to 4 are decided in proof mode;
+what plain mode changes is reported. Pixels where two fragments tie for the front are masked and
+counted (law 4).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shadercache.analysis.candidates import Candidate
+from shadercache.compiler import Analysis, emit_original, rewrite
+from shadercache.diagnostics import input_error
+from shadercache.harness.bundle import Bundle
+from shadercache.harness.context import Gpu
+from shadercache.harness.mesh import Mesh, load_mesh
+from shadercache.harness.runner import (
+    CoverageRunner,
+    OriginalRunner,
+    RunOptions,
+    VariantRunner,
+    render_original,
+)
+from shadercache.harness.scene import Scene
+from shadercache.harness.stage import Stage
+from shadercache.options import Mode, Options
+
+Image = NDArray[np.float32]
+
+SIZE = (96, 96)
+PERIOD = 4
+"""Refresh period of the runs that reuse: short, so that few frames show every phase."""
+
+MOVING = range(4)
+RESTING = range(5)
+ALWAYS = range(3)
+
+MAX_TIES = 1e-4
+"""Share of pixels with depth ties above which a scene is reported (law 4)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Difference:
+    """How far an image is from the reference, in display units: largest, 99.9th percentile, and
+    share of changed pixels, over covered pixels."""
+
+    maximum: float = 0.0
+    p999: float = 0.0
+    changed: float = 0.0
+
+    @property
+    def exact(self) -> bool:
+        """The same bits everywhere (an image that is not finite never is)."""
+        return self.changed == 0.0
+
+    def worst(self, other: Difference) -> Difference:
+        """The larger of each figure."""
+        return Difference(
+            max(self.maximum, other.maximum),
+            max(self.p999, other.p999),
+            max(self.changed, other.changed),
+        )
+
+
+@dataclass(slots=True)
+class Verdict:
+    """The laws for one node. Keys of the dictionaries are algorithms (``2-pass``).
+
+    ``refused`` holds the algorithms that the compiler does not offer for the node, and why.
+    """
+
+    node: str
+    path: str
+    text: str
+    profitable: bool
+    always: dict[str, Difference] = field(default_factory=dict)
+    resting: dict[str, Difference] = field(default_factory=dict)
+    agreeing: dict[str, Difference] = field(default_factory=dict)
+    plain: dict[str, Difference] = field(default_factory=dict)
+    refused: dict[str, str] = field(default_factory=dict)
+
+    @property
+    def broken(self) -> list[str]:
+        """The laws that do not hold, as ``law 2 (1-pass)``."""
+        laws = (("law 2", self.always), ("law 3", self.resting), ("law 4", self.agreeing))
+        return [
+            f"{law} ({name})"
+            for law, found in laws
+            for name, difference in found.items()
+            if not difference.exact
+        ]
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data, with the list of broken laws."""
+        return asdict(self) | {"broken": self.broken}
+
+
+def difference(image: Image, reference: Image, covered: NDArray[np.bool_]) -> Difference:
+    """Compare colours bit by bit where ``covered``; NaN equals NaN of the same bits only."""
+    one, other = image[covered], reference[covered]
+    changed = (one.view(np.uint32) != other.view(np.uint32)).any(axis=-1)
+    if not changed.any():
+        return Difference()
+    finite = np.isfinite(one).all() and np.isfinite(other).all()
+    apart = np.abs(one.astype(np.float64) - other).max(axis=-1) if finite else np.full(1, np.inf)
+    return Difference(float(apart.max()), float(np.percentile(apart, 99.9)), float(changed.mean()))
+
+
+class Verifier:
+    """Checks nodes of one scene; the originals are rendered once for all of them."""
+
+    def __init__(
+        self,
+        gpu: Gpu,
+        scene: Scene,
+        analysis: Analysis,
+        size: tuple[int, int] = SIZE,
+        mesh: Mesh | None = None,
+    ) -> None:
+        """Render the originals. Raises as ``Stage`` and ``BoundPass``."""
+        self.analysis = analysis
+        mesh = mesh or load_mesh(scene.verify_mesh or scene.mesh)
+        self.stage = Stage(gpu, scene, size, color="rgba32f", mesh=mesh)
+        self._moving = {mode: self._original(mode) for mode in ("plain", "proof")}
+        proof = self._bundle("proof")
+        with CoverageRunner(self.stage, proof) as runner:
+            ties = [runner.ties(frame) for frame in MOVING]
+            self.covered = [
+                runner.coverage(frame) & ~tie for frame, tie in zip(MOVING, ties, strict=True)
+            ]
+        self.ties = float(np.mean(ties))
+
+    def round_trip(self) -> Difference:
+        """Law 1: the printed shader renders the bits of the user's own text."""
+        analysis = self.analysis
+        assert analysis.vertex is not None
+        written = emit_original(analysis, "plain")
+        files = {"original.vert": analysis.vertex.text, "original.frag": analysis.fragment.text}
+        found = Difference()
+        with OriginalRunner(self.stage, Bundle(written.manifest, files)) as runner:
+            for frame in MOVING:
+                image = runner.image(frame)
+                reference = self._moving["plain"][frame]
+                found = found.worst(difference(image, reference, self.covered[frame]))
+        return found
+
+    def check(self, node: Candidate, plain: bool = True) -> Verdict:
+        """Laws 2 to 4 for one node in proof mode, and what plain mode changes if ``plain``."""
+        if not self.covered[0].any():
+            raise input_error("SC612", "the object covers no pixel, so no law can be checked")
+        verdict = Verdict(node.id, node.path, node.text, node.offered)
+        bundle = self._rewritten(node, "proof")
+        for entry in bundle.manifest["refused"]:
+            verdict.refused[entry["algorithm"]] = entry["reason"]
+        self.check_bundle(bundle, verdict)
+        if plain:
+            shipped = self._rewritten(node, "plain")
+            for name in shipped.algorithms:
+                verdict.plain[name] = self._always(shipped, name, "plain")
+        return verdict
+
+    def check_bundle(self, bundle: Bundle, verdict: Verdict) -> None:
+        """Laws 2 to 4 for a proof-mode bundle, into ``verdict``."""
+        first: list[tuple[Image, Image]] = []
+        for name in bundle.algorithms:
+            verdict.always[name] = self._always(bundle, name, "proof")
+            verdict.resting[name] = self._resting(bundle, name)
+            run = self._reusing(bundle, name)
+            first = first or run
+            verdict.agreeing[name] = self._agreement(run, first)
+
+    def release(self) -> None:
+        """Free everything on the GPU."""
+        self.stage.release()
+
+    def _original(self, mode: Mode) -> list[Image]:
+        return render_original(self.stage, self._bundle(mode), MOVING)
+
+    def _bundle(self, mode: Mode) -> Bundle:
+        emission = emit_original(self.analysis, mode)
+        return Bundle(emission.manifest, emission.files)
+
+    def _rewritten(self, node: Candidate, mode: Mode) -> Bundle:
+        options = Options(mode=mode, cache_format="rgba32f")
+        emission = rewrite(self.analysis, node, options, unprofitable=True)
+        return Bundle(emission.manifest, emission.files)
+
+    def _always(self, bundle: Bundle, name: str, mode: Mode) -> Difference:
+        """Law 2: with everything refreshed in every frame a variant is the original."""
+        found = Difference()
+        with VariantRunner(self.stage, bundle, name, RunOptions(period=1)) as runner:
+            for frame in ALWAYS:
+                image = runner.image(frame)
+                reference = self._moving[mode][frame]
+                found = found.worst(difference(image, reference, self.covered[frame]))
+        return found
+
+    def _resting(self, bundle: Bundle, name: str) -> Difference:
+        """Law 3: while nothing moves a variant is the original, however often it reuses."""
+        found = Difference()
+        options = RunOptions(period=PERIOD, moving=False)
+        with VariantRunner(self.stage, bundle, name, options) as runner:
+            for frame in RESTING:
+                image = runner.image(frame)
+                found = found.worst(difference(image, self._moving["proof"][0], self.covered[0]))
+        return found
+
+    def _reusing(self, bundle: Bundle, name: str) -> list[tuple[Image, Image]]:
+        """Colour and cache of each frame of a short run in motion."""
+        with VariantRunner(self.stage, bundle, name, RunOptions(period=PERIOD)) as runner:
+            return [(runner.image(frame), runner.cache()) for frame in MOVING]
+
+    def _agreement(
+        self, run: list[tuple[Image, Image]], first: list[tuple[Image, Image]]
+    ) -> Difference:
+        """Law 4: the algorithms agree on colour and cache. Equal caches before a frame follow
+        from equal caches after the one before."""
+        found = Difference()
+        for covered, (color, cache), (color_1, cache_1) in zip(
+            self.covered, run, first, strict=True
+        ):
+            found = found.worst(difference(color, color_1, covered))
+            found = found.worst(difference(cache, cache_1, covered))
+        return found
+
+
+def verify_nodes(
+    gpu: Gpu,
+    scene: Scene,
+    analysis: Analysis,
+    nodes: Sequence[Candidate],
+    told: Callable[[Verdict], None] | None = None,
+    plain: bool = True,
+) -> list[Verdict]:
+    """Check the given nodes of a scene; ``told`` hears of each verdict as it is reached."""
+    verifier = Verifier(gpu, scene, analysis)
+    verdicts: list[Verdict] = []
+    try:
+        for node in nodes:
+            verdicts.append(verifier.check(node, plain))
+            if told is not None:
+                told(verdicts[-1])
+    finally:
+        verifier.release()
+    return verdicts
