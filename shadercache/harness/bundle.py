@@ -56,10 +56,9 @@ class Bundle:
     manifest: Mapping[str, Any]
     files: Mapping[str, str]
 
-    @property
-    def node_id(self) -> str:
-        """The id of the cached node."""
-        return str(_need(self.manifest, "node", "id"))
+    def node(self, key: str) -> str:
+        """What the manifest says of the cached node: ``id``, ``path``, ``text`` or ``type``."""
+        return str(_need(self.manifest, "node", key))
 
     @property
     def mode(self) -> str:
@@ -202,5 +201,5 @@ def _broken(reason: str) -> InputError:
 
 def _no_variant(bundle: Bundle, algorithm: str) -> UsageError:
     have = ", ".join(bundle.algorithms) or "none"
-    message = f"node {bundle.node_id} has no {algorithm} variant here"
+    message = f"node {bundle.node('id')} has no {algorithm} variant here"
     return usage_error("SC026", message, hint=f"there are: {have}")

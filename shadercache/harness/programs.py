@@ -101,6 +101,12 @@ class Programs:
         program.gl.release()
         return True
 
+    def release_all(self) -> None:
+        """Free every program, whoever still uses it."""
+        for program in self._by_text.values():
+            program.gl.release()
+        self._by_text.clear()
+
 
 def _link(ctx: moderngl.Context, vertex: Source, fragment: Source) -> Program:
     try:

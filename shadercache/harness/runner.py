@@ -20,8 +20,8 @@ from shadercache.harness.camera import Values
 from shadercache.harness.passes import NO_NAMES, BoundPass, FrameInputs, Naming
 from shadercache.harness.stage import Stage
 
-NEVER = 1 << 30
-"""A refresh period that no run reaches: nothing is refreshed on purpose."""
+NEVER = 65535
+"""The longest refresh period that manifests allow: next to nothing is refreshed on purpose."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,50 +78,48 @@ class _Runner:
         self.release()
 
 
-class OriginalRunner(_Runner):
+class PassRunner(_Runner):
+    """Draws one program that holds nothing but the user's own inputs."""
+
+    def __init__(self, stage: Stage, spec: PassSpec) -> None:
+        """Raises as ``BoundPass``."""
+        super().__init__(stage)
+        self._pass = self._bind(spec, NO_NAMES)
+
+    def draw(self, frame: int) -> None:
+        """Draw one frame into the colour target."""
+        self.stage.begin()
+        self._pass.draw(_plain(self.stage.values(frame)), None)
+
+
+class OriginalRunner(PassRunner):
     """Draws the unchanged shader."""
 
     def __init__(self, stage: Stage, bundle: Bundle) -> None:
         """Raises as ``BoundPass``."""
-        super().__init__(stage)
-        self._pass = self._bind(bundle.original, NO_NAMES)
-
-    def draw(self, frame: int) -> None:
-        """Draw one frame into the colour target."""
-        self.stage.begin()
-        self._pass.draw(_plain(self.stage.values(frame)), None)
+        super().__init__(stage, bundle.original)
 
 
-class GeometryRunner(_Runner):
+class GeometryRunner(PassRunner):
     """Draws the bare geometry: the part of a frame's time that no cache can save."""
 
     def __init__(self, stage: Stage, bundle: Bundle) -> None:
         """Raises as ``BoundPass``."""
-        super().__init__(stage)
-        self._pass = self._bind(bundle.geometry, NO_NAMES)
-
-    def draw(self, frame: int) -> None:
-        """Draw one frame into the colour target."""
-        self.stage.begin()
-        self._pass.draw(_plain(self.stage.values(frame)), None)
+        super().__init__(stage, bundle.geometry)
 
 
-class CoverageRunner(_Runner):
+class CoverageRunner(PassRunner):
     """Tells which pixels the mesh covers, and where two fragments tie for the front."""
 
     def __init__(self, stage: Stage, bundle: Bundle) -> None:
         """Raises as ``BoundPass``."""
-        super().__init__(stage)
-        self._pass = self._bind(bundle.coverage, NO_NAMES)
-
-    def draw(self, frame: int) -> None:
-        """Draw one frame into the colour target, in one colour."""
-        self.stage.begin()
-        self._pass.draw(_plain(self.stage.values(frame)), None)
+        super().__init__(stage, bundle.coverage)
 
     def coverage(self, frame: int) -> NDArray[np.bool_]:
         """Which pixels the mesh covers, (h, w)."""
-        return self.image(frame)[..., 0] > 0.1
+        self.draw(frame)
+        covered: NDArray[np.bool_] = self.stage.targets.pixels()[..., 3] != 0
+        return covered
 
     def ties(self, frame: int) -> NDArray[np.bool_]:
         """Pixels where two fragments share the smallest depth (DESIGN §4, law 4), (h, w).

@@ -105,7 +105,8 @@ class Stage:
         self.targets.clear()
 
     def release(self) -> None:
-        """Free every GL object of the stage except programs that runners still hold."""
+        """Free every GL object of the stage; its runners can draw no more."""
+        self.programs.release_all()
         for array in self._arrays.values():
             array.release()
         for buffer in (*self._buffers.values(), self._index):

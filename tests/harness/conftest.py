@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from shadercache.diagnostics import GraphicsError
+
 from shadercache.harness.bundle import Bundle, load_bundle
-from shadercache.harness.context import Gpu, open_context
+from shadercache.harness.context import Gpu
 from shadercache.harness.scene import Scene, load_scene
 from shadercache.harness.stage import Stage
 
@@ -27,25 +27,14 @@ def torus(rings: int = 48, sides: int = 24) -> dict[str, np.ndarray]:
     normal = np.stack([np.cos(v) * np.cos(u), np.cos(v) * np.sin(u), np.sin(v)], -1)
     centre = np.stack([np.cos(u), np.sin(u), np.zeros_like(u)], -1) * 0.8
     i, j = np.meshgrid(np.arange(rings), np.arange(sides), indexing="ij")
-    at = lambda a, b: (a % rings) * sides + b % sides  # noqa: E731
-    quads = np.stack(
-        [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1)], -1
-    )
+    here, right = i * sides + j, (i + 1) % rings * sides + j
+    up, across = i * sides + (j + 1) % sides, (i + 1) % rings * sides + (j + 1) % sides
+    quads = np.stack([here, right, across, here, across, up], -1)
     return {
         "position": (centre + 0.3 * normal).reshape(-1, 3).astype(np.float32),
         "normal": normal.reshape(-1, 3).astype(np.float32),
         "index": quads.reshape(-1, 3).astype(np.uint32),
     }
-
-
-@pytest.fixture(scope="session")
-def gpu() -> Iterator[Gpu]:
-    try:
-        opened = open_context()
-    except GraphicsError as error:
-        pytest.fail(str(error))
-    with opened:
-        yield opened
 
 
 @pytest.fixture(scope="session")

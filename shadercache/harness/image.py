@@ -1,0 +1,113 @@
+"""How far an image is from the original, over the covered pixels, display-encoded 0-1.
+
+Non-finite pixels are looked for first: some error measures give them a finite score.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shadercache.diagnostics import input_error
+
+Pixels = NDArray[np.generic]
+"""An image (h, w, 3 or 4): uint8, or floats; alpha is not looked at."""
+
+_BINS = 1 << 16
+
+
+@dataclass(frozen=True, slots=True)
+class ErrorStats:
+    """Difference of images in display-encoded units (0-1).
+
+    ``rmse`` over pixels and the three channels (the L2 error of the papers); ``p99`` and
+    ``maximum`` of each pixel's largest channel difference; ``psnr`` in decibels for a peak of 1
+    (infinite for equal images); ``pixels`` how many were compared.
+    """
+
+    rmse: float
+    p99: float
+    maximum: float
+    psnr: float
+    pixels: int
+
+
+class ErrorSum:
+    """Adds up the difference over the frames of a run.
+
+    Percentiles come from a histogram of 65536 steps from 0 to 1, which is exact for 8-bit images.
+    """
+
+    def __init__(self) -> None:
+        self._squares = 0.0
+        self._maximum = 0.0
+        self._histogram = np.zeros(_BINS, np.int64)
+
+    def add(self, original: Pixels, image: Pixels, covered: NDArray[np.bool_]) -> float:
+        """Compare one frame; returns its RMSE over the covered pixels (0 if none is covered).
+
+        Raises:
+            InputError: SC604, an image holds NaN or infinity.
+        """
+        a, b = original[covered][:, :3], image[covered][:, :3]
+        if not len(a):
+            return 0.0
+        measured = _bytes_apart if a.dtype == b.dtype == np.uint8 else _floats_apart
+        squares, bins, maximum = measured(a, b)
+        self._histogram += np.bincount(bins, minlength=_BINS)
+        self._squares += squares
+        self._maximum = max(self._maximum, maximum)
+        return math.sqrt(squares / a.size)
+
+    def stats(self) -> ErrorStats:
+        """The error over everything added so far."""
+        count = int(self._histogram.sum())
+        if count == 0:
+            return ErrorStats(0.0, 0.0, 0.0, math.inf, 0)
+        rmse = math.sqrt(self._squares / (3 * count))
+        rank = math.ceil(0.99 * count)
+        p99 = int(np.searchsorted(np.cumsum(self._histogram), rank)) / (_BINS - 1)
+        psnr = math.inf if rmse == 0.0 else -20.0 * math.log10(rmse)
+        return ErrorStats(rmse, min(p99, self._maximum), self._maximum, psnr, count)
+
+
+def _bytes_apart(a: Pixels, b: Pixels) -> tuple[float, NDArray[np.intp], float]:
+    """Sum of squares, histogram bin of each pixel's largest difference, largest; (n, 3) bytes."""
+    levels = np.maximum(a, b) - np.minimum(a, b)
+    counts = np.bincount(levels.ravel(), minlength=256)
+    squares = float(counts @ (np.arange(256) / 255.0) ** 2)
+    largest = np.maximum(np.maximum(levels[:, 0], levels[:, 1]), levels[:, 2])
+    step = (_BINS - 1) // 255
+    return squares, largest.astype(np.intp) * step, float(largest.max()) / 255.0
+
+
+def _floats_apart(a: Pixels, b: Pixels) -> tuple[float, NDArray[np.intp], float]:
+    """The same for (n, 3) images of which one or both hold floats."""
+    x, y = _encoded(a), _encoded(b)
+    bad = int(np.count_nonzero(~np.isfinite(x)) + np.count_nonzero(~np.isfinite(y)))
+    if bad:
+        raise input_error("SC604", f"an image holds {bad} values that are NaN or infinite")
+    difference = np.abs(x - y)
+    squares = float(np.einsum("pc,pc->", difference, difference, dtype=np.float64))
+    largest = difference.max(axis=1)
+    bins = np.minimum(np.rint(largest * (_BINS - 1)), _BINS - 1).astype(np.intp)
+    return squares, bins, float(largest.max())
+
+
+def _encoded(pixels: Pixels) -> NDArray[np.float64]:
+    colors = pixels.astype(np.float64)
+    return colors / 255.0 if pixels.dtype == np.uint8 else colors
+
+
+def compare(original: Pixels, image: Pixels, covered: NDArray[np.bool_]) -> ErrorStats:
+    """The error of one image over the covered pixels (h, w).
+
+    Raises:
+        InputError: SC604, an image holds NaN or infinity.
+    """
+    total = ErrorSum()
+    total.add(original, image, covered)
+    return total.stats()

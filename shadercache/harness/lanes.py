@@ -1,0 +1,220 @@
+"""What runs side by side in a measurement: the original, each variant, each part of the floor.
+
+A lane draws, keeps its samples, and turns them into a result in the end.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shadercache.harness.clock import Clock
+from shadercache.harness.image import ErrorSum, Pixels
+from shadercache.harness.measurement import Entry, MeasureOptions, NodeResult, VariantResult
+from shadercache.harness.runner import (
+    NEVER,
+    CoverageRunner,
+    GeometryRunner,
+    OriginalRunner,
+    RunOptions,
+    VariantRunner,
+)
+from shadercache.harness.stage import Stage
+from shadercache.harness.stats import Timing, paired_ratio, timing
+
+
+class ReferenceLane:
+    """The original, its geometry and its coverage: what every variant is compared with."""
+
+    def __init__(self, stage: Stage, entry: Entry) -> None:
+        """Raises as ``BoundPass``."""
+        self._original = OriginalRunner(stage, entry.bundle)
+        self._geometry = GeometryRunner(stage, entry.bundle)
+        self._coverage = CoverageRunner(stage, entry.bundle)
+        self._stage = stage
+        self.original: dict[int, float] = {}
+        self.geometry: dict[int, float] = {}
+        self.pixels: Pixels = np.zeros((0, 0, 4), np.uint8)
+        self.covered: NDArray[np.bool_] = np.zeros((0, 0), np.bool_)
+
+    def warm_up(self, frame: int) -> None:
+        """Draw everything once: the first draw of a program compiles it."""
+        for runner in (self._original, self._geometry, self._coverage):
+            runner.draw(frame)
+
+    def time_original(self, clock: Clock, frame: int) -> None:
+        """Time the original; its image stays in the colour target."""
+        self.original[frame] = clock.time(partial(self._original.draw, frame))
+
+    def time_geometry(self, clock: Clock, frame: int) -> None:
+        """Time the bare geometry."""
+        self.geometry[frame] = clock.time(partial(self._geometry.draw, frame))
+
+    def keep_image(self, frame: int) -> None:
+        """Keep the original's pixels, which were just drawn, and the mask of covered pixels."""
+        self.pixels = self._stage.targets.pixels()
+        self.covered = self._coverage.coverage(frame)
+
+    def share(self, seconds: dict[int, float]) -> float:
+        """What was timed as a share of the original: the median over the frames of both.
+
+        Shares of the same frame are what the drift of the machine leaves alone (DESIGN §7).
+        """
+        ratios = [time / self.original[frame] for frame, time in seconds.items()]
+        return float(np.median(ratios))
+
+    def release(self) -> None:
+        """Give the programs back."""
+        for runner in (self._original, self._geometry, self._coverage):
+            runner.release()
+
+
+class VariantLane:
+    """One variant with its samples."""
+
+    def __init__(self, stage: Stage, entry: Entry, algorithm: str, options: MeasureOptions) -> None:
+        """Raises as ``VariantRunner``."""
+        run = RunOptions(options.period, options.block, options.epsilon, options.cache_format)
+        self.runner = VariantRunner(stage, entry.bundle, algorithm, run)
+        self.entry = entry
+        self.times: dict[int, float] = {}
+        self._hit_rates: list[float] = []
+        self.mask: NDArray[np.uint8] = np.zeros((0, 0), np.uint8)
+        self._error = ErrorSum()
+        self._frame_rmse: list[float] = []
+        self._outcomes: list[dict[str, float]] = []
+        self._work: list[dict[str, int]] = []
+
+    def warm_up(self, frame: int) -> None:
+        """Draw a reset frame and one more, so that every pass has been drawn, then forget."""
+        for _ in range(2):
+            self.runner.draw(frame)
+        self.runner.hit_mask(frame)
+        self.runner.reset()
+
+    def time(self, clock: Clock, frame: int) -> None:
+        """Time the next frame of the run; its image stays in the colour target."""
+        self.times[frame] = clock.time(partial(self.runner.draw, frame))
+
+    def look(self, frame: int) -> None:
+        """Take the hit mask of the frame that is about to be drawn."""
+        self.mask = self.runner.hit_mask(frame)
+
+    def probe(self, frame: int) -> None:
+        """Count outcomes and work of the frame that is about to be drawn."""
+        self.look(frame)
+        counts = np.bincount(self.mask.ravel(), minlength=256)
+        covered = max(1, self.mask.size - int(counts[0]))
+        values = self.entry.bundle.mask_values
+        shares = {name: float(counts[value]) / covered for name, value in values.items()}
+        self._outcomes.append(shares)
+        self._hit_rates.append(shares.get("hit", 0.0))
+        self._work.append(self.runner.work(frame))
+
+    def compare(self, reference: ReferenceLane) -> None:
+        """Add the image in the colour target to the error."""
+        pixels = self.runner.stage.targets.pixels()
+        self._frame_rmse.append(self._error.add(reference.pixels, pixels, reference.covered))
+
+    def result(self, reference: ReferenceLane, hit: dict[int, float]) -> VariantResult:
+        """What was measured; ``hit`` are the seconds of the hit part at the probed frames."""
+        frames = [frame for frame in self.times if frame > 0]
+        original = [reference.original[frame] for frame in frames]
+        times = [self.times[frame] for frame in frames]
+        speedup = paired_ratio(original, times)
+        floor = self._floor(reference, hit)
+        return VariantResult(
+            algorithm=self.runner.algorithm,
+            timing=timing(times),
+            speedup=speedup,
+            outcomes=_mean(self._outcomes),
+            hit_rates=tuple(self._hit_rates),
+            work=_mean(self._work),
+            error=self._error.stats(),
+            frame_rmse=tuple(self._frame_rmse),
+            floor=None if floor is None else floor * float(np.median(original)),
+            efficiency=None if floor is None else floor * speedup.median,
+        )
+
+    def _floor(self, reference: ReferenceLane, hit: dict[int, float]) -> float | None:
+        """Geometry + rate * T_hit + (1 - rate) * T_miss as a share of the original (DESIGN §7)."""
+        if not hit or not self._hit_rates:
+            return None
+        bare = reference.share(reference.geometry)
+        rate = float(np.mean(self._hit_rates))
+        return bare + rate * (reference.share(hit) - bare) + (1.0 - rate) * (1.0 - bare)
+
+
+class PartsLane:
+    """The payload alone and the hit alone, at the probed frames."""
+
+    def __init__(self, stage: Stage, entry: Entry, options: MeasureOptions) -> None:
+        """Raises as ``VariantRunner``."""
+        self.payload: dict[int, float] = {}
+        self.hit: dict[int, float] = {}
+        run = RunOptions(NEVER, options.block, options.epsilon, options.cache_format)
+        have = entry.bundle.algorithms
+        self._payload, self._hit = (
+            VariantRunner(stage, entry.bundle, name, run) if name in have else None
+            for name in ("3-pass", "2-pass")
+        )
+
+    def warm_up(self, frame: int, clock: Clock) -> None:
+        """Draw both once, then forget what was timed."""
+        self.probe(clock, frame)
+        self.payload.clear()
+        self.hit.clear()
+
+    def probe(self, clock: Clock, frame: int) -> None:
+        """Time the 3-pass payload pass on cleared targets, and the 2-pass hit pass at rest.
+
+        The hit pass sees a cache that was filled at the same frame, so that every pixel is a hit.
+        """
+        if self._payload is not None:
+            self.payload[frame] = clock.time(partial(self._payload.draw_pass, frame, "payload"))
+        if self._hit is not None:
+            self._hit.reset()
+            self._hit.draw(frame)
+            self.hit[frame] = clock.time(partial(self._hit.draw_pass, frame, "hit"))
+
+    def release(self) -> None:
+        """Give programs and caches back."""
+        for runner in (self._payload, self._hit):
+            if runner is not None:
+                runner.release()
+
+    def result(
+        self, reference: ReferenceLane, entry: Entry, lanes: list[VariantLane]
+    ) -> NodeResult:
+        """The node with all its variants."""
+        bundle = entry.bundle
+        return NodeResult(
+            label=entry.label,
+            node_id=bundle.node("id"),
+            path=bundle.node("path"),
+            text=bundle.node("text"),
+            type=bundle.node("type"),
+            mode=bundle.mode,
+            ratio=self._ratio(reference),
+            payload=_timing(self.payload),
+            hit=_timing(self.hit),
+            variants=tuple(lane.result(reference, self.hit) for lane in lanes),
+        )
+
+    def _ratio(self, reference: ReferenceLane) -> float | None:
+        if not self.payload:
+            return None
+        bare = reference.share(reference.geometry)
+        return (reference.share(self.payload) - bare) / (1.0 - bare)
+
+
+def _timing(samples: dict[int, float]) -> Timing | None:
+    return timing(list(samples.values())) if samples else None
+
+
+def _mean(counts: list[dict[str, float]] | list[dict[str, int]]) -> dict[str, float]:
+    if not counts:
+        return {}
+    return {name: float(np.mean([count[name] for count in counts])) for name in counts[0]}

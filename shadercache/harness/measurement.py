@@ -1,0 +1,148 @@
+"""What a measurement is asked and what it answers: plain values, with the raw samples."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from shadercache.harness.bundle import Bundle
+from shadercache.harness.image import ErrorStats
+from shadercache.harness.pictures import Picture
+from shadercache.harness.stats import Ratio, Timing
+
+
+@dataclass(frozen=True, eq=False)
+class Entry:
+    """A node to measure: its name in tables, its programs, and which variants (empty: all)."""
+
+    label: str
+    bundle: Bundle
+    algorithms: tuple[str, ...] = ()
+
+    @property
+    def chosen(self) -> tuple[str, ...]:
+        """The variants to measure."""
+        return self.algorithms or self.bundle.algorithms
+
+
+@dataclass(frozen=True, slots=True)
+class MeasureOptions:
+    """How to measure. Frames are counted from 0, so the papers' frames 33-64 are 32 to 63.
+
+    ``frames``: how many are drawn; frame 0 is a reset and is not timed.
+    ``error_from``: images are compared from this frame on (half of ``frames`` if that is less).
+    ``probe_every``: every so many frames of that range, hit masks, work and the parts of the floor
+    are taken as well (they cost extra draws).
+    ``group``: how many variants are interleaved at once; more need more memory for caches.
+    ``picture_frame``: the frame whose pictures are kept; None keeps none.
+    """
+
+    size: tuple[int, int] = (1024, 1024)
+    frames: int = 64
+    error_from: int = 32
+    probe_every: int = 4
+    period: int = 32
+    block: int = 4
+    epsilon: float | None = None
+    cache_format: str | None = None
+    group: int = 12
+    picture_frame: int | None = None
+
+    @property
+    def first_compared(self) -> int:
+        """The first frame whose image is compared; never the reset frame."""
+        return max(1, min(self.error_from, self.frames // 2))
+
+    def is_probed(self, frame: int) -> bool:
+        """Whether the costly extras are taken at a frame."""
+        since = frame - self.first_compared
+        return since >= 0 and since % self.probe_every == 0
+
+
+@dataclass(frozen=True, eq=False)
+class Shot:
+    """Pictures of one variant at one frame, row 0 at the top."""
+
+    label: str
+    algorithm: str
+    original: Picture
+    cached: Picture
+    outcomes: Picture
+
+
+@dataclass(frozen=True, slots=True)
+class VariantResult:
+    """One variant against the original.
+
+    ``speedup`` is original / variant. ``outcomes``: share of the covered visible pixels that were a
+    hit, a refresh, a miss by cause. ``work``: fragments per frame by pass, overdraw included.
+    ``floor`` in seconds and ``efficiency`` = floor / time as DESIGN §7 says, None without parts.
+    """
+
+    algorithm: str
+    timing: Timing
+    speedup: Ratio
+    outcomes: Mapping[str, float]
+    hit_rates: tuple[float, ...]
+    work: Mapping[str, float]
+    error: ErrorStats
+    frame_rmse: tuple[float, ...]
+    floor: float | None
+    efficiency: float | None
+
+    @property
+    def hit_rate(self) -> float:
+        """Mean share of the covered visible pixels that reuse a payload, over probed frames."""
+        return float(np.mean(self.hit_rates)) if self.hit_rates else 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class NodeResult:
+    """One node. ``ratio`` is P/T as measured: payload alone over the original, both less geometry.
+
+    ``payload`` and ``hit`` are the parts measured alone at the probed frames (None if the manifest
+    has no 3-pass or no 2-pass variant).
+    """
+
+    label: str
+    node_id: str
+    path: str
+    text: str
+    type: str
+    mode: str
+    ratio: float | None
+    payload: Timing | None
+    hit: Timing | None
+    variants: tuple[VariantResult, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """Nodes whose frames were interleaved with the same draws of the original.
+
+    ``original`` and ``geometry`` (the vertex work alone) are timed at every frame.
+    """
+
+    original: Timing
+    geometry: Timing
+    nodes: tuple[NodeResult, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Measurement:
+    """The whole answer. ``covered``: mean share of the frame that the mesh covers."""
+
+    scene: str
+    options: MeasureOptions
+    clock: str
+    covered: float
+    groups: tuple[Group, ...]
+    shots: tuple[Shot, ...]
+
+    @cached_property
+    def nodes(self) -> tuple[NodeResult, ...]:
+        """All nodes, in the order they were given."""
+        return tuple(node for group in self.groups for node in group.nodes)
