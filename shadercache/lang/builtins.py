@@ -30,10 +30,14 @@ _ES_AS_DESKTOP = {100: 120, 300: 330, 310: 330, 320: 330}
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Parameter:
-    """A parameter of a built-in function; ``direction`` is ``in``, ``out`` or ``inout``."""
+    """A parameter of a built-in function.
+
+    ``direction`` is ``in``, ``out`` or ``inout``; ``constant``: only constant expressions go in.
+    """
 
     type: Type
     direction: str = "in"
+    constant: bool = False
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -189,8 +193,10 @@ def _signature(name: str, types: list[str], words: list[str]) -> Signature:
 
 
 def _parameter(text: str) -> Parameter:
-    direction, _, kind = text.rpartition(" ")
-    return Parameter(_named_type(kind), direction or "in")
+    word, _, kind = text.rpartition(" ")
+    if word == "const":
+        return Parameter(_named_type(kind), constant=True)
+    return Parameter(_named_type(kind), word or "in")
 
 
 def _double_variants(text: str) -> list[tuple[bool, str]]:

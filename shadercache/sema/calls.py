@@ -57,9 +57,19 @@ class CallChecker:
             if problem is not None:
                 message, place = problem
                 context.error("SC209", f"{message} by '{node.name}'", place)
-        if isinstance(found, Signature) and found.foldable and not outs:
-            self._constants.call(node, found, node.args)
+        if isinstance(found, Signature):
+            if found.foldable and not outs:
+                self._constants.call(node, found, node.args)
+            elif found.texture:
+                self._check_constant_args(node, found)
         return found.result
+
+    def _check_constant_args(self, node: Call, found: Signature) -> None:
+        """Offsets of texture look-ups are constant expressions (section 8.7)."""
+        for arg, param in zip(node.args, found.params, strict=True):
+            if param.constant and arg not in self._constants.expressions:
+                message = f"this argument of '{node.name}' must be a constant expression"
+                self._context.error("SC226", message, arg)
 
     def _resolve(
         self, node: Call, own: Sequence[Overload], args: tuple[Type, ...]

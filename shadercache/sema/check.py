@@ -16,6 +16,7 @@ from shadercache.ast.nodes import (
     VarDecl,
 )
 from shadercache.diagnostics import InputError, Severity
+from shadercache.sema.blocks import BlockChecker
 from shadercache.sema.context import Context, callee
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.functions import FunctionChecker
@@ -40,6 +41,7 @@ class _Checker:
         self._context = context
         self._types = TypeResolver(context)
         self._variables = VariableChecker(context, self._types)
+        self._blocks = BlockChecker(context, self._types, self._variables)
         self._functions = FunctionChecker(context, self._types)
         self._statements = StatementChecker(context, self._types, self._variables, self._functions)
 
@@ -72,7 +74,7 @@ class _Checker:
         elif isinstance(decl, VarDecl):
             self._variables.declare(decl)
         elif isinstance(decl, BlockDecl):
-            self._variables.declare_block(decl)
+            self._blocks.declare(decl)
         elif isinstance(decl, FunctionProto):
             self._functions.declare(decl)
         elif isinstance(decl, QualifierDecl):

@@ -18,7 +18,7 @@ from shadercache.ast.nodes import (
 )
 from shadercache.diagnostics import Diagnostic, Severity
 from shadercache.lang import builtins
-from shadercache.lang.builtins import Signature
+from shadercache.lang.builtins import BuiltinVariable, Signature
 from shadercache.lang.types import StructType, Type
 from shadercache.sema.conversions import Conversions
 from shadercache.sema.facts import Declares, Stage, Symbol
@@ -37,6 +37,11 @@ _EXTENSION_VERSIONS = {
     "GL_ARB_shading_language_packing": 420,
     "GL_ARB_texture_query_levels": 430,
     "GL_ARB_derivative_control": 450,
+    "GL_ARB_sample_shading": 400,
+}
+_INTERFACE_VERSIONS = {
+    "GL_ARB_separate_shader_objects": 410,
+    "GL_ARB_explicit_uniform_location": 430,
 }
 
 
@@ -59,6 +64,8 @@ class Context:
     version: int = 330
     es: bool = False
     function_version: int = 330
+    interface_version: int = 330
+    blocks: dict[str, set[str]] = field(default_factory=dict)
     conversions: Conversions = field(init=False)
     _undeclared: set[str] = field(default_factory=set)
 
@@ -66,8 +73,8 @@ class Context:
         self.version = self.module.version
         self.es = self.module.profile == "es"
         extensions = enabled_extensions(self.module)
-        lifted = [_EXTENSION_VERSIONS.get(name, 0) for name in extensions]
-        self.function_version = max([self.version, *lifted])
+        self.function_version = _lifted(self.version, extensions, _EXTENSION_VERSIONS)
+        self.interface_version = _lifted(self.version, extensions, _INTERFACE_VERSIONS)
         lifts = "GL_ARB_gpu_shader5" in extensions and not self.es
         self.conversions = Conversions(max(self.version, 400 if lifts else 0), self.es)
 
@@ -107,6 +114,15 @@ class Context:
         """The overloads of a built-in function in this version and stage."""
         return builtins.functions(name, self.function_version, self.module.profile, self.stage)
 
+    def builtin_variable(self, name: str) -> BuiltinVariable | None:
+        """The built-in variable or constant of that name in this version and stage."""
+        return builtins.variable(name, self.stage, self.function_version, self.module.profile)
+
+    def check_block_name(self, name: str, node: Node) -> None:
+        """A global name cannot be that of an interface block too."""
+        if name in self.blocks and self.scopes.depth == 0:
+            self.error("SC202", f"'{name}' is already the name of a block", node)
+
     def known_functions(self) -> list[str]:
         """Names of all functions that can be called here (for hints)."""
         own = self.scopes.names()
@@ -114,10 +130,12 @@ class Context:
 
     def known_variables(self) -> list[str]:
         """Names of all variables that can be read here (for hints)."""
-        profile, names = self.module.profile, builtins.variable_names()
-        return self.scopes.names() + [
-            name for name in names if builtins.variable(name, self.stage, self.version, profile)
-        ]
+        names = builtins.variable_names()
+        return self.scopes.names() + [name for name in names if self.builtin_variable(name)]
+
+
+def _lifted(version: int, extensions: set[str], versions: dict[str, int]) -> int:
+    return max([version, *(versions.get(name, 0) for name in extensions)])
 
 
 def enabled_extensions(module: Module) -> set[str]:

@@ -28,7 +28,6 @@ from shadercache.ast.nodes import (
     TypeSpec,
     Unary,
 )
-from shadercache.lang import builtins
 from shadercache.lang.types import BOOL, INT, UINT, Type, array_of, vector
 from shadercache.sema.calls import CallChecker
 from shadercache.sema.constants import SWIZZLES, Constants
@@ -134,8 +133,7 @@ class ExpressionChecker:
     def _builtin(self, name: str) -> Symbol | None:
         """The built-in variable of that name; one symbol for all its uses."""
         if name not in self._builtins:
-            context = self._context
-            found = builtins.variable(name, context.stage, context.version, context.module.profile)
+            found = self._context.builtin_variable(name)
             symbol = None
             if found is not None:
                 kind: Kind = "const" if found.storage == "const" else "builtin"

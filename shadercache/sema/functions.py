@@ -9,6 +9,10 @@ from shadercache.sema.facts import Symbol
 from shadercache.sema.scopes import FunctionSet, Overload
 from shadercache.sema.typespecs import TypeResolver
 
+_PRECISIONS = ("highp", "mediump", "lowp")
+_RESULT_WORDS = frozenset((*_PRECISIONS, "precise"))
+_PARAM_WORDS = frozenset((*_PRECISIONS, "precise", "const", "in", "out", "inout"))
+
 
 class FunctionChecker:
     """Declares functions and, at the end, looks at all of them together."""
@@ -23,6 +27,7 @@ class FunctionChecker:
         context = self._context
         overload = self._overload(proto)
         context.check_name(proto.name, proto)
+        context.check_block_name(proto.name, proto)
         entry = context.scopes.function_set(proto.name)
         if not isinstance(entry, FunctionSet):
             message = f"'{proto.name}' is already declared, and not as a function"
@@ -46,6 +51,10 @@ class FunctionChecker:
         result = self._resolver.resolve(proto.type)
         if result is not ERROR and (result.holds_opaque or result.is_unsized):
             result = self._context.error("SC224", f"a function cannot return {result}", proto.type)
+        extra = [word for word in proto.qualifiers.words if word not in _RESULT_WORDS]
+        if extra:
+            message = f"'{extra[0]}' does not apply to the result of a function"
+            self._context.error("SC224", message, proto.qualifiers)
         params = tuple(self._param_type(param) for param in proto.params)
         return Overload(proto, result, params, tuple(map(direction, proto.params)))
 
@@ -55,6 +64,9 @@ class FunctionChecker:
         if kind is ERROR:
             return kind
         words = param.qualifiers.words
+        extra = [word for word in words if word not in _PARAM_WORDS]
+        if extra:
+            context.error("SC221", f"'{extra[0]}' does not apply to a parameter", param)
         if kind is VOID:
             context.error("SC204", "a parameter cannot be void", param)
         elif kind.is_unsized:
@@ -73,7 +85,7 @@ class FunctionChecker:
         if before.result is not now.result:
             message = f"'{name}' was declared to return {before.result}, not {now.result}"
             self._context.error("SC224", message, now.proto)
-        elif before.directions != now.directions:
+        elif _qualified(before.proto) != _qualified(now.proto):
             message = f"'{name}' was declared with other parameter qualifiers"
             self._context.error("SC224", message, now.proto)
 
@@ -117,6 +129,11 @@ class FunctionChecker:
 def direction(param: Param) -> str:
     """``in``, ``out`` or ``inout``."""
     return next((word for word in param.qualifiers.words if word in ("out", "inout")), "in")
+
+
+def _qualified(proto: FunctionProto) -> list[tuple[str, bool]]:
+    """Direction of each parameter, and whether it is ``const``."""
+    return [(direction(param), param.qualifiers.has("const")) for param in proto.params]
 
 
 def find_recursion(context: Context) -> None:

@@ -7,6 +7,8 @@ from shadercache.lang.types import INT, UINT, VOID, Type, array_of, builtin_type
 from shadercache.sema.context import ERROR, Context
 from shadercache.sema.expressions import ExpressionChecker
 
+_FIELD_WORDS = frozenset(("highp", "mediump", "lowp"))
+
 
 class TypeResolver:
     """Turns :class:`TypeSpec` into :class:`Type`, declaring the structs it defines."""
@@ -70,6 +72,8 @@ class TypeResolver:
     def define(self, struct: StructDef) -> Type:
         """Declare the struct in the current scope (section 4.1.8)."""
         fields = self.fields(struct.fields, f"struct {struct.name}".rstrip())
+        for decl in struct.fields:
+            self._check_field(decl)
         kind = struct_type(struct.name, fields)
         if kind.struct is not None:
             self._context.structs[kind.struct] = struct
@@ -79,8 +83,19 @@ class TypeResolver:
             message = f"'{struct.name}' is declared twice in the same scope"
             return self._context.error("SC202", message, struct)
         self._context.check_name(struct.name, struct)
+        self._context.check_block_name(struct.name, struct)
         self._context.scopes.declare(struct.name, kind)
         return kind
+
+    def _check_field(self, decl: VarDecl) -> None:
+        """Fields of a struct have no qualifiers but precision, and define no struct."""
+        extra = [word for word in decl.qualifiers.words if word not in _FIELD_WORDS]
+        if extra:
+            message = f"'{extra[0]}' does not apply to a field"
+            self._context.error("SC221", message, decl.qualifiers)
+        if decl.type.struct is not None:
+            message = "a struct cannot be defined inside of a struct"
+            self._context.error("SC221", message, decl.type)
 
     def fields(self, decls: tuple[VarDecl, ...], owner: str) -> dict[str, Type]:
         """Names and types of the members of a struct or block."""

@@ -1,24 +1,28 @@
-"""Declarations of variables and interface blocks (GLSL 3.30 sections 4.3, 4.3.7, 7.1)."""
+"""Declarations of variables (GLSL 3.30 sections 4.1.7, 4.3 and 7)."""
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 from shadercache.ast.nodes import (
     BlockDecl,
     Declarator,
-    Expr,
+    Node,
     QualifierDecl,
     Qualifiers,
     VarDecl,
 )
 from shadercache.lang import builtins
-from shadercache.lang.types import BOOL, INT, VOID, Type, struct_type
+from shadercache.lang.types import BOOL, VOID, Type
 from shadercache.sema.context import ERROR, Context
 from shadercache.sema.facts import Kind, Symbol
+from shadercache.sema.layouts import LayoutChecker
 from shadercache.sema.scopes import FunctionSet
 from shadercache.sema.typespecs import TypeResolver
 
 _STORAGE: dict[str, Kind] = {"const": "const", "uniform": "uniform", "in": "in", "out": "out"}
 _WRITABLE = ("local", "global", "out")
+_LOCAL_WORDS = frozenset(("const", "precise", "highp", "mediump", "lowp"))
 
 
 class VariableChecker:
@@ -30,36 +34,45 @@ class VariableChecker:
         self._resolver = types
         self._check = types.expressions.check
         self._constants = types.expressions.constants
+        self.layouts = LayoutChecker(context, types.expressions)
 
     def declare(self, decl: VarDecl) -> None:
         """A declaration of variables, global or local."""
         base = self._resolver.resolve(decl.type)
-        self.check_layout(decl.qualifiers)
-        kind = self._storage(decl.qualifiers)
+        layout = self.layouts.check(decl.qualifiers) if decl.qualifiers.layout else {}
+        kind = self.storage(decl.qualifiers)
         if base is VOID:
             base = self._context.error("SC204", "a variable cannot be void", decl.type)
         for declarator in decl.declarators:
-            self._declare_one(decl, declarator, base, kind)
+            symbol = self._declare_one(decl, declarator, base, kind)
+            if layout:
+                self.layouts.place(declarator, symbol.name, symbol.type, kind, layout)
 
-    def _storage(self, qualifiers: Qualifiers) -> Kind:
+    def storage(self, qualifiers: Qualifiers) -> Kind:
         """How a variable with these qualifiers is stored; complains where that is impossible."""
         context = self._context
-        if qualifiers.has("varying", "attribute"):
-            reads = context.stage == "fragment" or qualifiers.has("attribute")
-            return "in" if reads else "out"
+        local = context.scopes.depth > 0
+        if not qualifiers.words:
+            return "local" if local else "global"
+        misplaced = [word for word in qualifiers.words if word not in _LOCAL_WORDS]
+        if local and misplaced:
+            message = f"'{misplaced[0]}' stands only on global variables and parameters"
+            context.error("SC221", message, qualifiers)
+        if qualifiers.has("attribute"):
+            if context.stage == "fragment":
+                context.error("SC221", "a fragment shader has no attributes", qualifiers)
+            return "in"
+        if qualifiers.has("varying"):
+            return "in" if context.stage == "fragment" else "out"
         words = [word for word in qualifiers.words if word in _STORAGE]
         if len(words) > 1:
             message = f"'{' '.join(words)}' contradict each other"
-            context.error("SC221", message, qualifiers)
-        local = context.scopes.depth > 0
-        if local and words and words[0] != "const":
-            message = f"'{words[0]}' stands only on global variables and parameters"
             context.error("SC221", message, qualifiers)
         if words:
             return _STORAGE[words[0]]
         return "local" if local else "global"
 
-    def _declare_one(self, decl: VarDecl, declarator: Declarator, base: Type, kind: Kind) -> None:
+    def _declare_one(self, decl: VarDecl, declarator: Declarator, base: Type, kind: Kind) -> Symbol:
         declared = self._resolver.with_dims(base, declarator.dims, declarator)
         given = None if declarator.init is None else self._check(declarator.init)
         if given is not None and given is not ERROR and declared is not ERROR:
@@ -75,13 +88,10 @@ class VariableChecker:
             self._context.scopes.depth == 0,
             kind in _WRITABLE,
         )
-        if declarator.name.startswith("gl_"):
-            self._redeclare_builtin(symbol, declarator)
-        else:
-            self._context.check_name(declarator.name, declarator)
-            self._enter(symbol, declarator)
-        if kind == "const":
+        self.enter(symbol, declarator)
+        if kind in ("const", "uniform"):
             self._check_constant(symbol, declarator, given)
+        return symbol
 
     def _initialised(self, node: Declarator, declared: Type, given: Type, kind: Kind) -> Type:
         """The type of a variable with an initialiser: sized by it where it has no size."""
@@ -97,21 +107,22 @@ class VariableChecker:
         return sized
 
     def _check_constant(self, symbol: Symbol, node: Declarator, given: Type | None) -> None:
+        """A constant needs a constant value; a uniform may have one (sections 4.3.3, 4.3.5)."""
+        context = self._context
         if node.init is None:
-            self._context.error("SC222", f"the constant '{node.name}' has no value", node)
+            if symbol.kind == "const":
+                context.error("SC222", f"the constant '{node.name}' has no value", node)
         elif node.init in self._constants.expressions:
-            if symbol.type is not ERROR:
+            if symbol.kind == "const" and symbol.type is not ERROR:
                 self._constants.declare(symbol, node.init)
-        elif given is not ERROR and (
-            symbol.is_global or self._context.es or self._context.version < 420
-        ):
-            message = f"the value of the constant '{node.name}' is not a constant expression"
-            self._context.error("SC222", message, node.init)
+        elif given is not ERROR and (symbol.is_global or context.es or context.version < 420):
+            message = f"the value of '{node.name}' is not a constant expression"
+            context.error("SC222", message, node.init)
 
     def _check_storage(self, decl: VarDecl, node: Declarator, kind: Type, storage: Kind) -> None:
         """What types each kind of variable may have (sections 4.1.7, 4.3.4 to 4.3.6)."""
         problem = None
-        if kind.holds_opaque and storage != "uniform":
+        if kind.base is None and kind.holds_opaque and storage != "uniform":
             problem = f"'{node.name}' of type {kind} must be a uniform or a parameter"
         elif storage in ("in", "out"):
             problem = self._interface_problem(decl.qualifiers, node.name, kind, storage)
@@ -121,9 +132,8 @@ class VariableChecker:
     def _interface_problem(
         self, qualifiers: Qualifiers, name: str, kind: Type, storage: Kind
     ) -> str | None:
-        element = kind.struct is None and kind.base
         outer = (self._context.stage == "vertex") == (storage == "in")
-        if element == "bool":
+        if _holds(kind, ("bool",)):
             return f"'{name}' of type {kind} cannot be '{storage}'"
         if outer and kind.struct is not None:
             return f"'{name}' is a struct: it cannot be '{storage}' here"
@@ -131,91 +141,45 @@ class VariableChecker:
             return f"'{name}' is a matrix: it cannot be an output of a fragment shader"
         reads = storage == "in" and self._context.stage == "fragment"
         smooth = reads and not qualifiers.has("flat") and not name.startswith("gl_")
-        if smooth and element in ("int", "uint", "double"):
+        if smooth and _holds(kind, ("int", "uint", "double")):
             return f"'{name}' of type {kind} needs the qualifier 'flat'"
         return None
 
-    def _enter(self, symbol: Symbol, node: Declarator | BlockDecl) -> None:
-        """Declare, unless the scope has the name; an unsized array may be given its size."""
+    # --- entering names ---------------------------------------------------------------------------
+
+    def enter(self, symbol: Symbol, node: Declarator | BlockDecl) -> None:
+        """Declare a variable, unless the scope has the name; an unsized array may be given its
+        size, and a built-in variable other qualifiers."""
         scopes = self._context.scopes
+        if symbol.name.startswith("gl_"):
+            symbol = self._builtin(symbol, node)
+        elif "__" in symbol.name:
+            self._context.check_name(symbol.name, node)
         before = scopes.here(symbol.name)
-        if before is not None and not _gives_size(before, symbol):
+        if before is not None and not _may_follow(before, symbol):
             what = "a function" if isinstance(before, FunctionSet) else "declared"
             message = f"'{symbol.name}' is already {what} in this scope"
             self._context.error("SC202", message, node)
+        self._context.check_block_name(symbol.name, node)
         scopes.declare(symbol.name, symbol)
         self._context.declared[node] = symbol
 
-    def _redeclare_builtin(self, symbol: Symbol, node: Declarator) -> None:
+    def _builtin(self, symbol: Symbol, node: Node) -> Symbol:
         """``in vec4 gl_FragCoord;`` with other qualifiers or an array size (section 7.1)."""
-        context = self._context
-        known = builtins.variable(
-            symbol.name, context.stage, context.version, context.module.profile
-        )
-        kind = symbol.type
+        context, kind = self._context, symbol.type
+        known = context.builtin_variable(symbol.name)
         if known is None or known.storage == "const" or context.scopes.depth:
             context.error("SC203", "names with 'gl_' are reserved", node)
-        elif kind is not ERROR and _innermost(kind) != _innermost(known.type):
+            return symbol
+        if kind is not ERROR and (
+            kind.name != known.type.name or bool(kind.dims) != bool(known.type.dims)
+        ):
             message = f"'{symbol.name}' is redeclared as {kind}; it is {known.type}"
             context.error("SC202", message, node)
-        own = Symbol(
-            symbol.name,
-            kind,
-            "builtin",
-            symbol.qualifiers,
-            node,
-            writable=known is not None and known.storage == "out",
-            block=symbol.block,
-        )
-        self._enter(own, node)
-
-    # --- blocks -----------------------------------------------------------------------------------
-
-    def declare_block(self, block: BlockDecl) -> None:
-        """An interface block: its members are global names, or fields of its instance name."""
-        context = self._context
-        self.check_layout(block.qualifiers)
-        storage = self._storage(block.qualifiers)
-        if storage not in ("uniform", "in", "out"):
-            context.error("SC221", f"the block '{block.name}' is not uniform, in or out", block)
-        fields = self._resolver.fields(block.fields, f"block {block.name}")
-        for decl in block.fields:
-            self.check_layout(decl.qualifiers)
-        for name, kind in fields.items():
-            if kind is not ERROR and kind.holds_opaque:
-                message = f"the member '{name}' of a block cannot be {kind}"
-                context.error("SC221", message, block)
-        if (context.stage, storage) in (("vertex", "in"), ("fragment", "out")):
-            message = f"a {context.stage} shader has no '{storage}' blocks"
-            context.error("SC221", message, block.qualifiers)
-        if block.instance is None:
-            self._declare_members(block, storage, fields)
-            return
-        kind = struct_type(block.name, fields)
-        kind = self._resolver.with_dims(kind, block.dims, block)
-        symbol = Symbol(
-            block.instance, kind, "block", block.qualifiers, block, writable=storage == "out"
-        )
-        context.check_name(block.instance, block)
-        self._enter(symbol, block)
-
-    def _declare_members(self, block: BlockDecl, storage: Kind, fields: dict[str, Type]) -> None:
-        for decl in block.fields:
-            for node in decl.declarators:
-                symbol = Symbol(
-                    node.name,
-                    fields[node.name],
-                    storage,
-                    decl.qualifiers,
-                    node,
-                    writable=storage == "out",
-                    block=block,
-                )
-                if node.name.startswith("gl_"):
-                    self._redeclare_builtin(symbol, node)
-                else:
-                    self._context.check_name(node.name, node)
-                    self._enter(symbol, node)
+        elif symbol.kind != known.storage:
+            message = f"'{symbol.name}' is redeclared as '{symbol.kind}'; it is '{known.storage}'"
+            context.error("SC202", message, node)
+        return replace(symbol, kind="builtin", writable=known.storage == "out")
 
     # --- the rest ---------------------------------------------------------------------------------
 
@@ -231,40 +195,44 @@ class VariableChecker:
                 self._context.error("SC212", "the condition has no value", node)
 
     def qualify(self, decl: QualifierDecl) -> None:
-        """``invariant gl_Position;``: the names must be variables."""
+        """``invariant gl_Position;``: the names must be variables, for ``invariant`` outputs (or
+        inputs of a fragment shader, section 4.6.1)."""
         context = self._context
-        self.check_layout(decl.qualifiers)
+        self.layouts.check(decl.qualifiers)
+        invariant = decl.qualifiers.has("invariant")
+        if invariant and context.scopes.depth:
+            context.error("SC221", "'invariant' stands only at global scope", decl)
         for name in decl.names:
             entry = context.scopes.visible.get(name)
-            profile = context.module.profile
-            known = builtins.variable(name, context.stage, context.version, profile)
-            if known is None and not isinstance(entry, Symbol):
+            known = context.builtin_variable(name)
+            if isinstance(entry, Symbol):
+                known = known or builtins.BuiltinVariable(name, entry.type, entry.kind)
+            if known is None:
                 context.undeclared("variable", name, decl, context.known_variables)
+            elif invariant and known.storage not in self._invariable():
+                message = f"'{name}' is no output: it cannot be invariant"
+                context.error("SC221", message, decl)
 
-    def check_layout(self, qualifiers: Qualifiers) -> None:
-        """Values in ``layout(...)`` are constant integers, not negative."""
-        for item in qualifiers.layout or ():
-            if item.value is not None:
-                self._check_layout_value(item.name, item.value)
-
-    def _check_layout_value(self, name: str, value: Expr) -> None:
-        kind = self._check(value)
-        number = self._constants.values.get(value)
-        if kind is not ERROR and (kind is not INT or not isinstance(number, int) or number < 0):
-            message = f"the layout value of '{name}' is a constant integer, not negative"
-            self._context.error("SC223", message, value)
+    def _invariable(self) -> tuple[str, ...]:
+        return ("out", "in") if self._context.stage == "fragment" else ("out",)
 
 
-def _gives_size(before: object, symbol: Symbol) -> bool:
-    """Is this the second declaration of a global array that had no size (section 4.1.9)?"""
+def _may_follow(before: object, symbol: Symbol) -> bool:
+    """May the same scope declare this again? A built-in variable; an array without a size, to give
+    it one (section 4.1.9)."""
+    if not isinstance(before, Symbol):
+        return False
+    if symbol.kind == "builtin":
+        return True
     return (
-        isinstance(before, Symbol)
-        and before.type.is_unsized
-        and symbol.is_global
+        before.type.is_unsized
         and bool(symbol.type.dims)
         and before.type.element is symbol.type.element
     )
 
 
-def _innermost(kind: Type) -> str:
-    return kind.name if not kind.dims else f"{kind.name}[]"
+def _holds(kind: Type, bases: tuple[str, ...]) -> bool:
+    """Is a scalar of one of these types anywhere inside?"""
+    if kind.struct is not None:
+        return any(_holds(field, bases) for field in kind.struct.fields.values())
+    return kind.base in bases

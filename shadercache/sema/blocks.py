@@ -1,0 +1,81 @@
+"""Interface blocks (GLSL 3.30 section 4.3.7)."""
+
+from __future__ import annotations
+
+from shadercache.ast.nodes import BlockDecl
+from shadercache.lang.types import Type, struct_type
+from shadercache.sema.context import ERROR, Context
+from shadercache.sema.facts import Kind, Symbol
+from shadercache.sema.typespecs import TypeResolver
+from shadercache.sema.variables import VariableChecker
+
+_BUILTIN_BLOCK = "gl_PerVertex"
+_STAGE_HAS_NONE = (("vertex", "in"), ("fragment", "out"))
+
+
+class BlockChecker:
+    """Declares interface blocks: their members, or their instance names."""
+
+    def __init__(self, context: Context, types: TypeResolver, variables: VariableChecker) -> None:
+        self._context = context
+        self._resolver = types
+        self._variables = variables
+
+    def declare(self, block: BlockDecl) -> None:
+        """Members of a block without instance name are global names; otherwise they are fields
+        of the instance."""
+        context = self._context
+        self._variables.layouts.check(block.qualifiers)
+        storage = self._variables.storage(block.qualifiers)
+        self._check_storage(block, storage)
+        fields = self._resolver.fields(block.fields, f"block {block.name}")
+        for decl in block.fields:
+            self._variables.layouts.check(decl.qualifiers)
+        for name, kind in fields.items():
+            if kind is not ERROR and kind.holds_opaque:
+                message = f"the member '{name}' of a block cannot be {kind}"
+                context.error("SC221", message, block)
+        self._claim_name(block, storage)
+        if block.instance is None:
+            self._declare_members(block, storage, fields)
+            return
+        kind = struct_type(block.name, fields)
+        kind = self._resolver.with_dims(kind, block.dims, block)
+        writable = storage == "out"
+        symbol = Symbol(
+            block.instance, kind, "block", block.qualifiers, block, True, writable, block
+        )
+        self._variables.enter(symbol, block)
+
+    def _check_storage(self, block: BlockDecl, storage: Kind) -> None:
+        context = self._context
+        if storage not in ("uniform", "in", "out"):
+            message = f"the block '{block.name}' is not uniform, in or out"
+            context.error("SC221", message, block)
+        elif (context.stage, storage) in _STAGE_HAS_NONE:
+            message = f"a {context.stage} shader has no '{storage}' blocks"
+            context.error("SC221", message, block.qualifiers)
+
+    def _claim_name(self, block: BlockDecl, storage: Kind) -> None:
+        """The name of a block is a global name, and one block of each storage may have it."""
+        context = self._context
+        if block.name != _BUILTIN_BLOCK:
+            context.check_name(block.name, block)
+        stored = context.blocks.setdefault(block.name, set())
+        if storage in stored or context.scopes.here(block.name) is not None:
+            context.error("SC202", f"'{block.name}' is already declared in this scope", block)
+        stored.add(storage)
+
+    def _declare_members(self, block: BlockDecl, storage: Kind, fields: dict[str, Type]) -> None:
+        for decl in block.fields:
+            for node in decl.declarators:
+                symbol = Symbol(
+                    node.name,
+                    fields[node.name],
+                    storage,
+                    decl.qualifiers,
+                    node,
+                    writable=storage == "out",
+                    block=block,
+                )
+                self._variables.enter(symbol, node)
