@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from operator import attrgetter
-from typing import Any, get_args
+from typing import Any, cast, get_args
 
 from shadercache.ast.nodes import (
     Assign,
@@ -58,6 +58,8 @@ EXPRESSIONS: tuple[type[Node], ...] = get_args(Expr)
 
 STATEMENTS: tuple[type[Node], ...] = get_args(Stmt)
 """The classes of statements, for ``isinstance``."""
+
+_IS_EXPRESSION = frozenset(EXPRESSIONS)
 
 Children = Callable[[Any], tuple[Node, ...]]
 
@@ -148,5 +150,5 @@ def expressions(node: Node) -> Iterator[Expr]:
     Those in array sizes, layouts, initialisers and case labels are among them.
     """
     for inner in walk(node):
-        if isinstance(inner, EXPRESSIONS):
-            yield inner  # type: ignore[misc]
+        if type(inner) in _IS_EXPRESSION:
+            yield cast("Expr", inner)

@@ -44,6 +44,7 @@ from shadercache.ast.nodes import (
     QualifierDecl,
     Qualifiers,
     Return,
+    Stmt,
     StructDef,
     Switch,
     TypeSpec,
@@ -118,9 +119,8 @@ def _expression(node: Node, least: int = COMMA) -> str:
             out.append(item)
             continue
         node, least = item
-        kind = type(node)
-        if kind is Name:
-            out.append(node.name)  # type: ignore[attr-defined]
+        if isinstance(node, Name):
+            out.append(node.name)
             continue
         precedence, parts = _parts(node)
         if precedence < least:
@@ -281,16 +281,18 @@ def _print_lines(node: Node, indent: str, lines: list[str]) -> None:
         case Jump():
             lines.append(f"{indent}{node.word};")
         case For():
-            _print_body(_for_head(node), node.body, indent, lines)
+            _print_body(indent + _for_head(node), node.body, indent, lines)
         case While():
-            _print_body(f"while ({_condition(node.condition)})", node.body, indent, lines)
+            line = f"{indent}while ({_condition(node.condition)})"
+            _print_body(line, node.body, indent, lines)
         case DoWhile():
-            _print_body("do", node.body, indent, lines)
-            _close(f"while ({_expression(node.condition)});", node.body, indent, lines)
+            _print_body(indent + "do", node.body, indent, lines)
+            line = _continue_line(node.body, indent, lines)
+            lines.append(f"{line}while ({_expression(node.condition)});")
         case Switch():
             _print_switch(node, indent, lines)
         case FunctionDef():
-            _print_body(_proto(node.proto, indent), node.body, indent, lines)
+            _print_body(indent + _proto(node.proto, indent), node.body, indent, lines)
         case FunctionProto():
             lines.append(f"{indent}{_proto(node, indent)};")
         case BlockDecl():
@@ -311,68 +313,50 @@ def _print_all(nodes: tuple[Node, ...], indent: str, lines: list[str]) -> None:
         _print_lines(node, indent, lines)
 
 
-def _print_body(head: str, body: Node, indent: str, lines: list[str]) -> None:
+def _print_body(line: str, body: Node, indent: str, lines: list[str]) -> None:
     """A statement that holds another: a block begins on its line, anything else on the next."""
     if isinstance(body, Block):
-        lines.append(f"{indent}{head} {{")
+        lines.append(line + " {")
         _print_all(body.body, indent + _INDENT, lines)
         lines.append(indent + "}")
     else:
-        lines.append(indent + head)
+        lines.append(line)
         _print_lines(body, indent + _INDENT, lines)
 
 
-def _close(text: str, body: Node, indent: str, lines: list[str]) -> None:
-    """Text after the body of a statement: on the line of its brace where it has one."""
-    if isinstance(body, Block):
-        lines[-1] += " " + text
-    else:
-        lines.append(indent + text)
+def _continue_line(body: Node, indent: str, lines: list[str]) -> str:
+    """What a line begins with after the body of a statement: its brace where it has one."""
+    return lines.pop() + " " if isinstance(body, Block) else indent
 
 
 def _print_if(node: If, indent: str, lines: list[str]) -> None:
     """``if`` with all its ``else if``; these are printed in a loop, for a chain may be long."""
-    head = f"if ({_expression(node.condition)})"
+    line = f"{indent}if ({_expression(node.condition)})"
     while True:
-        then: Node = node.then
+        then: Stmt = node.then
         if node.other is not None and _ends_in_open_if(then):
-            then = Block(then.span, (node.then,))  # Else the `else` would belong to the inner `if`.
-        if head.startswith("else") and lines[-1] == indent + "}":
-            lines[-1] = indent + "} "
-            start = len(lines)
-            _print_body(head, then, indent, lines)
-            lines[start - 1 : start + 1] = [lines[start - 1] + lines[start].lstrip()]
-        else:
-            _print_body(head, then, indent, lines)
-        other = node.other
-        if not isinstance(other, If):
-            break
-        node, head = other, f"else if ({_expression(other.condition)})"
-    if other is not None:
-        _close("else", then, indent, lines)
-        _print_else(other, indent, lines)
-
-
-def _print_else(body: Node, indent: str, lines: list[str]) -> None:
-    if isinstance(body, Block):
-        lines[-1] += " {"
-        _print_all(body.body, indent + _INDENT, lines)
-        lines.append(indent + "}")
-    else:
-        _print_lines(body, indent + _INDENT, lines)
+            then = Block(then.span, (then,))  # Else the `else` would belong to the inner `if`.
+        _print_body(line, then, indent, lines)
+        if node.other is None:
+            return
+        line = _continue_line(then, indent, lines) + "else"
+        if not isinstance(node.other, If):
+            _print_body(line, node.other, indent, lines)
+            return
+        node = node.other
+        line += f" if ({_expression(node.condition)})"
 
 
 def _ends_in_open_if(node: Node) -> bool:
     """Would an ``else`` after this statement belong to an ``if`` inside it?"""
-    while True:
-        match node:
-            case If(other=None):
-                return True
-            case If(other=inner) | For(body=inner) | While(body=inner):
-                assert inner is not None
-                node = inner
-            case _:
-                return False
+    while isinstance(node, If | For | While):
+        if not isinstance(node, If):
+            node = node.body
+        elif node.other is None:
+            return True
+        else:
+            node = node.other
+    return False
 
 
 def _condition(node: Node) -> str:

@@ -104,7 +104,8 @@ class DeclarationBuilder(ExpressionBuilder):
         """A type with the qualifiers before it."""
         type_spec = parts[-1]
         if len(parts) == 1:
-            return FullType(*type_spec.span, NO_QUALIFIERS, type_spec)
+            start, end = type_spec.span
+            return FullType(start, end, NO_QUALIFIERS, type_spec)
         qualifiers = _qualifiers(parts[0])
         return FullType(qualifiers.span.start, type_spec.span.end, qualifiers, type_spec)
 
@@ -157,10 +158,8 @@ class DeclarationBuilder(ExpressionBuilder):
         name = parts[0]
         dims: list[Dim] = parts[1] if len(parts) in (2, 4) else []
         init: Expr | None = parts[-1] if len(parts) > 2 else None
-        if init is not None:
-            end = self._end(init)
-        else:
-            end = dims[-1].end if dims else name.end
+        last = dims[-1].end if dims else name.end
+        end = last if init is None else self._end(init)
         return Declarator(Span(name.start, end), name.text, _sizes(dims), init)
 
     def var_decl(self, parts: list[Any]) -> tuple[FullType, list[Declarator]]:
@@ -207,6 +206,10 @@ class DeclarationBuilder(ExpressionBuilder):
         """``invariant gl_Position;``, ``layout(early_fragment_tests) in;``."""
         qualifiers = _qualifiers(parts[0])
         names = tuple(name.text for name in parts[1]) if len(parts) == 3 else ()
+        if names and not qualifiers.has("invariant", "precise"):
+            name = parts[1][0]
+            message = f"expected a type before '{name.text}'"
+            self._refuse("SC103", message, Span(name.start, name.end))
         return QualifierDecl(Span(qualifiers.span.start, parts[-1].end), qualifiers, names)
 
     def block_head(self, parts: list[Any]) -> Head:

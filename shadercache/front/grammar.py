@@ -13,9 +13,10 @@ import os
 import pickle
 import sys
 import tempfile
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from shadercache.paths import data_path, user_cache_folder
 
@@ -80,19 +81,19 @@ def _load(path: Path, builder: Builder) -> Lark | None:
     """The saved parser; ``None`` where there is none that can be read."""
     from lark import Lark
 
+    # `Lark.load` takes no transformer; this is how Lark's generated parsers come to theirs.
+    load: Callable[..., Lark] = cast(Any, Lark)._load_from_dict
     try:
         saved = pickle.loads(path.read_bytes())
-        return Lark._load_from_dict(saved["data"], saved["memo"], transformer=builder)
+        return load(saved["data"], saved["memo"], transformer=builder)
     except Exception:  # A damaged pickle can raise anything; the parser is then made anew.
         return None
 
 
 def _save(path: Path, lark: Lark) -> None:
     """Write the parser under its name at one stroke, so that nobody reads half of it."""
-    from lark.lark import _LOAD_ALLOWED_OPTIONS
-
     buffer = io.BytesIO()
-    lark.save(buffer, _LOAD_ALLOWED_OPTIONS)
+    lark.save(buffer, {"transformer"})
     try:
         handle, name = tempfile.mkstemp(dir=path.parent, prefix=".glsl-")
         try:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from threading import Lock
+from typing import Any
 
 from shadercache.ast.nodes import Module
 from shadercache.diagnostics import Diagnostic, InputError
@@ -37,7 +38,7 @@ def parse(source: Source) -> Module:
         lark, builder = load_parser()
         builder.begin(stream)
         try:
-            decls = lark.parse(stream)
+            decls: Any = lark.parse(stream)
         except UnexpectedToken as error:
             raise InputError(explain(error, stream)) from None
         finally:

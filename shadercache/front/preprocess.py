@@ -196,8 +196,8 @@ def _is_fixed(name: str) -> bool:
 def _read_code(state: _State, text: str, start: int, end: int) -> None:
     lexemes = Lexemes()
     lexemes.scan(text, start, end)
-    names = state.macros.keys() | _FIXED
-    if names.isdisjoint(lexemes.texts):
+    used = set(lexemes.texts)
+    if used.isdisjoint(_FIXED) and state.macros.keys().isdisjoint(used):
         state.lexemes.texts += lexemes.texts
         state.lexemes.starts += lexemes.starts
         state.lexemes.ends += lexemes.ends

@@ -21,8 +21,11 @@ from shadercache.front.lexis import Lexemes, is_number, is_word
 from shadercache.lang import words
 from shadercache.source import Source, Span
 
-MAX_STACK = 4000
-"""Symbols that the parser may have open; what nests without brackets is limited by it."""
+MAX_OPERATORS = 1000
+"""Operators that may wait for an operand: prefix signs, assignments, ``?`` and ``:``."""
+
+_CHECK_EVERY = 500
+_OPERATORS = frozenset(("SIGN", "PREFIX", "STEP", "EQUAL", "ASSIGN", "QMARK", "COLON"))
 
 
 class Token:
@@ -41,13 +44,16 @@ class Token:
 
 
 class Scopes:
-    """Which names are types in the scopes that are open, innermost last."""
+    """Which names are types in the scopes that are open, innermost last.
 
-    __slots__ = ("_frames", "_types", "pending")
+    ``types`` has all names that ever were a type's; ``pending`` is the token in the parser's hand.
+    """
+
+    __slots__ = ("_frames", "pending", "types")
 
     def __init__(self) -> None:
         self._frames: list[dict[str, bool]] = [{}]
-        self._types: set[str] = set()
+        self.types: set[str] = set()
         self.pending: Token | None = None
 
     def open(self) -> int:
@@ -59,22 +65,22 @@ class Scopes:
         """Close the innermost scope and judge the token anew that the parser has in hand."""
         self._frames.pop()
         token = self.pending
-        if token is not None and token.text in self._types:
+        if token is not None and token.text in self.types:
             token.type = "TYPE_NAME" if self.is_type(token.text) else "NAME"
 
     def declare_type(self, name: str) -> None:
         """A struct of this name begins."""
-        self._types.add(name)
+        self.types.add(name)
         self._frames[-1][name] = True
 
     def declare_variable(self, name: str) -> None:
         """A variable of this name begins; it may hide a struct."""
-        if name in self._types:
+        if name in self.types:
             self._frames[-1][name] = False
 
     def is_type(self, name: str) -> bool:
         """Does the name mean a struct here?"""
-        if name in self._types:
+        if name in self.types:
             for frame in reversed(self._frames):
                 if name in frame:
                     return frame[name]
@@ -115,10 +121,11 @@ class TokenLexer(Lexer):
         stream: Any = lexer_state.text
         scopes = stream.scopes
         kinds = self._kinds_of(stream.version).copy()
+        check_at = MAX_OPERATORS
         stack = parser_state.state_stack
         states = parser_state.parse_conf.states
         lexemes = stream.lexemes
-        types = scopes._types
+        types = scopes.types
         find = kinds.get
         for text, start, end in zip(lexemes.texts, lexemes.starts, lexemes.ends, strict=True):
             stream.index += 1
@@ -127,8 +134,9 @@ class TokenLexer(Lexer):
                 kind = kinds[text] = _kind_of(text, stream)
             if text in types:
                 kind = _name_kind(text, scopes, states[stack[-1]])
-            if len(stack) > MAX_STACK:
-                raise stream.error("SC105", "this is nested too deeply")
+            if len(stack) > check_at:
+                _check_operators(parser_state.value_stack, stream)
+                check_at += _CHECK_EVERY
             token = Token(kind, text, start, end)
             scopes.pending = token
             yield token
@@ -145,6 +153,16 @@ def _name_kind(text: str, scopes: Scopes, acceptable: Container[str]) -> str:
     if "TYPE_NAME" not in acceptable:
         return "NAME"
     return "TYPE_NAME" if "NAME" not in acceptable or scopes.is_type(text) else "NAME"
+
+
+def _check_operators(values: list[Any], stream: TokenStream) -> None:
+    """Refuse what nests too deeply without brackets, for the tree would be as deep.
+
+    Only a stack that grew long is looked through, so the limit is not kept to the last one.
+    """
+    waiting = sum(isinstance(value, Token) and value.type in _OPERATORS for value in values)
+    if waiting > MAX_OPERATORS:
+        raise stream.error("SC105", f"more than {MAX_OPERATORS} operators nest here")
 
 
 @cache
