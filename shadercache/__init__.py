@@ -10,19 +10,37 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from shadercache.compiler import Analysis, Emission, analyse, rewrite
     from shadercache.diagnostics import Diagnostic, DiagnosticError
     from shadercache.front.parse import parse
+    from shadercache.options import Options
     from shadercache.source import Source
 
 __version__ = "0.1.0"
 
-__all__ = ["Diagnostic", "DiagnosticError", "Source", "__version__", "parse"]
+__all__ = [
+    "Analysis",
+    "Diagnostic",
+    "DiagnosticError",
+    "Emission",
+    "Options",
+    "Source",
+    "__version__",
+    "analyse",
+    "parse",
+    "rewrite",
+]
 
 _HOME = {
-    "Diagnostic": "shadercache.diagnostics",
-    "DiagnosticError": "shadercache.diagnostics",
-    "Source": "shadercache.source",
-    "parse": "shadercache.front.parse",
+    "Analysis": "compiler",
+    "Diagnostic": "diagnostics",
+    "DiagnosticError": "diagnostics",
+    "Emission": "compiler",
+    "Options": "options",
+    "Source": "source",
+    "analyse": "compiler",
+    "parse": "front.parse",
+    "rewrite": "compiler",
 }
 
 
@@ -30,7 +48,7 @@ def __getattr__(name: str) -> Any:
     """Import a public name on first use; raises AttributeError for names that do not exist."""
     if name not in _HOME:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    value = getattr(import_module(_HOME[name]), name)
+    value = getattr(import_module(f"shadercache.{_HOME[name]}"), name)
     globals()[name] = value
     return value
 

@@ -28,6 +28,10 @@ from shadercache.diagnostics import DiagnosticError, usage_error
 COMMANDS = {
     "nodes": "shadercache.cli.nodes",
     "rewrite": "shadercache.cli.rewrite",
+    "verify": "shadercache.cli.verify",
+    "run": "shadercache.cli.run",
+    "bench": "shadercache.cli.bench",
+    "demo": "shadercache.cli.demo",
     "assets": "shadercache.cli.assets",
     "doctor": "shadercache.cli.doctor",
 }

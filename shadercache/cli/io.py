@@ -77,8 +77,9 @@ def atomic_folder(out: Path) -> Iterator[Path]:
     missing = [folder for folder in (*home.parents[::-1], home) if not folder.exists()]
     staged: Path | None = None
     try:
-        if out.exists() and out is not home:
-            raise NotADirectoryError(ENOTDIR, "is a file, not a folder", str(out))
+        standing = next(folder for folder in (out, *out.parents) if folder.exists())
+        if not standing.is_dir():
+            raise NotADirectoryError(ENOTDIR, "it is a file, not a folder", str(standing))
         home.mkdir(parents=True, exist_ok=True)
         staged = Path(tempfile.mkdtemp(prefix=f".{out.name}-", suffix=".tmp", dir=home))
         yield staged
@@ -104,7 +105,7 @@ def _publish(staged: Path, out: Path) -> None:
     for path in files:
         if (out / path).is_dir():
             raise IsADirectoryError(
-                EISDIR, "is a folder, but a file must go there", str(out / path)
+                EISDIR, "it is a folder, but a file must go there", str(out / path)
             )
     if Path(MANIFEST) in files:
         (out / MANIFEST).unlink(missing_ok=True)

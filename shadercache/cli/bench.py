@@ -1,0 +1,114 @@
+"""``shadercache bench``: every offered node by three algorithms (seed 003, figure 8)."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from shadercache.cli.measuring import (
+    parse_blocks,
+    parse_passes,
+    parse_periods,
+    parse_size,
+    result_table,
+    step_progress,
+    summary,
+)
+from shadercache.cli.scenes import choose_nodes, find_scene, split_list
+from shadercache.cli.tables import shorten
+from shadercache.options import CacheFormat, Options
+
+if TYPE_CHECKING:
+    from shadercache.harness.measurement import Measurement, NodeResult
+
+
+def command(
+    target: Annotated[str, typer.Argument(metavar="SCENE", help="Scene file, folder or name.")],
+    nodes: Annotated[
+        list[str] | None,
+        typer.Option(metavar="IDS", help="Only these nodes (ids or the scene's names)."),
+    ] = None,
+    passes: Annotated[str, typer.Option(metavar="1,2,3", help="Algorithms.")] = "all",
+    period: Annotated[str, typer.Option(metavar="N,...", help="Refresh periods, frames.")] = "32",
+    block: Annotated[str, typer.Option(metavar="K,...", help="Block edges, pixels.")] = "4",
+    size: Annotated[str, typer.Option(metavar="W[xH]", help="Picture size.")] = "512",
+    frames: Annotated[int, typer.Option(min=2, help="Frames of each run.")] = 16,
+    cache_format: Annotated[
+        CacheFormat, typer.Option("--format", help="Texel format of the cache.")
+    ] = "rgba16f",
+    epsilon: Annotated[
+        float | None, typer.Option(min=0.0, help="Depth tolerance, relative to 1/w.")
+    ] = None,
+    mesh: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Draw this mesh (.npz) instead.")
+    ] = None,
+    out: Annotated[
+        Path, typer.Option("-o", "--output", metavar="DIR", help="For JSON, CSV and plots.")
+    ] = Path("out/bench"),
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON, not a table.")] = False,
+) -> None:
+    """Measure nodes by 1, 2 and 3 passes: P/T, time, ratio to the original, hit rate, error.
+
+    Everything is drawn interleaved in one process; the ratio's interval is a 95 % bootstrap.
+    Writes JSON (with raw samples), CSV and two plots for each period and block into DIR.
+    """
+    from shadercache.compiler import analyse
+    from shadercache.harness.context import open_context
+    from shadercache.harness.measure import measure
+    from shadercache.harness.measurement import MeasureOptions
+    from shadercache.harness.mesh import load_mesh
+    from shadercache.harness.parallel import read_shaders
+    from shadercache.harness.results import environment, to_json
+    from shadercache.harness.scene import load_scene
+    from shadercache.harness.sweep import make_entry
+
+    algorithms, extent = parse_passes(passes), parse_size(size)
+    choices = [(n, k) for n in parse_periods(period) for k in parse_blocks(block)]
+    scene = load_scene(find_scene(target))
+    analysis = analyse(*read_shaders(scene))
+    if nodes:
+        chosen = choose_nodes(scene, analysis, split_list(nodes))
+    else:
+        chosen = [(node.id, node) for node in analysis.nodes if node.offered]
+    options = Options(cache_format=cache_format, epsilon=epsilon)
+    entries = [
+        make_entry(analysis, label, node, options, algorithms, unprofitable=True)
+        for label, node in chosen
+    ]
+    replacement = load_mesh(mesh) if mesh else None
+    reports: list[dict[str, Any]] = []
+    with open_context() as gpu:
+        where = environment(gpu)
+        for every, edge in choices:
+            how = MeasureOptions(extent, frames, period=every, block=edge)
+            with step_progress(f"{scene.name}, period {every}, block {edge}") as tell:
+                found = measure(gpu, scene, entries, how, tell, replacement)
+            report = to_json(found, where)
+            _store(out, found, report)
+            reports.append(report)
+            if not as_json:
+                print(f"{summary(found)}\n\n{result_table(found, _label)}\n")
+    if as_json:
+        print(json.dumps(reports, indent=1))
+
+
+def _label(node: NodeResult) -> str:
+    if node.label != node.node_id:
+        return node.label
+    return f"{node.label} {shorten(node.text, 32)}"
+
+
+def _store(out: Path, found: Measurement, report: dict[str, Any]) -> None:
+    from shadercache.harness.files import write_bytes
+    from shadercache.harness.plots import plot_error, plot_time
+    from shadercache.harness.results import to_csv, write_json
+
+    options = found.options
+    stem = f"{found.scene}-n{options.period}-k{options.block}"
+    write_json(out / f"{stem}.json", report)
+    write_bytes(out / f"{stem}.csv", to_csv(found).encode())
+    write_bytes(out / f"{stem}-time.png", plot_time(found))
+    write_bytes(out / f"{stem}-error.png", plot_error(found))

@@ -1,0 +1,71 @@
+"""``shadercache run``: render one variant of one node, with the original beside it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from shadercache.cli.measuring import (
+    parse_blocks,
+    parse_periods,
+    parse_size,
+    result_table,
+    step_progress,
+    summary,
+)
+from shadercache.cli.pictures import write_pictures
+from shadercache.cli.scenes import choose_nodes, find_scene
+from shadercache.options import CacheFormat, Options
+
+
+def command(
+    target: Annotated[str, typer.Argument(metavar="SCENE", help="Scene file, folder or name.")],
+    node: Annotated[str, typer.Option(metavar="ID", help="Node id, or a name from the scene.")],
+    passes: Annotated[int, typer.Option(min=1, max=3, help="Passes of the variant.")] = 2,
+    frame: Annotated[int, typer.Option(min=1, help="Frame whose pictures are written.")] = 63,
+    period: Annotated[int, typer.Option(min=1, max=65_535, help="Refresh period.")] = 32,
+    block: Annotated[int, typer.Option(min=2, help="Block edge, pixels, even.")] = 4,
+    size: Annotated[str, typer.Option(metavar="W[xH]", help="Picture size.")] = "1024",
+    cache_format: Annotated[
+        CacheFormat, typer.Option("--format", help="Texel format of the cache.")
+    ] = "rgba16f",
+    epsilon: Annotated[
+        float | None, typer.Option(min=0.0, help="Depth tolerance, relative to 1/w.")
+    ] = None,
+    mesh: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Draw this mesh (.npz) instead.")
+    ] = None,
+    unprofitable: Annotated[
+        bool, typer.Option("--unprofitable", help="Also a node that costs less than a fetch.")
+    ] = False,
+    out: Annotated[
+        Path, typer.Option("-o", "--output", metavar="DIR", help="Folder for the pictures.")
+    ] = Path("out/run"),
+) -> None:
+    """Run a variant from a reset up to a frame; write original, cached, 10x difference, hit map."""
+    from shadercache.compiler import analyse
+    from shadercache.harness.context import open_context
+    from shadercache.harness.measure import measure
+    from shadercache.harness.measurement import MeasureOptions
+    from shadercache.harness.mesh import load_mesh
+    from shadercache.harness.parallel import read_shaders
+    from shadercache.harness.scene import load_scene
+    from shadercache.harness.sweep import make_entry
+
+    extent = parse_size(size)
+    every, edge = parse_periods(str(period))[0], parse_blocks(str(block))[0]
+    scene = load_scene(find_scene(target))
+    analysis = analyse(*read_shaders(scene))
+    [(label, chosen)] = choose_nodes(scene, analysis, [node])
+    options = Options(cache_format=cache_format, epsilon=epsilon)
+    entry = make_entry(analysis, label, chosen, options, (passes,), unprofitable=unprofitable)
+    how = MeasureOptions(extent, frame + 1, period=every, block=edge, picture_frame=frame)
+    replacement = load_mesh(mesh) if mesh else None
+    with open_context() as gpu, step_progress(f"running {label}") as tell:
+        found = measure(gpu, scene, [entry], how, tell, replacement)
+    print(f"{summary(found)}\n\n{result_table(found, lambda item: item.label)}\n")
+    for shot in found.shots:
+        for path in write_pictures(out, shot):
+            print(path)

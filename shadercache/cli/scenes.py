@@ -1,0 +1,52 @@
+"""Finding the scene that a command is about, and the nodes that are meant in it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from shadercache.diagnostics import usage_error
+from shadercache.paths import data_path
+
+if TYPE_CHECKING:
+    from shadercache.analysis.candidates import Candidate
+    from shadercache.compiler import Analysis
+    from shadercache.harness.scene import Scene
+
+SCENE_FILE = "scene.toml"
+
+
+def find_scene(target: str) -> Path:
+    """The scene file meant by ``target``.
+
+    That is a scene file, its folder, a fragment shader with a scene file beside it, or the name
+    of a scene that comes with shadercache. Raises :class:`UsageError` SC006 if there is none.
+    """
+    path = Path(target)
+    if path.is_dir():
+        path = path / SCENE_FILE
+    elif path.suffix == ".frag" and path.is_file():
+        path = path.with_name(SCENE_FILE)
+    elif not path.exists() and path.name == target and not path.suffix:
+        path = data_path("corpus", target, SCENE_FILE)
+    if path.is_file():
+        return path
+    known = ", ".join(sorted(item.parent.name for item in data_path("corpus").glob("*/*.toml")))
+    hint = f"give a scene file, its folder, a shader beside a {SCENE_FILE}, or one of: {known}"
+    raise usage_error("SC006", f"no scene is meant by '{target}'", hint)
+
+
+def choose_nodes(
+    scene: Scene, analysis: Analysis, wanted: Sequence[str]
+) -> list[tuple[str, Candidate]]:
+    """Label and node for each wanted id, or name from the scene's ``[nodes]``.
+
+    Raises :class:`UsageError` SC010 or SC011 for a node that does not exist.
+    """
+    return [(item, analysis.node(scene.nodes.get(item, item))) for item in wanted]
+
+
+def split_list(values: Iterable[str]) -> list[str]:
+    """Flatten repeated options that may hold commas: ``-n a,b -n c``."""
+    return [part for value in values for part in value.split(",") if part]

@@ -1,0 +1,139 @@
+"""``shadercache verify``: the laws, on this machine's driver, node by node."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from shadercache.cli.progress import progress
+from shadercache.cli.scenes import choose_nodes, find_scene
+from shadercache.cli.tables import format_table, shorten, terminal_width
+
+if TYPE_CHECKING:
+    from shadercache.harness.verify import Difference, Verdict
+
+HEADER = ("node", "path", "laws", "plain: largest", "p99.9", "changed", "text")
+
+
+def command(
+    target: Annotated[
+        str, typer.Argument(metavar="SCENE|FRAG", help="Scene, or a shader beside its scene.")
+    ],
+    node: Annotated[
+        list[str] | None, typer.Option(metavar="ID", help="Only this node; may be repeated.")
+    ] = None,
+    unprofitable: Annotated[
+        bool, typer.Option("--unprofitable", help="Also nodes cheaper than a fetch.")
+    ] = False,
+    plain: Annotated[
+        bool, typer.Option("--plain/--proof-only", help="Also measure what plain mode changes.")
+    ] = True,
+    jobs: Annotated[
+        int, typer.Option("-j", "--jobs", min=0, help="Processes; 0 takes one per core.")
+    ] = 0,
+    as_json: Annotated[bool, typer.Option("--json", help="Print the verdicts as JSON.")] = False,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write the JSON there.")
+    ] = None,
+) -> None:
+    """Check laws 1 to 4 for every offered node by rendering it on this machine's driver.
+
+    1: the printed shader renders the same bits. 2: refreshed in every frame, a variant is the
+    original. 3: at rest it stays so. 4: the algorithms agree. Laws 2 to 4 are decided in proof
+    mode, bit by bit; for plain mode the difference is reported. Exit status 1 if a law is broken.
+    """
+    from shadercache.compiler import analyse
+    from shadercache.harness.context import open_context
+    from shadercache.harness.parallel import read_shaders, verify_in_parallel
+    from shadercache.harness.results import environment, write_json
+    from shadercache.harness.scene import load_scene
+    from shadercache.harness.verify import Verifier
+
+    path = find_scene(target)
+    scene = load_scene(path)
+    analysis = analyse(*read_shaders(scene))
+    if node:
+        chosen = [found for _, found in choose_nodes(scene, analysis, node)]
+    else:
+        chosen = [item for item in analysis.nodes if item.offered or (unprofitable and item.legal)]
+    for item in chosen:
+        analysis.require(item, unprofitable)
+    with open_context() as gpu:
+        about = environment(gpu)
+        verifier = Verifier(gpu, scene, analysis)
+        round_trip, ties = verifier.round_trip(), verifier.ties
+        verifier.close()
+    with progress(f"verifying {scene.name}", len(chosen)) as advance:
+        verdicts = verify_in_parallel(
+            path,
+            [item.id for item in chosen],
+            min(jobs or os.cpu_count() or 1, max(1, len(chosen))),
+            plain,
+            lambda _: advance(1),
+        )
+    report = _report(scene.name, about, round_trip, ties, verdicts)
+    if output is not None:
+        write_json(output, report)
+    print(json.dumps(report, indent=1) if as_json else _text(verdicts, round_trip, ties))
+    if report["broken"]:
+        raise typer.Exit(1)
+
+
+def _report(
+    scene: str,
+    about: dict[str, Any],
+    round_trip: Difference,
+    ties: float,
+    verdicts: Sequence[Verdict],
+) -> dict[str, Any]:
+    broken = [verdict.node for verdict in verdicts if verdict.broken]
+    return {
+        "schema_version": 1,
+        "scene": scene,
+        "environment": about,
+        "round_trip_exact": round_trip.exact,
+        "depth_ties": ties,
+        "checked": len(verdicts),
+        "broken": broken + ([] if round_trip.exact else ["law 1"]),
+        "nodes": [verdict.to_json() for verdict in verdicts],
+    }
+
+
+def _text(verdicts: Sequence[Verdict], round_trip: Difference, ties: float) -> str:
+    from shadercache.harness.verify import MAX_TIES
+
+    rows = [_row(verdict) for verdict in verdicts]
+    right = "p99.9 changed"
+    table = format_table(HEADER, rows, right=right, width=terminal_width())
+    broken = sum(bool(verdict.broken) for verdict in verdicts)
+    plain = sum(any(not found.exact for found in verdict.plain.values()) for verdict in verdicts)
+    lines = [
+        table,
+        "",
+        f"law 1: {'holds' if round_trip.exact else 'BROKEN'}",
+        f"laws 2-4: {len(verdicts) - broken} of {len(verdicts)} nodes exact in proof mode",
+        f"plain mode changes bits for {plain} of {len(verdicts)} nodes",
+    ]
+    if ties > MAX_TIES:
+        lines.append(f"{ties:.2%} of the pixels are depth ties, which are left out")
+    return "\n".join(lines)
+
+
+def _row(verdict: Verdict) -> tuple[str, ...]:
+    worst = None
+    for found in verdict.plain.values():
+        worst = found if worst is None else worst.worst(found)
+    laws = "; ".join(verdict.broken) or "hold"
+    if verdict.refused:
+        laws += f" (not {', '.join(verdict.refused)})"
+    figures = (
+        ("", "", "")
+        if worst is None
+        else (f"{worst.maximum:.1e}", f"{worst.p999:.1e}", f"{worst.changed:.1%}")
+    )
+    return (verdict.node, verdict.path, laws, *figures, shorten(verdict.text, 50))

@@ -1,0 +1,16 @@
+#version 330 core
+
+uniform mat4 u_modelViewProjection;
+
+in vec3 a_position;
+in vec3 a_normal;
+
+out vec3 v_position;
+out vec3 v_normal;
+
+void main()
+{
+    v_position = a_position;
+    v_normal = a_normal;
+    gl_Position = u_modelViewProjection * vec4(a_position, 1.0);
+}

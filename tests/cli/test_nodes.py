@@ -1,0 +1,112 @@
+"""``shadercache nodes``: table, JSON, and shaders that cannot be read."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from shadercache.cli.nodes import HEADER
+
+from .conftest import Shell
+
+
+def test_the_table_has_a_line_for_every_node(shell: Shell, fragment: Path) -> None:
+    table = shell("nodes", fragment).out.split("\n\n")[0].splitlines()
+    listed = shell("nodes", fragment, "--json").json["nodes"]
+    assert table[0].split() == list(HEADER)
+    assert [line.split()[0] for line in table[1:]] == [node["id"] for node in listed]
+
+
+def test_a_node_is_told_in_full(shell: Shell, fragment: Path, rings: str) -> None:
+    nodes = {node["id"]: node for node in shell("nodes", fragment, "--json").json["nodes"]}
+    node = nodes[rings]
+    assert node["type"] == "float"
+    assert node["offered"] and node["refusal"] is None
+    assert node["inputs"] == ["u_wood", "v_position"]
+    assert 0.0 < node["ratio"] < 1.0
+    line = fragment.read_text().splitlines()[node["line"] - 1]
+    assert line[node["column"] - 1 : node["end_column"] - 1] == node["text"]
+
+
+def test_every_node_is_offered_or_refused_with_a_reason(shell: Shell, fragment: Path) -> None:
+    for node in shell("nodes", fragment, "--json").json["nodes"]:
+        assert node["offered"] == (node["refusal"] is None)
+        if node["refusal"]:
+            assert node["refusal"]["code"].startswith("SC3")
+            assert node["refusal"]["sentence"]
+
+
+def test_offered_leaves_out_the_rest(shell: Shell, fragment: Path) -> None:
+    nodes = shell("nodes", fragment, "--offered", "--json").json["nodes"]
+    assert nodes and all(node["offered"] for node in nodes)
+
+
+def test_sorted_by_ratio(shell: Shell, fragment: Path) -> None:
+    ratios = [n["ratio"] for n in shell("nodes", fragment, "--sort=ratio", "--json").json["nodes"]]
+    assert ratios == sorted(ratios)
+
+
+def test_the_summary_counts_and_explains_the_codes(shell: Shell, fragment: Path) -> None:
+    summary = shell("nodes", fragment).out.split("\n\n")[1].splitlines()
+    count, offered = (int(summary[0].split()[i]) for i in (0, 2))
+    assert count == offered + sum(int(line.split()[0]) for line in summary[1:])
+    assert any("SC302: is a constant" in line for line in summary)
+
+
+def test_stdin(shell: Shell, fragment: Path) -> None:
+    outcome = shell("nodes", "-", stdin=fragment.read_bytes())
+    assert outcome.out == shell("nodes", fragment).out
+
+
+def test_a_byte_order_mark_and_dos_lines_are_welcome(shell: Shell, fragment: Path) -> None:
+    dos = b"\xef\xbb\xbf" + fragment.read_bytes().replace(b"\n", b"\r\n")
+    outcome = shell("nodes", "-", stdin=dos)
+    assert (outcome.status, outcome.err) == (0, "")
+
+
+@pytest.mark.parametrize(
+    ("name", "reason"),
+    [
+        ("missing.frag", "No such file or directory"),
+        (".", "Is a directory"),
+        ("", "Is a directory"),
+        ("/dev/null/x", "Not a directory"),
+        ("nu\0ll", "embedded null byte"),
+    ],
+)
+def test_a_file_that_cannot_be_read(shell: Shell, name: str, reason: str) -> None:
+    outcome = shell("nodes", name)
+    assert (outcome.status, outcome.out) == (1, "")
+    assert outcome.err == f"error: cannot read {name}: {reason} [SC001]\n"
+
+
+def test_text_in_another_encoding(shell: Shell, tmp_path: Path) -> None:
+    shader = tmp_path / "latin.frag"
+    shader.write_bytes("#version 330\n// für\nvoid main() {}\n".encode("latin-1"))
+    outcome = shell("nodes", shader)
+    assert outcome.status == 1
+    assert f"{shader}:2:5: error: not UTF-8 text" in outcome.err
+    assert "(byte 0xfc) [SC001]" in outcome.err
+
+
+def test_a_syntax_error_has_a_place_and_a_caret(shell: Shell) -> None:
+    outcome = shell("nodes", "-", stdin=b"#version 330\nvoid main() { float x = ; }\n")
+    assert outcome.status == 1
+    assert outcome.err.startswith("<stdin>:2:25: error: ")
+    assert "[SC1" in outcome.err
+    assert "\n      |                         ^" in outcome.err
+
+
+def test_type_errors_are_told_all_at_once(shell: Shell) -> None:
+    text = b"#version 330\nout vec4 c;\nvoid main() { float x = y; c = z; }\n"
+    outcome = shell("nodes", "-", "--diagnostics=json", stdin=text)
+    assert outcome.status == 1
+    assert outcome.err.count('"code": "SC2') == 2
+
+
+@pytest.mark.parametrize("text", [b"", b"\0\0\0", b"#version 330\n", b"void", b"\xff" * 9])
+def test_nonsense_is_rejected_without_a_traceback(shell: Shell, text: bytes) -> None:
+    outcome = shell("nodes", "-", stdin=text)
+    assert outcome.status == 1
+    assert "error: " in outcome.err and "Traceback" not in outcome.err

@@ -1,0 +1,125 @@
+"""``shadercache rewrite``: what it writes, and what it refuses."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from .conftest import Shell
+
+
+def listing(folder: Path) -> list[str]:
+    return sorted(path.name for path in folder.iterdir())
+
+
+def test_all_variants_with_their_manifest(
+    shell: Shell, fragment: Path, rings: str, tmp_path: Path
+) -> None:
+    out = tmp_path / "new" / "out"
+    outcome = shell("rewrite", fragment, "--node", rings, "-o", out)
+    assert (outcome.status, outcome.err) == (0, "")
+    manifest = json.loads((out / "manifest.json").read_text())
+    assert [item["algorithm"] for item in manifest["variants"]] == ["1-pass", "2-pass", "3-pass"]
+    drawn = [manifest["original"], manifest["debug"]]
+    drawn += [item for variant in manifest["variants"] for item in variant["passes"]]
+    files = {item[stage] for item in drawn for stage in ("vertex", "fragment")}
+    assert listing(out) == sorted(files | {"manifest.json"})
+    assert listing(tmp_path / "new") == ["out"]
+
+
+def test_options_reach_the_manifest(
+    shell: Shell, fragment: Path, rings: str, tmp_path: Path
+) -> None:
+    options = ("--passes", 2, "--format", "rgba32f", "--mode", "proof")
+    shell("rewrite", fragment, "--node", rings, *options, "-o", tmp_path)
+    manifest = json.loads((tmp_path / "manifest.json").read_text())
+    assert [item["algorithm"] for item in manifest["variants"]] == ["2-pass"]
+    assert manifest["cache"]["format"] == "rgba32f"
+    assert manifest["mode"] == "proof"
+
+
+def test_into_a_folder_that_exists(
+    shell: Shell, fragment: Path, rings: str, tmp_path: Path
+) -> None:
+    (tmp_path / "notes.txt").write_text("mine")
+    (tmp_path / "manifest.json").write_text("old")
+    assert shell("rewrite", fragment, "--node", rings, "-o", tmp_path).status == 0
+    assert (tmp_path / "notes.txt").read_text() == "mine"
+    assert json.loads((tmp_path / "manifest.json").read_text())["schema_version"] == 1
+
+
+@pytest.mark.parametrize("fragment_from_stdin", [True, False])
+def test_one_shader_may_come_from_stdin(
+    shell: Shell, fragment: Path, rings: str, tmp_path: Path, fragment_from_stdin: bool
+) -> None:
+    vertex = fragment.with_suffix(".vert")
+    pair = ("-", "--vert", vertex) if fragment_from_stdin else (fragment, "--vert", "-")
+    stdin = (fragment if fragment_from_stdin else vertex).read_bytes()
+    outcome = shell("rewrite", *pair, "--node", rings, "-o", tmp_path, stdin=stdin)
+    assert (outcome.status, outcome.err) == (0, "")
+
+
+@pytest.mark.parametrize(
+    ("args", "status", "code"),
+    [
+        (("{frag}", "--node", "main.999-00000000"), 2, "SC010"),
+        (("{frag}", "--node", "{other}"), 2, "SC011"),
+        (("{frag}", "--node", "{constant}"), 1, "SC302"),
+        (("{frag}", "--node", "{cheap}"), 1, "SC308"),
+        (("-", "--node", "{rings}"), 2, "SC005"),
+        (("-", "--vert", "-", "--node", "{rings}"), 2, "SC005"),
+        (("{frag}", "--vert", "missing.vert", "--node", "{rings}"), 1, "SC001"),
+        (("{frag}", "--vert", "{frag}", "--node", "{rings}"), 1, "SC"),
+        (("{frag}", "--node", "{rings}", "--passes", "4"), 2, "SC003"),
+    ],
+)
+def test_bad_requests_write_nothing(
+    shell: Shell,
+    fragment: Path,
+    rings: str,
+    tmp_path: Path,
+    args: tuple[str, ...],
+    status: int,
+    code: str,
+) -> None:
+    nodes = shell("nodes", fragment, "--json").json["nodes"]
+    refused = {node["refusal"]["code"]: node["id"] for node in nodes if node["refusal"]}
+    names = {
+        "frag": fragment,
+        "rings": rings,
+        "other": rings.rpartition("-")[0] + "-00000000",
+        "constant": refused["SC302"],
+        "cheap": refused["SC308"],
+    }
+    filled = [arg.format_map(names) for arg in args]
+    out = tmp_path / "out"
+    outcome = shell("rewrite", *filled, "-o", out, stdin=fragment.read_bytes())
+    assert (outcome.status, outcome.out) == (status, "")
+    assert f"[{code}" in outcome.err
+    assert listing(tmp_path) == []
+
+
+def test_a_cheap_node_is_rewritten_on_request(shell: Shell, fragment: Path, tmp_path: Path) -> None:
+    nodes = shell("nodes", fragment, "--json").json["nodes"]
+    cheap = [n["id"] for n in nodes if n["refusal"] and n["refusal"]["unprofitable"]]
+    outcome = shell("rewrite", fragment, "--node", cheap[0], "--unprofitable", "-o", tmp_path)
+    assert (outcome.status, outcome.err) == (0, "")
+
+
+@pytest.mark.parametrize(
+    ("place", "reason"),
+    [
+        ("/dev/null/out", "/dev/null: it is a file, not a folder"),
+        ("/dev/null", "/dev/null: it is a file, not a folder"),
+        ("/proc/out", "No such file or directory"),
+    ],
+)
+def test_an_output_folder_that_cannot_be_written(
+    shell: Shell, fragment: Path, rings: str, place: str, reason: str
+) -> None:
+    outcome = shell("rewrite", fragment, "--node", rings, "-o", place)
+    assert (outcome.status, outcome.out) == (2, "")
+    assert outcome.err.startswith("error: cannot write /")
+    assert reason in outcome.err and "[SC002]" in outcome.err

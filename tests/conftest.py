@@ -1,0 +1,68 @@
+"""Fixtures for all tests: expected files, and one OpenGL context for the whole process."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+if TYPE_CHECKING:
+    from shadercache.harness.context import Gpu
+
+ROOT = Path(__file__).resolve().parent.parent
+UPDATE = "--update-goldens"
+
+Golden = Callable[[str | Path, str], None]
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Add ``--update-goldens``."""
+    help_text = "write the expected files anew instead of comparing with them"
+    parser.addoption(UPDATE, action="store_true", help=help_text)
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """With ``--update-goldens`` run only the tests that have an expected file."""
+    if config.getoption(UPDATE):
+        chosen = [item for item in items if "golden" in getattr(item, "fixturenames", ())]
+        config.hook.pytest_deselected(items=[item for item in items if item not in chosen])
+        items[:] = chosen
+
+
+@pytest.fixture
+def golden(request: pytest.FixtureRequest) -> Golden:
+    """``golden("tests/goldens/x.frag", text)``: the file holds exactly this text."""
+
+    def check(path: str | Path, text: str) -> None:
+        file = ROOT / path
+        name = file.relative_to(ROOT)
+        if request.config.getoption(UPDATE):
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(text, encoding="utf-8", newline="")
+        elif not file.exists():
+            pytest.fail(f"{name} does not exist; ./dev goldens writes it", pytrace=False)
+        elif (expected := file.read_bytes().decode()) != text:
+            pytest.fail(_difference(str(name), expected, text), pytrace=False)
+
+    return check
+
+
+def _difference(name: str, expected: str, text: str) -> str:
+    lines = difflib.unified_diff(
+        expected.splitlines(), text.splitlines(), f"{name} (expected)", "what the code wrote", n=2
+    )
+    advice = "If the new text is right, ./dev goldens writes it; read the diff before you commit."
+    body = "\n".join(lines) or "only the line ends differ"
+    return f"{name} is not what the code writes now.\n{body}\n\n{advice}"
+
+
+@pytest.fixture(scope="session")
+def gpu() -> Iterator[Gpu]:
+    """The OpenGL context of this process; every test that draws shares it."""
+    from shadercache.harness.context import open_context
+
+    with open_context() as context:
+        yield context
