@@ -1,0 +1,86 @@
+"""Verify many nodes in several processes: compiling programs is what takes the time, on one core.
+
+Each worker has a context and a verifier of its own.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from contextlib import closing
+from multiprocessing import get_context
+from pathlib import Path
+
+from shadercache.compiler import analyse
+from shadercache.harness.context import open_context
+from shadercache.harness.scene import Scene, load_scene
+from shadercache.harness.verify import Verdict, Verifier
+from shadercache.source import Source
+
+_verifier: Verifier | None = None
+"""The worker process's own; set once when the process starts."""
+
+
+def verify_in_parallel(
+    scene: Path,
+    nodes: Sequence[str],
+    jobs: int,
+    plain: bool = True,
+    told: Callable[[Verdict], None] | None = None,
+) -> list[Verdict]:
+    """Verdicts for the nodes (by id) of a scene, in the order of ``nodes``.
+
+    ``jobs`` processes; 1 works in this one. ``told`` hears of each verdict as it comes. Raises as
+    :class:`Verifier`.
+    """
+    if jobs == 1:
+        with closing(_open(scene)) as verifier:
+            return [_tell(_check(verifier, node, plain), told) for node in nodes]
+    found: dict[str, Verdict] = {}
+    spawn = get_context("spawn")  # a forked child would share the parent's driver state
+    with ProcessPoolExecutor(jobs, spawn, _start, (scene,)) as pool:
+        waiting = [pool.submit(_work, node, plain) for node in nodes]
+        try:
+            for future in as_completed(waiting):
+                verdict = _tell(future.result(), told)
+                found[verdict.node] = verdict
+        except BaseException:
+            pool.shutdown(cancel_futures=True)
+            raise
+    return [found[node] for node in nodes]
+
+
+def read_shaders(scene: Scene) -> tuple[Source, Source]:
+    """The scene's fragment and vertex shader."""
+    return (
+        Source(str(scene.fragment), scene.fragment.read_text(encoding="utf-8")),
+        Source(str(scene.vertex), scene.vertex.read_text(encoding="utf-8")),
+    )
+
+
+def _open(path: Path) -> Verifier:
+    scene = load_scene(path)
+    return Verifier(open_context(), scene, analyse(*read_shaders(scene)))
+
+
+def _start(path: Path) -> None:
+    global _verifier
+    # One rasteriser thread a process, or llvmpipe's threads fight over the cores.
+    os.environ.setdefault("LP_NUM_THREADS", "1")
+    _verifier = _open(path)
+
+
+def _work(node: str, plain: bool) -> Verdict:
+    assert _verifier is not None
+    return _check(_verifier, node, plain)
+
+
+def _check(verifier: Verifier, node: str, plain: bool) -> Verdict:
+    return verifier.check(verifier.analysis.node(node), plain)
+
+
+def _tell(verdict: Verdict, told: Callable[[Verdict], None] | None) -> Verdict:
+    if told is not None:
+        told(verdict)
+    return verdict
