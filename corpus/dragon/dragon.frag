@@ -1,9 +1,9 @@
 #version 330
 // A dragon of polished marble: veins from five octaves of gradient noise, lit after Blinn and Phong.
 
-uniform sampler2D u_permutation;  // 64 x 64: hashes of the four lower corners of a lattice cell
+uniform sampler2D u_permutation;  // 64 x 64: a hash of each upright column of the noise lattice
 uniform sampler2D u_gradients;    // 64 x 1: a gradient for each hash
-uniform sampler2D u_detail;       // red: crystal grain, green: polish
+uniform sampler2D u_detail;       // rgb: raggedness of the veins, alpha: polish
 
 uniform vec3 u_eye;    // world space
 uniform vec3 u_light;  // world space, towards the light, unit length
@@ -12,6 +12,8 @@ in vec3 v_position;  // object space
 in vec3 v_normal;    // world space
 in vec3 v_world;     // world space
 
+const float CELL = 1.0 / 64.0;  // one lattice cell in the tables, which repeat after 64
+
 layout(location = 0) out vec4 o_color;
 
 // Perlin's quintic: its first and second derivatives vanish at 0 and 1.
@@ -19,30 +21,37 @@ vec3 fade(vec3 t) {
     return t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
 }
 
-// The gradient at one corner of a cell, along the way from that corner to the point.
-float corner(float hash, vec3 way) {
-    return dot(textureLod(u_gradients, vec2(hash, 0.5), 0.0).xyz, way);
+// Three noises at once: three gradients, which are one gradient turned, along the same way.
+vec3 slopes(vec3 gradient, vec3 way) {
+    return way * mat3(gradient, gradient.yzx, gradient.zxy);
 }
 
-// Gradient noise (Perlin 2002), about -1 to 1, with a period of 64 cells.
-float noise(vec3 p) {
+// Noise along one upright edge of a lattice cell: what its two corners give, blended.
+// `at` is where the tables keep the lower corner, `way` leads from that corner to the point.
+vec3 edge(vec3 at, vec3 way, float blend) {
+    float hash = textureLod(u_permutation, at.xy, 0.0).r + at.z;
+    vec3 lower = textureLod(u_gradients, vec2(hash, 0.5), 0.0).xyz;
+    vec3 upper = textureLod(u_gradients, vec2(hash + CELL, 0.5), 0.0).xyz;
+    return mix(slopes(lower, way), slopes(upper, way - vec3(0.0, 0.0, 1.0)), blend);
+}
+
+// Three independent gradient noises (Perlin 2002), each about -1 to 1.
+vec3 noise(vec3 p) {
     vec3 cell = floor(p);
+    vec3 at = CELL * (cell + 0.5);
     vec3 way = p - cell;
     vec3 blend = fade(way);
-    vec4 low = textureLod(u_permutation, (cell.xy + 0.5) / 64.0, 0.0) + cell.z / 64.0;
-    vec4 high = low + 1.0 / 64.0;
-    return mix(
-        mix(mix(corner(low.x, way), corner(low.y, way - vec3(1.0, 0.0, 0.0)), blend.x),
-            mix(corner(low.z, way - vec3(0.0, 1.0, 0.0)), corner(low.w, way - vec3(1.0, 1.0, 0.0)), blend.x),
-            blend.y),
-        mix(mix(corner(high.x, way - vec3(0.0, 0.0, 1.0)), corner(high.y, way - vec3(1.0, 0.0, 1.0)), blend.x),
-            mix(corner(high.z, way - vec3(0.0, 1.0, 1.0)), corner(high.w, way - vec3(1.0, 1.0, 1.0)), blend.x),
-            blend.y),
-        blend.z);
+    vec3 near = mix(
+        edge(at, way, blend.z),
+        edge(at + vec3(CELL, 0.0, 0.0), way - vec3(1.0, 0.0, 0.0), blend.z), blend.x);
+    vec3 far = mix(
+        edge(at + vec3(0.0, CELL, 0.0), way - vec3(0.0, 1.0, 0.0), blend.z),
+        edge(at + vec3(CELL, CELL, 0.0), way - vec3(1.0, 1.0, 0.0), blend.z), blend.x);
+    return mix(near, far, blend.y);
 }
 
 // Five octaves, each twice as fine and half as strong as the one before.
-float fbm(vec3 p) {
+vec3 fbm(vec3 p) {
     return noise(p)
         + 0.5 * noise(p * 2.02)
         + 0.25 * noise(p * 4.05)
@@ -52,29 +61,27 @@ float fbm(vec3 p) {
 
 // Albedo of the stone at a point of the block.
 vec3 marble(vec3 p) {
-    float turbulence = fbm(p * 2.3 + vec3(3.7, 1.9, 5.3));
-    float strata = sin(dot(p, vec3(3.1, 5.2, 2.3)) + 3.4 * turbulence);
-    float vein = exp2(-9.0 * strata * strata);
-    float cloud = 0.5 + 0.5 * sin(2.6 * turbulence + p.y * 2.0);
-    float grain = texture(u_detail, p.xy * 1.7 + p.z).r;
-    vec3 stone = mix(vec3(0.80, 0.76, 0.68), vec3(0.62, 0.60, 0.55), cloud);
-    return mix(stone, vec3(0.16, 0.20, 0.19), 0.85 * vein) * (0.85 + 0.30 * grain);
+    vec3 ragged = 0.08 * texture(u_detail, p.xy * 1.1 + 0.7 * p.z).rgb;
+    vec3 turbulence = fbm(p * 2.3 + ragged);
+    float strata = sin(dot(p, vec3(3.1, 5.2, 2.3)) + 2.9 * turbulence.x);
+    float vein = exp2(-8.0 * strata * strata) * clamp(0.8 + 2.0 * turbulence.y, 0.0, 1.0);
+    vec3 stone = mix(vec3(0.72, 0.66, 0.56), vec3(0.50, 0.49, 0.46), 0.5 + turbulence.z);
+    return mix(stone, vec3(0.13, 0.17, 0.16), 0.9 * vein);
 }
 
-// Diffuse light from the sky and the lamp, and a highlight on the polished stone.
+// Light from the sky and the lamp, and a highlight where the stone is polished.
 vec3 blinn_phong(vec3 albedo, vec3 normal, vec3 view, float polish) {
     vec3 halfway = normalize(u_light + view);
     float lambert = max(dot(normal, u_light), 0.0);
-    float highlight = pow(max(dot(normal, halfway), 0.0), 20.0 + 60.0 * polish);
+    float highlight = pow(max(dot(normal, halfway), 0.0), 48.0);
     vec3 sky = mix(vec3(0.13, 0.11, 0.10), vec3(0.30, 0.34, 0.42), 0.5 + 0.5 * normal.y);
-    return albedo * (sky + vec3(0.95, 0.90, 0.80) * lambert) + 0.35 * polish * highlight;
+    return albedo * (sky + vec3(0.95, 0.90, 0.80) * lambert) + polish * highlight;
 }
 
 void main() {
     vec3 normal = normalize(v_normal);
     vec3 view = normalize(u_eye - v_world);
-    float polish = texture(u_detail, v_position.zy * 1.3).g;
-    vec3 albedo = marble(v_position);
-    vec3 light = blinn_phong(albedo, normal, view, polish);
-    o_color = vec4(pow(min(light, 1.0), vec3(1.0 / 2.2)), 1.0);
+    float polish = 0.4 * texture(u_detail, v_position.zy * 1.3).a;
+    vec3 light = blinn_phong(marble(v_position), normal, view, polish);
+    o_color = vec4(sqrt(min(light, 1.0)), 1.0);  // a display gamma of 2
 }

@@ -130,42 +130,34 @@ def dragon(step: float, count: int, fatter: float = 0.0) -> dict[str, npt.NDArra
 
 
 def lattice(seed: int = 7) -> tuple[npt.NDArray[np.float16], npt.NDArray[np.float16]]:
-    """Permutation (64, 64, 4) and gradients (1, 64, 4) of the noise, both as texture texels.
+    """Permutation (64, 64, 1) and gradients (1, 64, 4) of the noise, as texels.
 
-    The four channels of the permutation are the hashes of the cell's four lower corners
-    (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1), each the centre of a texel of the gradients.
-    After Perlin, "Improving noise" (2002), and Green, "Implementing improved Perlin noise" (2005).
+    The permutation holds the hash of (x, y), as the place of a texel of the gradients; adding z
+    to it (in texels) completes the hash. After Perlin, "Improving noise" (2002).
     """
     random = np.random.Generator(np.random.PCG64(seed))
     order = random.permutation(LATTICE)
     x, y = np.meshgrid(np.arange(LATTICE), np.arange(LATTICE))
-    corners = [
-        order[(order[(x + dx) % LATTICE] + y + dy) % LATTICE] for dy in (0, 1) for dx in (0, 1)
-    ]
-    permutation = (np.stack(corners, axis=-1) + 0.5) / LATTICE
+    permutation = (order[(order[x] + y) % LATTICE] + 0.5) / LATTICE
     # Points of a Fibonacci sphere, in random order, long enough that the noise fills -1 .. 1.
     height = 1.0 - (2.0 * np.arange(LATTICE) + 1.0) / LATTICE
     turn = np.arange(LATTICE) * np.pi * (3.0 - np.sqrt(5.0))
     ring = np.sqrt(1.0 - height**2)
-    sphere = np.stack([ring * np.cos(turn), ring * np.sin(turn), height, 0 * turn], axis=-1)
+    sphere = np.stack([ring * np.cos(turn), ring * np.sin(turn), height, 0.0 * turn], axis=-1)
     gradients = 1.45 * sphere[random.permutation(LATTICE)]
-    return permutation.astype(np.float16), gradients[None].astype(np.float16)
+    return permutation.astype(np.float16)[..., None], gradients.astype(np.float16)[None]
 
 
-def detail(size: int = 256, seed: int = 11) -> npt.NDArray[np.uint8]:
-    """A tiling texture (size, size, 4): crystal grain in red, polish in green."""
+def detail(size: int = 128, seed: int = 11) -> npt.NDArray[np.uint8]:
+    """A tiling texture (size, size, 4): raggedness in three channels, polish in the fourth."""
     random = np.random.Generator(np.random.PCG64(seed))
-
-    def band(low: float, high: float) -> Floats:
-        frequency = np.fft.fftfreq(size) * size
-        radius = np.hypot(*np.meshgrid(frequency, frequency))
+    frequency = np.fft.fftfreq(size) * size
+    radius = np.hypot(*np.meshgrid(frequency, frequency))
+    channels = []
+    for low, high in ((4.0, 16.0), (4.0, 16.0), (4.0, 16.0), (2.0, 20.0)):
         mask = np.exp(-((radius / high) ** 2)) - np.exp(-((radius / low) ** 2))
         waves = np.fft.ifft2(np.fft.fft2(random.normal(size=(size, size))) * mask).real
-        return np.asarray(waves / waves.std())
-
-    grain = 0.5 + 0.16 * band(10.0, 60.0)
-    polish = 0.6 + 0.16 * band(2.0, 14.0)
-    channels = [grain, polish, 0 * grain, 0 * grain + 1.0]
+        channels.append(0.5 + 0.16 * waves / waves.std())
     return np.round(np.clip(np.stack(channels, axis=-1), 0.0, 1.0) * 255.0).astype(np.uint8)
 
 
