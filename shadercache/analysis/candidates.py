@@ -75,8 +75,9 @@ def find_candidates(
 ) -> Candidates:
     """Judge every expression of ``main`` and of every function it reaches.
 
-    ``module`` has unique names; ``printed`` holds the text of each function and initialised global as
-    the user's source has it, from which the ids are made. Raises :class:`InputError` SC401 on too many call paths.
+    ``module`` has unique names; ``printed`` holds the text of each function and initialised
+    global as the user's source has it, from which the ids are made. Raises :class:`InputError`
+    SC401 on too many call paths.
     """
     instances = find_instances(table)
     costs = CostTable(facts)
@@ -184,7 +185,9 @@ class _Judge:
     def _by_inputs(self, expr: n.Expr, found: Slice) -> Refusal | None:
         names = self.slices.leaf_names
         if found.leaves & self.mutable:
-            return Refusal(Code.MUTABLE_GLOBAL, ", ".join(sorted(names(found.leaves & self.mutable))))
+            return Refusal(
+                Code.MUTABLE_GLOBAL, ", ".join(sorted(names(found.leaves & self.mutable)))
+            )
         if found.leaves & self.derivative:
             return Refusal(Code.DERIVATIVE)
         screen = sorted(name for name in names(found.leaves) if name.startswith("gl_"))

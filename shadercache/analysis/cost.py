@@ -8,10 +8,10 @@ measured (:mod:`shadercache.harness.measure`), never taken from here.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import cast
 
 from shadercache.ast import nodes as n
-from shadercache.ast.walk import EXPRESSIONS, children
-from shadercache.lang.types import Type
+from shadercache.ast.walk import children
 from shadercache.sema.facts import Facts
 
 FETCH = 24.0
@@ -114,7 +114,5 @@ class CostTable:
         return (4.0 if node.op in ("/", "%") else 1.0) * width
 
     def _width(self, expr: n.Node) -> float:
-        if not isinstance(expr, EXPRESSIONS):
-            return 1.0
-        kind: Type | None = self._facts.types.get(expr)
+        kind = self._facts.types.get(cast("n.Expr", expr))
         return float(kind.components_or_one) if kind is not None else 1.0

@@ -39,9 +39,7 @@ class DerivativeUses:
             for item in instances
             if item.parent is not None and item.call is not None
         }
-        self.all = tuple(
-            use for instance in instances for use in self._of_instance(instance)
-        )
+        self.all = tuple(use for instance in instances for use in self._of_instance(instance))
         self._atoms = 0
         for use in self.all:
             self._atoms |= use.operands.atoms

@@ -43,9 +43,7 @@ class Effects:
     does: Does = Does.NOTHING
 
     def __or__(self, other: Effects) -> Effects:
-        return Effects(
-            self.reads | other.reads, self.writes | other.writes, self.does | other.does
-        )
+        return Effects(self.reads | other.reads, self.writes | other.writes, self.does | other.does)
 
 
 NO_EFFECTS = Effects()
@@ -151,8 +149,7 @@ def out_arguments(call: n.Call, table: EffectTable) -> tuple[bool, ...]:
         return tuple(param.writes_back for param in function.proto.params)
     signatures = _signatures(call, table.version)
     return tuple(
-        any(item.params[i].direction != "in" for item in signatures)
-        for i in range(len(call.args))
+        any(item.params[i].direction != "in" for item in signatures) for i in range(len(call.args))
     )
 
 

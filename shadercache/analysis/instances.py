@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum
+from typing import cast
 
 from shadercache.analysis.effects import EffectTable, out_arguments
 from shadercache.analysis.spine import Spine, Step
@@ -62,7 +63,7 @@ class Places:
             node, use, target = stack.pop()
             if isinstance(node, EXPRESSIONS):
                 shown = Use.LVALUE if target else use
-                self.all.append(Place(len(self.all), node, step, shown))
+                self.all.append(Place(len(self.all), cast("n.Expr", node), step, shown))
             stack.extend(reversed(list(_parts(node, use, target, table))))
 
 
@@ -148,9 +149,7 @@ def find_instances(table: EffectTable) -> tuple[Instance, ...]:
     return tuple(found)
 
 
-def _count(
-    name: str, table: EffectTable, places: dict[str, Places], counts: dict[str, int]
-) -> int:
+def _count(name: str, table: EffectTable, places: dict[str, Places], counts: dict[str, int]) -> int:
     if name not in counts:
         here = places.setdefault(name, Places(table.functions[name], table))
         inner = (_count(callee.name, table, places, counts) for _, _, callee in here.calls)
@@ -175,18 +174,8 @@ def _callees(caller: Instance, places: dict[str, Places], first: int) -> Iterato
             label=f"{caller.label} > {callee.name}{suffix}",
             use=_worse(caller.use, place.use),
             after_exit=caller.after_exit or place.step.after_exit,
-            order_matters=caller.order_matters or _moves(place),
+            order_matters=caller.order_matters or place.step.order_matters,
         )
-
-
-def _moves(place: Place) -> bool:
-    """Do side effects around this call forbid to move anything out of its statement?"""
-    stmt = place.step.stmt
-    is_root = isinstance(stmt, n.ExprStmt) and (
-        stmt.expr is place.expr
-        or (isinstance(stmt.expr, n.Assign) and stmt.expr.value is place.expr)
-    )
-    return place.step.order_matters and not is_root
 
 
 def _worse(one: Use, other: Use) -> Use:

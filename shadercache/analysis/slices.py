@@ -83,7 +83,9 @@ class SliceTable:
         found = self._totals.get(atoms)
         if found is None:
             bits = bin(atoms)[:1:-1]
-            found = sum(cost for cost, bit in zip(self._atom_costs, bits, strict=False) if bit == "1")
+            found = sum(
+                cost for cost, bit in zip(self._atom_costs, bits, strict=False) if bit == "1"
+            )
             self._totals[atoms] = found
         return found
 

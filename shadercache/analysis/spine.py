@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from shadercache.analysis.effects import Does, Effects, EffectTable, root_variable
+from shadercache.analysis.effects import Does, Effects, EffectTable
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import children
 
@@ -95,29 +95,27 @@ def _overwrites(stmt: n.Stmt) -> frozenset[str]:
 
 
 def _order_matters(stmt: n.Stmt, table: EffectTable) -> bool:
-    """Does a part of the statement's expression have a side effect, its root apart?"""
-    if isinstance(stmt, CONTROL):
-        return bool(_header_effects(stmt, table))
-    root = stmt.expr if isinstance(stmt, n.ExprStmt) else stmt
-    if root is None:
-        return False
-    if isinstance(root, n.DeclStmt) and isinstance(root.decl, n.VarDecl):
-        return any(table.of(item.init).writes for item in root.decl.declarators if item.init)
-    return any(table.of(child).writes for child in children(root))
+    """Does a part of the statement have a side effect, other than its last act?
 
-
-def _header_effects(stmt: n.Stmt, table: EffectTable) -> frozenset[str]:
+    The last act is the assignment itself and, in ``x = f(...)`` or ``f(...)``, the call.
+    """
     match stmt:
-        case n.If(condition=condition):
-            return table.of(condition).writes
-        case n.Switch(selector=selector):
-            return table.of(selector).writes
-    return frozenset()
+        case n.If(condition=last) | n.Switch(selector=last):
+            return bool(table.of(last).writes)
+        case n.ExprStmt(expr=n.Assign(target=target, value=last)):
+            inside = [*children(target), *children(last)]
+        case n.ExprStmt(expr=last) if last is not None:
+            inside = [*children(last)]
+        case n.DeclStmt(decl=n.VarDecl(declarators=items)):
+            inits = [item.init for item in items if item.init is not None]
+            inside = [child for init in inits for child in children(init)] + list(inits[1:])
+        case n.Return(value=last) if last is not None:
+            inside = [*children(last)]
+        case _:
+            return False
+    return any(table.of(part).writes for part in inside)
 
 
 def written_anywhere(module: n.Module, table: EffectTable) -> frozenset[str]:
     """Names of the global variables that some function of the module writes."""
     return frozenset[str]().union(*(table.summary(name).writes for name in table.functions))
-
-
-__all__ = ["CONTROL", "Spine", "Step", "root_variable", "written_anywhere"]

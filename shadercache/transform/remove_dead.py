@@ -80,9 +80,7 @@ class _Pruner:
 
     # --- statement lists ---
 
-    def block(
-        self, block: n.Block, live: Live, jumps: _Jumps = _NO_JUMPS
-    ) -> tuple[n.Block, Live]:
+    def block(self, block: n.Block, live: Live, jumps: _Jumps = _NO_JUMPS) -> tuple[n.Block, Live]:
         """The pruned block and what is live before it."""
         kept: list[n.Stmt] = []
         same = True
@@ -172,9 +170,7 @@ class _Pruner:
             return stmt, before
         return replace(stmt, then=then or n.Block(stmt.then.span, ()), other=other), before
 
-    def loop(
-        self, stmt: n.For | n.While | n.DoWhile, live: Live
-    ) -> tuple[n.Stmt | None, Live]:
+    def loop(self, stmt: n.For | n.While | n.DoWhile, live: Live) -> tuple[n.Stmt | None, Live]:
         """A loop goes as a whole where nothing live comes out of it; else its body is pruned.
 
         Its header stays: it decides how often the body runs.

@@ -57,6 +57,6 @@ def rename(root: N, names: Mapping[str, str]) -> N:
         return names.get(getattr(node, "name", None) or "")
 
     renamed = Renamer(new_name).rewrite(root)
-    if isinstance(renamed, n.BlockDecl) and renamed.instance in names:
+    if isinstance(renamed, n.BlockDecl) and renamed.instance and renamed.instance in names:
         return replace(renamed, instance=names[renamed.instance])
     return renamed

@@ -30,7 +30,6 @@ from shadercache.source import NOWHERE
 from shadercache.transform.names import FreshNames
 from shadercache.transform.replace import replace_expressions
 
-
 CutKind: TypeAlias = Literal["use", "store", "goal"]
 
 
@@ -67,7 +66,8 @@ def specialise(
 ) -> Clones:
     """Clone ``main`` (as ``entry``) and the functions on the cuts' paths, with the cuts made.
 
-    The other clones get fresh names that begin with ``prefix``. At most one cut is a goal. The clones are not yet in the module: see :func:`insert_clones`.
+    The other clones get fresh names that begin with ``prefix``. At most one cut is a goal.
+    The clones are not yet in the module: see :func:`insert_clones`.
     """
     functions = {d.name: d for d in module.decls if isinstance(d, n.FunctionDef)}
     maker = _Maker(functions, names, prefix)
@@ -106,9 +106,7 @@ def _sort(cuts: tuple[Cut, ...]) -> _Tree:
 class _Maker:
     """Clones functions, callees first."""
 
-    def __init__(
-        self, functions: dict[str, n.FunctionDef], names: FreshNames, prefix: str
-    ) -> None:
+    def __init__(self, functions: dict[str, n.FunctionDef], names: FreshNames, prefix: str) -> None:
         self.functions, self.names, self.prefix = functions, names, prefix
         self.made: list[tuple[n.FunctionDef, n.FunctionDef]] = []
 

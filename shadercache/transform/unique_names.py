@@ -72,9 +72,10 @@ class _Finder:
     def _prototypes(self, function: n.FunctionDef) -> Iterator[n.FunctionProto]:
         wanted = self._signature(function.proto)
         for decl in self.module.decls:
-            if isinstance(decl, n.FunctionProto) and decl.name == function.name:
-                if self._signature(decl) == wanted:
-                    yield decl
+            if not isinstance(decl, n.FunctionProto) or decl.name != function.name:
+                continue
+            if self._signature(decl) == wanted:
+                yield decl
 
     def _signature(self, proto: n.FunctionProto) -> tuple[object, ...]:
         """Parameter types as written; sizes of arrays count by their number only."""

@@ -1,0 +1,122 @@
+"""Ids, call paths, costs and inputs of nodes."""
+
+from __future__ import annotations
+
+import pytest
+from shaders import analysed, find
+
+from shadercache.diagnostics import InputError, UsageError
+
+FUNCTIONS = """
+float wave(vec3 p) { return sin(p.x) * sin(p.y) + sin(p.z); }
+float sum(vec3 p) { return wave(p) + wave(p * 2.0); }
+float other(vec3 p) { return cos(p.x); }
+"""
+BODY = "float a = sum(v_position); o_color = vec4(a + other(v_normal) + u_time);"
+
+
+def ids(body: str, declarations: str) -> dict[tuple[str, str], str]:
+    return {(node.path, node.text): node.id for node in analysed(body, declarations).nodes}
+
+
+def test_paths_number_repeated_calls() -> None:
+    paths = {node.path for node in analysed(BODY, FUNCTIONS).nodes}
+    assert paths == {
+        "main",
+        "main > sum",
+        "main > other",
+        "main > sum > wave@1",
+        "main > sum > wave@2",
+    }
+
+
+def test_ids_are_unique() -> None:
+    nodes = analysed(BODY, FUNCTIONS).nodes
+    assert len({node.id for node in nodes}) == len(nodes)
+
+
+def test_ids_survive_white_space_and_comments() -> None:
+    spaced = FUNCTIONS.replace("{ return", "{ // a comment\n   return").replace(" + ", "\n+ ")
+    before = [node.id for node in analysed(BODY, FUNCTIONS).nodes]
+    assert [node.id for node in analysed(BODY, spaced).nodes] == before
+
+
+def test_ids_survive_edits_off_the_call_path() -> None:
+    edited = FUNCTIONS.replace("cos(p.x)", "cos(p.x) * 3.0 + p.y")
+    before, after = ids(BODY, FUNCTIONS), ids(BODY, edited)
+    for key, value in before.items():
+        if "other" not in key[0]:
+            assert after[key] == value
+
+
+def test_ids_change_with_edits_on_the_call_path() -> None:
+    edited = FUNCTIONS.replace("wave(p * 2.0)", "wave(p * 3.0)")
+    key = ("main > sum > wave@1", "sin(p.x)")
+    assert ids(BODY, FUNCTIONS)[key] != ids(BODY, edited)[key]
+
+
+def test_id_from_another_source_is_told_from_an_unknown_one() -> None:
+    stale = ids(BODY, FUNCTIONS)["main > sum > wave@1", "sin(p.x)"]
+    edited = analysed(BODY, FUNCTIONS.replace("2.0", "3.0"))
+    with pytest.raises(UsageError) as error:
+        edited.node(stale)
+    assert error.value.diagnostics[0].code == "SC011"
+    with pytest.raises(UsageError) as error:
+        edited.node("nothing.1-00000000")
+    assert error.value.diagnostics[0].code == "SC010"
+
+
+def test_cost_counts_what_the_value_depends_on_and_no_more() -> None:
+    analysis = analysed(BODY, FUNCTIONS)
+    variable = find(analysis, "a")
+    call = find(analysis, "sum(v_position)")
+    both = find(analysis, "a + other(v_normal) + u_time")
+    assert variable.cost == call.cost
+    assert find(analysis, "sin(p.x)", "wave@1").cost < find(analysis, "wave(p)").cost < call.cost
+    assert call.cost < both.cost
+    assert both.ratio == pytest.approx(1.0)
+
+
+def test_inputs_are_followed_through_calls_and_variables() -> None:
+    analysis = analysed(BODY, FUNCTIONS)
+    assert find(analysis, "sin(p.x)", "wave@2").inputs == {"v_position"}
+    assert find(analysis, "a + other(v_normal) + u_time").inputs == {
+        "v_position",
+        "v_normal",
+        "u_time",
+    }
+
+
+def test_overwritten_definitions_do_not_count() -> None:
+    analysis = analysed("float a = sin(v_uv.x); a = cos(u_time); o_color = vec4(a + v_uv.y);")
+    assert find(analysis, "a + v_uv.y").inputs == {"u_time", "v_uv"}
+
+
+def test_call_paths_are_capped() -> None:
+    functions = ["float f0(float x) { return x; }"]
+    for number in range(1, 20):
+        below = f"f{number - 1}"
+        functions.append(f"float f{number}(float x) {{ return {below}(x) + {below}(x); }}")
+    with pytest.raises(InputError) as error:
+        analysed("o_color = vec4(f19(v_uv.x));", "\n".join(functions))
+    assert error.value.diagnostics[0].code == "SC401"
+    assert str(2**20) in error.value.diagnostics[0].message
+
+
+@pytest.mark.parametrize(
+    ("declarations", "body", "code"),
+    [
+        ("out vec4 o_second;", "o_color = vec4(1.0); o_second = vec4(0.0);", "SC403"),
+        ("", "o_color = vec4(1.0); gl_FragDepth = v_uv.x;", "SC404"),
+    ],
+)
+def test_shaders_that_cannot_be_cached(declarations: str, body: str, code: str) -> None:
+    with pytest.raises(InputError) as error:
+        analysed(body, declarations)
+    assert error.value.diagnostics[0].code == code
+
+
+def test_varyings_must_match_between_the_stages() -> None:
+    with pytest.raises(InputError) as error:
+        analysed("o_color = vec4(v_other, 1.0);", "in vec3 v_other;")
+    assert error.value.diagnostics[0].code == "SC406"

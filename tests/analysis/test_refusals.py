@@ -1,0 +1,256 @@
+"""Which values are offered, and the true reason where one is refused (DESIGN law 9)."""
+
+from __future__ import annotations
+
+import pytest
+from shaders import analysed, find
+
+NOISE = """
+float noise(vec3 p) {
+    return sin(p.x * 12.9) * sin(p.y * 78.2) * sin(p.z * 37.7) * sin(dot(p, p));
+}
+"""
+
+CASES = {
+    "offered": ("o_color = vec4(noise(v_position));", "noise(v_position)", None),
+    "offered in a declaration": (
+        "float a = noise(v_position); o_color = vec4(a);",
+        "noise(v_position)",
+        None,
+    ),
+    "offered in the condition of an if": (
+        "o_color = vec4(0.0); if (noise(v_position) > 0.0) o_color = vec4(1.0);",
+        "noise(v_position)",
+        None,
+    ),
+    "offered before an early return": (
+        "float a = noise(v_position); o_color = vec4(a); if (a > 0.0) return; o_color.x = 1.0;",
+        "noise(v_position)",
+        None,
+    ),
+    "offered after a loop that feeds it": (
+        "vec3 q = v_position; for (int i = 0; i < 4; i++) q += noise(q); o_color = vec4(noise(q));",
+        "noise(q)",
+        "SC301",  # the first one of that text: inside the loop
+    ),
+    "loop": (
+        "float s = 0.0; for (int i = 0; i < 3; i++) s += noise(v_position * float(i));"
+        "o_color = vec4(s);",
+        "noise(v_position * float(i))",
+        "SC301",
+    ),
+    "loop header": (
+        "float s = 0.0; for (float f = noise(v_position); f < 3.0; f += 1.0) s += f;"
+        "o_color = vec4(s);",
+        "noise(v_position)",
+        "SC301",
+    ),
+    "constant": ("o_color = vec4(sin(2.0) * 3.0);", "sin(2.0) * 3.0", "SC302"),
+    "uniform only": (
+        "o_color = vec4(pow(u_tint, vec3(sin(u_time))), 1.0);",
+        "pow(u_tint, vec3(sin(u_time)))",
+        "SC303",
+    ),
+    "uniform only through a variable": (
+        "float a = sin(u_time); o_color = vec4(pow(u_tint, vec3(a)), 1.0);",
+        "pow(u_tint, vec3(a))",
+        "SC303",
+    ),
+    "side effect": (
+        "float a = v_uv.x; float b = (a += noise(v_position)); o_color = vec4(a, b, 0, 1);",
+        "a += noise(v_position)",
+        "SC304",
+    ),
+    "opaque": ("o_color = texture(u_map, v_uv);", "u_map", "SC305"),
+    "too wide": ("o_color = texture(u_map, v_uv);", "texture(u_map, v_uv)", "SC306"),
+    "l-value": ("o_color = vec4(noise(v_position));", "o_color", "SC307"),
+    "l-value of a swizzle": (
+        "vec3 a; a.xy = v_uv; a.z = noise(v_position); o_color = vec4(a, 1.0);",
+        "a.xy",
+        "SC307",
+    ),
+    "cheaper than a fetch": ("o_color = vec4(v_position * 2.0, 1.0);", "v_position * 2.0", "SC308"),
+    "conditional branch": (
+        "o_color = vec4(0.0); if (v_uv.x > 0.5) o_color = vec4(noise(v_position));",
+        "noise(v_position)",
+        "SC309",
+    ),
+    "conditional operator": (
+        "o_color = vec4(v_uv.x > 0.5 ? noise(v_position) : 0.0);",
+        "noise(v_position)",
+        "SC309",
+    ),
+    "right operand of &&": (
+        "bool b = v_uv.x > 0.5 && noise(v_position) > 0.0; o_color = vec4(b);",
+        "noise(v_position)",
+        "SC309",
+    ),
+    "switch": (
+        "o_color = vec4(0.0); switch (int(v_uv.x)) { case 0: o_color = vec4(noise(v_position)); }",
+        "noise(v_position)",
+        "SC309",
+    ),
+    "after an early return": (
+        "o_color = vec4(0.0); if (v_uv.x > 0.5) return; o_color = vec4(noise(v_position));",
+        "noise(v_position)",
+        "SC310",
+    ),
+    "after a discard": (
+        "if (v_uv.x > 0.5) discard; o_color = vec4(noise(v_position));",
+        "noise(v_position)",
+        "SC310",
+    ),
+    "before a discard": (
+        "float a = noise(v_position); if (a > 0.5) discard; o_color = vec4(a);",
+        "noise(v_position)",
+        "SC316",
+    ),
+    "explicit derivative": (
+        "o_color = vec4(noise(dFdx(v_position)));",
+        "noise(dFdx(v_position))",
+        "SC312",
+    ),
+    "derivative through a variable": (
+        "float w = fwidth(v_uv.x); o_color = vec4(noise(v_position * w));",
+        "noise(v_position * w)",
+        "SC312",
+    ),
+    "screen position": (
+        "o_color = vec4(noise(gl_FragCoord.xyz));",
+        "noise(gl_FragCoord.xyz)",
+        "SC313",
+    ),
+    "screen position through a condition": (
+        "float s = 1.0; if (gl_FragCoord.x > 9.0) s = 2.0; o_color = vec4(noise(v_position * s));",
+        "noise(v_position * s)",
+        "SC313",
+    ),
+    "another side effect in the statement": (
+        "float a = v_uv.x; float b = a++ + noise(v_position); o_color = vec4(a + b);",
+        "noise(v_position)",
+        "SC314",
+    ),
+    "feeds an implicit fetch": (
+        "float a = noise(v_position); o_color = texture(u_map, vec2(a, 0.5));",
+        "noise(v_position)",
+        "SC315",
+    ),
+    "feeds an implicit fetch in the same statement": (
+        "o_color = texture(u_map, vec2(noise(v_position), 0.5));",
+        "noise(v_position)",
+        "SC315",
+    ),
+    "feeds a derivative": (
+        "float a = noise(v_position); o_color = vec4(fwidth(a));",
+        "noise(v_position)",
+        "SC315",
+    ),
+    "feeds an explicit fetch": (
+        "float a = noise(v_position); o_color = textureLod(u_map, vec2(a, 0.5), 0.0);",
+        "noise(v_position)",
+        None,
+    ),
+    "decides whether a fetch is made": (
+        "o_color = vec4(0.0); if (noise(v_position) > 0.0) o_color = texture(u_map, v_uv);",
+        "noise(v_position)",
+        "SC315",
+    ),
+    "integers": (
+        "int i = int(noise(v_position)); o_color = vec4(i);",
+        "int(noise(v_position))",
+        "SC317",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_verdict(name: str) -> None:
+    body, text, code = CASES[name]
+    node = find(analysed(body, NOISE), text)
+    assert (node.refusal.code.code if node.refusal else None) == code
+
+
+GLOBAL = NOISE + "float g = 1.0; void change() { g = v_uv.x; } float helper(vec3 p) { return "
+
+
+@pytest.mark.parametrize(
+    ("declarations", "body", "text", "code"),
+    [
+        (
+            GLOBAL + "noise(p) * g; }",
+            "change(); o_color = vec4(helper(v_position));",
+            "noise(p) * g",
+            "SC311",
+        ),
+        (
+            GLOBAL + "noise(p) * g; }",
+            "o_color = vec4(helper(v_position)); change();",
+            "helper(v_position)",
+            "SC311",
+        ),
+        (
+            NOISE + "const float k = 2.0; float scale = u_time * k;",
+            "o_color = vec4(noise(v_position) * scale);",
+            "noise(v_position) * scale",
+            None,
+        ),
+        (
+            NOISE + "float scale = sin(u_time);",
+            "o_color = vec4(noise(v_position) * scale);",
+            "sin(u_time)",
+            "SC318",
+        ),
+        (
+            NOISE + "float twice(float x, out float y) { y = x; return noise(v_position + x); }",
+            "float y; float z = twice(v_uv.x, y); o_color = vec4(y + z);",
+            "noise(v_position + x)",
+            None,
+        ),
+        (
+            NOISE + "float twice(float x, out float y) { y = x; return noise(v_position + x); }",
+            "float y; float z = 1.0 + twice(v_uv.x, y); o_color = vec4(y + z);",
+            "noise(v_position + x)",
+            "SC314",
+        ),
+        (
+            NOISE + "float in_loop(float x) { return noise(v_position + x); }",
+            "float s = 0.0; while (s < 3.0) s += in_loop(s) + 1.0; o_color = vec4(s);",
+            "noise(v_position + x)",
+            "SC301",
+        ),
+        (
+            NOISE + "float guarded(float x) { if (x > 0.5) return 1.0; return noise(v_position); }",
+            "o_color = vec4(guarded(v_uv.x));",
+            "noise(v_position)",
+            "SC310",
+        ),
+    ],
+)
+def test_verdict_across_functions(declarations: str, body: str, text: str, code: str) -> None:
+    node = find(analysed(body, declarations), text)
+    assert (node.refusal.code.code if node.refusal else None) == code
+
+
+def test_every_refusal_says_why() -> None:
+    analysis = analysed(CASES["conditional branch"][0], NOISE)
+    refused = [node for node in analysis.nodes if node.refusal]
+    assert refused
+    for node in refused:
+        assert node.refusal is not None
+        assert node.refusal.code.code.startswith("SC3")
+        assert len(node.refusal.sentence) > 20
+        source = analysis.fragment.text
+        assert source[node.expr.span.start : node.expr.span.end].split() == node.text.split()
+
+
+def test_every_expression_of_every_reached_function_is_a_node() -> None:
+    from shadercache.ast import nodes as n
+    from shadercache.ast.walk import expressions
+
+    analysis = analysed("o_color = vec4(noise(v_position) + noise(v_normal));", NOISE)
+    bodies = {
+        d.name: len(list(expressions(d.body)))
+        for d in analysis.program.module.decls
+        if isinstance(d, n.FunctionDef)
+    }
+    assert len(analysis.nodes) == bodies["main"] + 2 * bodies["noise"]
