@@ -1,7 +1,7 @@
 """From a tree to GLSL text.
 
 ``print_module(parse(source))`` is the shader again, laid out afresh: four spaces of indent, one
-statement a line, the kept directives first. Parentheses come from the precedence table, never from
+statement a line, blank lines around what takes several, the kept directives first. Parentheses come from the precedence table, never from
 the tree; literals keep their spelling. Printing what was parsed from printed text changes nothing.
 
 Expressions are printed with an explicit stack, so the length of an operator chain has no limit.
@@ -60,6 +60,7 @@ from shadercache.lang.words import (
     POSTFIX,
     PRECEDENCE,
     PRIMARY,
+    QUALIFIER_ORDER,
     UNARY,
 )
 
@@ -71,12 +72,14 @@ def print_module(module: Module) -> str:
     """The text of a whole shader, ending in a newline."""
     version = f"#version {module.version}" + (f" {module.profile}" if module.profile else "")
     lines = [version, *(directive.text for directive in module.directives)]
-    for index, decl in enumerate(module.decls):
-        apart = isinstance(decl, FunctionDef)
-        after = index > 0 and isinstance(module.decls[index - 1], FunctionDef)
-        if index == 0 or apart or after:
+    apart = True
+    for decl in module.decls:
+        printed: list[str] = []
+        _print_lines(decl, "", printed)
+        if apart or len(printed) > 1:
             lines.append("")
-        _print_lines(decl, "", lines)
+        lines += printed
+        apart = len(printed) > 1
     return "\n".join(lines) + "\n"
 
 
@@ -201,8 +204,12 @@ def _layout_item(node: LayoutItem) -> str:
 
 
 def _qualifiers(node: Qualifiers) -> str:
-    """The qualifiers, each with a blank after it, the layout first."""
-    text = "".join(f"{word} " for word in node.words)
+    """The qualifiers, each with a blank after it: the layout, then the words.
+
+    The words are put in the order that every version takes, whatever order a pass left them in.
+    """
+    words = sorted(node.words, key=QUALIFIER_ORDER.__getitem__)
+    text = "".join(f"{word} " for word in words)
     if node.layout is None:
         return text
     return f"layout({', '.join(map(_layout_item, node.layout))}) {text}"
@@ -268,7 +275,7 @@ def _print_lines(node: Node, indent: str, lines: list[str]) -> None:
         case DeclStmt():
             _print_lines(node.decl, indent, lines)
         case VarDecl():
-            lines.append(f"{indent}{_variables(node, indent)};")
+            lines += f"{indent}{_variables(node, indent)};".split("\n")
         case Block():
             lines.append(indent + "{")
             _print_all(node.body, indent + _INDENT, lines)
@@ -296,7 +303,7 @@ def _print_lines(node: Node, indent: str, lines: list[str]) -> None:
         case FunctionProto():
             lines.append(f"{indent}{_proto(node, indent)};")
         case BlockDecl():
-            lines.append(indent + _block(node, indent))
+            lines += f"{indent}{_block(node, indent)}".split("\n")
         case PrecisionDecl():
             lines.append(f"{indent}precision {node.precision} {_type(node.type, indent)};")
         case QualifierDecl():

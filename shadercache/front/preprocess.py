@@ -119,7 +119,9 @@ def _read_directive(state: _State, match: re.Match[str]) -> None:
 
 
 def _refuse_directive(state: _State, line: _Line) -> None:
-    if line.name in _LATER:
+    if line.name in _INNER and any(error.code == "SC107" for error in state.errors):
+        return  # It belongs to an #if that has been refused.
+    if line.name in _LATER or line.name in _INNER:
         message = f"#{line.name} is not supported yet"
         state.refuse("SC107", message, line.span, hint="preprocess the shader first")
     else:
@@ -181,7 +183,8 @@ _HANDLERS: dict[str, Callable[[_State, _Line], None]] = {
     "undef": _read_undef,
     "error": _read_error,
 }
-_LATER = frozenset(("if", "ifdef", "ifndef", "elif", "else", "endif", "line", "include"))
+_LATER = frozenset(("if", "ifdef", "ifndef", "line", "include"))
+_INNER = frozenset(("elif", "else", "endif"))
 
 
 # --- macros ---------------------------------------------------------------------------------------

@@ -89,6 +89,23 @@ _RESERVED_330: frozenset[str] = frozenset(
     )
 )
 
+QUALIFIER_ORDER: dict[str, int] = {
+    word: rank
+    for rank, group in enumerate(
+        (
+            ("precise",),
+            ("invariant",),
+            ("smooth", "flat", "noperspective"),
+            ("const", "centroid", "patch", "sample"),
+            ("in", "out", "inout", "uniform", "buffer", "shared", "attribute", "varying"),
+            ("coherent", "volatile", "restrict", "readonly", "writeonly"),
+            ("highp", "mediump", "lowp"),
+        )
+    )
+    for word in group
+}
+"""The order that versions before 4.20 demand of qualifiers; layouts may stand anywhere in it."""
+
 
 def type_names(version: int) -> frozenset[str]:
     """The built-in type names of a version (330 to 460)."""
