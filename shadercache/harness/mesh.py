@@ -55,13 +55,16 @@ def load_mesh(path: Path) -> Mesh:
 
 def load_npz(path: Path, code: str, what: str) -> dict[str, NDArray[np.generic]]:
     """All arrays of an ``.npz`` file; ``what`` and ``code`` go into the error if it is not one."""
+    reason = "it is not an .npz file of plain arrays"
     try:
-        with np.load(path, allow_pickle=False) as stored:
-            return {name: stored[name] for name in stored.files}
+        with path.open("rb") as stream:
+            stored = np.load(stream, allow_pickle=False)
+            if isinstance(stored, np.lib.npyio.NpzFile):
+                return {name: stored[name] for name in stored.files}
     except OSError as error:
         reason = error.strerror or str(error)
-    except (ValueError, AttributeError, EOFError, zipfile.BadZipFile):
-        reason = "it is not an .npz file of plain arrays"
+    except (ValueError, EOFError, zipfile.BadZipFile):
+        pass
     raise input_error(code, f"cannot read {what} {path}: {reason}")
 
 

@@ -1,0 +1,183 @@
+"""What a program needs and the scene lacks, textures, and what the driver refuses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from types import MappingProxyType
+
+import moderngl
+import numpy as np
+import pytest
+from PIL import Image
+
+from shadercache.diagnostics import GraphicsError, InputError
+from shadercache.harness.bundle import PassSpec
+from shadercache.harness.context import APT_LINE, Gpu, open_context
+from shadercache.harness.mesh import load_mesh
+from shadercache.harness.runner import PassRunner
+from shadercache.harness.scene import Scene, TextureSpec
+from shadercache.harness.stage import Stage
+from shadercache.harness.targets import Targets
+from shadercache.harness.textures import load_pixels
+from shadercache.source import Source
+
+pytestmark = pytest.mark.xdist_group("gl")
+
+VERTEX = """#version 330
+in vec3 a_position;
+uniform mat4 u_modelViewProjection;
+void main() { gl_Position = u_modelViewProjection * vec4(a_position, 1.0); }
+"""
+
+
+def spec(fragment: str, vertex: str = VERTEX) -> PassSpec:
+    sources = Source("test.vert", vertex), Source("test.frag", "#version 330\n" + fragment)
+    return PassSpec("test", *sources, ("color",), "<", True, False)
+
+
+def codes(stage: Stage, fragment: str, vertex: str = VERTEX) -> tuple[list[str], str]:
+    with pytest.raises(InputError) as caught:
+        PassRunner(stage, spec(fragment, vertex))
+    assert len(stage.programs) == 0, "a program that cannot be used is given back"
+    return [item.code for item in caught.value.diagnostics], str(caught.value)
+
+
+@pytest.fixture
+def textured(gpu: Gpu, scene: Scene, tmp_path: Path) -> Iterator[Stage]:
+    """A stage with a two-colour picture and a cube map whose faces are 0 to 5."""
+    pixels = np.zeros((2, 1, 4), np.uint8)
+    pixels[0], pixels[1] = (255, 0, 0, 255), (0, 255, 0, 255)
+    Image.fromarray(pixels).save(tmp_path / "p.png")
+    faces = np.zeros((6, 4, 4, 3), np.float16)
+    faces += np.arange(6, dtype=np.float16).reshape(6, 1, 1, 1)
+    np.savez(tmp_path / "f.npz", faces=faces)
+    textures = {
+        "u_flat": TextureSpec(tmp_path / "p.png", "nearest", True, "clamp", 1.0),
+        "u_sharp": TextureSpec(tmp_path / "p.png", "linear", True, "repeat", 4.0),
+        "u_sky": TextureSpec(tmp_path / "f.npz", "linear", True, "clamp", 1.0),
+        "u_gone": TextureSpec(tmp_path / "none.npz", "linear", False, "clamp", 1.0),
+    }
+    changed = replace(scene, textures=MappingProxyType(textures))
+    with Stage(gpu, changed, (32, 32), "rgba32f") as stage:
+        yield stage
+
+
+def test_what_the_scene_lacks(stage: Stage) -> None:
+    out = "out vec4 o; void main() { "
+    found, words = codes(stage, "uniform float u_a; " + out + "o = vec4(u_a); }")
+    assert found == ["SC520"] and "u_a" in words and "scene.toml" in words
+    found, _ = codes(
+        stage, f"uniform float u_a; uniform vec2 u_b; {out} o = vec4(u_a, u_b, 1.0); }}"
+    )
+    assert found == ["SC520", "SC520"]
+    found, words = codes(stage, "uniform vec4 u_light; " + out + "o = u_light; }")
+    assert found == ["SC523"] and "takes 4 numbers" in words
+    found, words = codes(
+        stage, "uniform sampler2D u_t; " + out + "o = texelFetch(u_t, ivec2(0), 0); }"
+    )
+    assert found == ["SC522"] and "[textures.u_t]" in words
+    vertex = VERTEX.replace("in vec3 a_position;", "in vec3 a_position; in vec2 a_uv;")
+    vertex = vertex.replace("1.0)", "a_uv.x)")
+    found, words = codes(stage, out + "o = vec4(1.0); }", vertex)
+    assert found == ["SC521"] and "a_uv" in words
+
+
+def test_what_the_harness_cannot_give(stage: Stage) -> None:
+    out = "out vec4 o; void main() { "
+    for fragment in (
+        "uniform sampler3D u_t; " + out + "o = texture(u_t, vec3(0.0)); }",
+        "layout(std140) uniform Block { vec4 a; }; " + out + "o = a; }",
+        "uniform sampler2D u_t[2]; " + out + "o = texture(u_t[0], vec2(0)) * texture(u_t[1], "
+        "vec2(0)); }",
+    ):
+        assert codes(stage, fragment)[0] == ["SC524"]
+    vertex = VERTEX.replace("in vec3 a_position;", "in ivec3 a_position;")
+    assert codes(stage, out + "o = vec4(1.0); }", vertex)[0] == ["SC524"]
+
+
+def test_the_drivers_words_at_their_line(stage: Stage) -> None:
+    found, words = codes(stage, "out vec4 o;\nvoid main() { o = vec4(nothing); }")
+    assert set(found) == {"SC602"}
+    assert "test.frag:3:" in words and "nothing" in words
+    found, words = codes(stage, "out vec4 o; void main() { o = vec4(1); }", "\n\n" + VERTEX + "x")
+    assert "test.vert:7:" in words
+    found, words = codes(stage, "out vec4 o; float f(); void main() { o = vec4(f()); }")
+    assert found == ["SC602"] and "test.vert + test.frag" in words
+
+
+def test_a_mesh_without_normals(gpu: Gpu, scene: Scene) -> None:
+    mesh = load_mesh(scene.mesh)
+    bare = replace(mesh, arrays={"position": mesh.arrays["position"]})
+    with pytest.raises(InputError, match="SC511") as caught:
+        Stage(gpu, scene, (8, 8), mesh=bare)
+    words = str(caught.value)
+    assert "attributes.a_normal" in words and "scene.toml" in words and "position" in words
+
+
+def test_textures_reach_the_shader(textured: Stage) -> None:
+    flat = (
+        "uniform sampler2D u_flat; uniform samplerCube u_sky; out vec4 o; void main() { o = vec4("
+        "textureLod(u_flat, vec2(0.5, 0.25), 0.0).r, textureLod(u_flat, vec2(0.5, 0.75), 0.0).g, "
+        "textureLod(u_sky, vec3(0.0, 0.0, -1.0), 0.0).r, textureLod(u_sky, vec3(1.0, 0.0, 0.0), "
+        "2.0).g); }"
+    )
+    with PassRunner(textured, spec(flat)) as runner:
+        image = runner.image(0)
+    assert image.reshape(-1, 4).max(axis=0).tolist() == [1.0, 1.0, 5.0, 0.0]
+
+
+def test_sampling_state(textured: Stage) -> None:
+    flat, sharp = textured.texture("u_flat"), textured.texture("u_sharp")
+    assert isinstance(flat, moderngl.Texture) and isinstance(sharp, moderngl.Texture)
+    assert flat.filter == (moderngl.NEAREST_MIPMAP_NEAREST, moderngl.NEAREST)
+    assert sharp.filter == (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR)
+    assert (flat.repeat_x, sharp.repeat_y) == (False, True)
+    assert sharp.anisotropy == 4.0
+    assert textured.texture("u_flat") is flat and textured.texture("u_none") is None
+
+
+def test_wrong_textures(textured: Stage, tmp_path: Path) -> None:
+    out = "out vec4 o; void main() { "
+    found, words = codes(
+        textured, "uniform samplerCube u_flat; " + out + "o = texture(u_flat, vec3(1)); }"
+    )
+    assert found == ["SC523"] and "as a cube map" in words
+    found, _ = codes(
+        textured, "uniform sampler2D u_gone; " + out + "o = texture(u_gone, vec2(0)); }"
+    )
+    assert found == ["SC530"]
+    for name, arrays, words in (
+        ("a", {"other": np.zeros((2, 2))}, "neither"),
+        ("b", {"pixels": np.zeros((2, 2, 5), np.float32)}, "shape"),
+        ("c", {"pixels": np.zeros((2, 2, 3))}, "float64"),
+        ("d", {"faces": np.zeros((5, 2, 2, 3), np.float32)}, "shape"),
+        ("e", {"pixels": np.full((2, 2, 1), np.inf, np.float32)}, "infinity"),
+    ):
+        np.savez(tmp_path / f"{name}.npz", **arrays)
+        with pytest.raises(InputError, match=words) as caught:
+            load_pixels(tmp_path / f"{name}.npz")
+        assert caught.value.diagnostics[0].code == "SC531"
+    (tmp_path / "x.png").write_bytes(b"no picture")
+    with pytest.raises(InputError, match="SC530"):
+        load_pixels(tmp_path / "x.png")
+
+
+def test_formats_that_do_not_exist(gpu: Gpu) -> None:
+    with pytest.raises(InputError, match="SC603"):
+        Targets(gpu.ctx, (8, 8), "rgb565")
+    with pytest.raises(GraphicsError, match="SC603"):
+        Targets(gpu.ctx, (1 << 20, 8), "rgba8")
+
+
+def test_no_gl(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(**settings: object) -> None:
+        raise Exception("libEGL.so: cannot\nopen")
+
+    monkeypatch.setattr(moderngl, "create_context", fail)
+    with pytest.raises(GraphicsError) as caught:
+        open_context()
+    assert caught.value.exit_code == 3
+    rendered = str(caught.value)
+    assert "SC601" in rendered and "libEGL.so: cannot open" in rendered and APT_LINE in rendered

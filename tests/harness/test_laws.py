@@ -1,0 +1,176 @@
+"""The runner keeps the laws of DESIGN section 4 on a hand-written emission."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from shadercache.harness.bundle import Bundle
+from shadercache.harness.runner import (
+    CoverageRunner,
+    RunOptions,
+    VariantRunner,
+    render_original,
+    render_variant,
+)
+from shadercache.harness.stage import Stage
+
+pytestmark = pytest.mark.xdist_group("gl")
+
+ALGORITHMS = ("1-pass", "2-pass", "3-pass")
+EXACT = "rgba32f"
+
+
+def same_bits(one: np.ndarray, other: np.ndarray) -> bool:
+    return one.tobytes() == other.tobytes()
+
+
+@pytest.mark.parametrize("algorithm", ALGORITHMS)
+def test_a_period_of_one_is_the_original(stage: Stage, bundle: Bundle, algorithm: str) -> None:
+    options = RunOptions(period=1, cache_format=EXACT)
+    original = render_original(stage, bundle, range(4))
+    variant = render_variant(stage, bundle, algorithm, range(4), options)
+    assert all(map(same_bits, original, variant))
+    assert not same_bits(original[0], original[1]), "the scene must move"
+
+
+@pytest.mark.parametrize("algorithm", ALGORITHMS)
+def test_at_rest_nothing_drifts(stage: Stage, bundle: Bundle, algorithm: str) -> None:
+    options = RunOptions(period=8, cache_format=EXACT, moving=False)
+    original = render_original(stage, bundle, range(12), moving=False)
+    variant = render_variant(stage, bundle, algorithm, range(12), options)
+    assert all(map(same_bits, original, variant))
+
+
+def test_the_algorithms_agree(stage: Stage, bundle: Bundle) -> None:
+    options = RunOptions(period=6, cache_format=EXACT)
+    runs = [render_variant(stage, bundle, name, range(7), options) for name in ALGORITHMS]
+    original = render_original(stage, bundle, range(7))
+    for first, second, third in zip(*runs, strict=True):
+        assert same_bits(first, second)
+        assert same_bits(first, third)
+    assert not same_bits(runs[0][6], original[6]), "values must be reused in motion"
+
+
+def test_half_floats_stay_near(stage: Stage, bundle: Bundle) -> None:
+    original = render_original(stage, bundle, range(6))
+    covered = original[5][..., 3] > 0
+    for name in ALGORITHMS:
+        found = render_variant(stage, bundle, name, range(6), RunOptions(period=6))
+        exact = render_variant(
+            stage, bundle, name, range(6), RunOptions(period=6, cache_format=EXACT)
+        )
+        assert not same_bits(found[5], exact[5])
+        # A rounded depth turns the odd hit into a miss, so a single pixel may be farther off.
+        assert np.sqrt(np.square(found[5] - exact[5])[covered].mean()) < 1e-3
+
+
+def test_without_motion_hits_are_what_is_not_due(stage: Stage, bundle: Bundle) -> None:
+    options = RunOptions(period=4, cache_format=EXACT, moving=False)
+    values = bundle.mask_values
+    refreshed = np.zeros(stage.size[::-1], int)
+    with VariantRunner(stage, bundle, "2-pass", options) as runner:
+        runner.draw(0)
+        for frame in range(1, 5):
+            mask = runner.hit_mask(frame)
+            assert set(np.unique(mask)) <= {0, values["hit"], values["refresh"]}
+            refreshed += mask == values["refresh"]
+            runner.draw(frame)
+    assert (refreshed[mask > 0] == 1).all(), "every pixel is refreshed once in a period"
+    assert (refreshed[mask == 0] == 0).all()
+
+
+def test_in_motion_most_are_hits(stage: Stage, bundle: Bundle) -> None:
+    with (
+        VariantRunner(stage, bundle, "2-pass", RunOptions(period=64)) as runner,
+        CoverageRunner(stage, bundle) as coverage,
+    ):
+        for frame in range(3):
+            runner.draw(frame)
+        mask = runner.hit_mask(3)
+        covered = coverage.coverage(3)
+    assert ((mask > 0) == covered).all()
+    assert 0.7 < (mask == bundle.mask_values["hit"]).sum() / covered.sum() < 0.99
+
+
+def test_a_reset_forgets_everything(stage: Stage, bundle: Bundle) -> None:
+    options = RunOptions(period=64, cache_format=EXACT)
+    original = render_original(stage, bundle, [5])[0]
+    with VariantRunner(stage, bundle, "3-pass", options) as runner:
+        for frame in range(5):
+            runner.draw(frame)
+        runner.reset()
+        assert (runner.hit_mask(5) != bundle.mask_values["hit"]).all()
+        assert runner.work(5)["reuse"] == 0
+        assert same_bits(runner.image(5), original)
+
+
+def test_looking_ahead_changes_nothing(stage: Stage, bundle: Bundle) -> None:
+    plain = render_variant(stage, bundle, "2-pass", range(5), RunOptions(period=5))
+    with VariantRunner(stage, bundle, "2-pass", RunOptions(period=5)) as runner:
+        for frame in range(5):
+            runner.hit_mask(frame)
+            runner.work(frame)
+            assert same_bits(runner.image(frame), plain[frame])
+
+
+def test_twins_hold_the_last_frames_values(stage: Stage, bundle: Bundle) -> None:
+    """With the twin fed from the current frame, moving surfaces are looked up in wrong places."""
+    vertex = bundle.files["reprojected.vert"].replace(
+        "sc_previous_u_modelViewProjection * vec4", "u_modelViewProjection * vec4"
+    )
+    broken = Bundle(bundle.manifest, {**bundle.files, "reprojected.vert": vertex})
+    options = RunOptions(period=64, cache_format=EXACT)
+    original = render_original(stage, bundle, range(6))[5]
+    good = render_variant(stage, bundle, "1-pass", range(6), options)[5]
+    bad = render_variant(stage, broken, "1-pass", range(6), options)[5]
+    assert np.square(bad - original).mean() > 4 * np.square(good - original).mean()
+
+
+def test_work_counts_fragments(stage: Stage, bundle: Bundle) -> None:
+    masks, work = {}, {}
+    for name in ALGORITHMS:
+        with VariantRunner(stage, bundle, name, RunOptions(period=8)) as runner:
+            runner.draw(0)
+            masks[name] = runner.hit_mask(1)
+            work[name] = runner.work(1)
+    assert (masks["1-pass"] == masks["2-pass"]).all()
+    assert (masks["1-pass"] == masks["3-pass"]).all()
+    covered = int((masks["1-pass"] > 0).sum())
+    hits = int((masks["1-pass"] == bundle.mask_values["hit"]).sum())
+    assert work["2-pass"]["hit"] == work["3-pass"]["reuse"] >= hits
+    assert work["2-pass"]["miss"] == work["3-pass"]["payload"] >= covered - hits
+    assert covered <= work["3-pass"]["shade"] <= work["1-pass"]["all"]
+
+
+def test_a_run_can_be_taken_up_from_a_cache(stage: Stage, bundle: Bundle) -> None:
+    options = RunOptions(period=8, cache_format=EXACT)
+    with VariantRunner(stage, bundle, "2-pass", options) as runner:
+        for frame in range(3):
+            runner.draw(frame)
+        cache = runner.cache()
+        image = runner.image(3)
+        after = runner.cache()
+    with VariantRunner(stage, bundle, "3-pass", options) as runner:
+        runner.restore(cache, 2)
+        assert same_bits(runner.image(3), image)
+        assert same_bits(runner.cache(), after)
+
+
+def test_no_depth_ties_on_a_torus(stage: Stage, bundle: Bundle) -> None:
+    with CoverageRunner(stage, bundle) as runner:
+        assert runner.coverage(0).mean() > 0.2
+        assert not runner.ties(0).any()
+
+
+def test_programs_and_caches_are_given_back(stage: Stage, bundle: Bundle) -> None:
+    assert len(stage.programs) == 0
+    with (
+        VariantRunner(stage, bundle, "2-pass") as first,
+        VariantRunner(stage, bundle, "2-pass") as second,
+    ):
+        assert len(stage.programs) == 2, "equal programs are shared"
+        first.draw(0)
+        second.draw(0)
+    second.release()
+    assert len(stage.programs) == 0

@@ -1,0 +1,167 @@
+"""A whole measurement, its result files, its pictures."""
+
+from __future__ import annotations
+
+import io
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from shadercache.diagnostics import InputError, UsageError
+from shadercache.harness.bundle import Bundle
+from shadercache.harness.clock import QueryClock, WallClock, pick_clock
+from shadercache.harness.context import Gpu
+from shadercache.harness.measure import measure
+from shadercache.harness.measurement import Entry, Measurement, MeasureOptions
+from shadercache.harness.pictures import (
+    OUTCOME_COLORS,
+    difference_picture,
+    hit_picture,
+    picture,
+    write_png,
+)
+from shadercache.harness.plots import plot_error, plot_time
+from shadercache.harness.results import (
+    COLUMNS,
+    environment,
+    read_json,
+    rows,
+    to_csv,
+    to_json,
+    write_json,
+)
+from shadercache.harness.scene import Scene
+from shadercache.harness.sheet import SheetRow, contact_sheet
+
+pytestmark = pytest.mark.xdist_group("gl")
+
+OPTIONS = MeasureOptions(
+    size=(128, 96), frames=8, error_from=4, probe_every=2, period=4, group=4, picture_frame=7
+)
+
+
+@pytest.fixture(scope="module")
+def steps() -> list[tuple[int, int, str]]:
+    return []
+
+
+@pytest.fixture(scope="module")
+def measurement(
+    gpu: Gpu, scene: Scene, bundle: Bundle, steps: list[tuple[int, int, str]]
+) -> Measurement:
+    entries = [Entry("payload", bundle), Entry("again", bundle, ("2-pass",))]
+    entries.append(Entry("third", bundle, ("1-pass", "2-pass")))
+    return measure(gpu, scene, entries, OPTIONS, lambda *told: steps.append(told))
+
+
+def test_every_node_and_variant_is_measured(measurement: Measurement) -> None:
+    found = {node.label: [v.algorithm for v in node.variants] for node in measurement.nodes}
+    assert found == {
+        "payload": ["1-pass", "2-pass", "3-pass"],
+        "again": ["2-pass"],
+        "third": ["1-pass", "2-pass"],
+    }
+    assert [len(group.nodes) for group in measurement.groups] == [2, 1]
+    assert 0.2 < measurement.covered < 0.7
+
+
+def test_the_numbers_of_a_variant(measurement: Measurement) -> None:
+    for group in measurement.groups:
+        assert len(group.original.samples) == OPTIONS.frames - 1
+        for node in group.nodes:
+            assert node.ratio is not None and node.payload is not None and node.hit is not None
+            assert len(node.hit.samples) == 2
+            for variant in node.variants:
+                assert len(variant.timing.samples) == OPTIONS.frames - 1
+                assert variant.timing.minimum > 0
+                assert variant.speedup.low <= variant.speedup.median <= variant.speedup.high
+                assert 0.5 < variant.hit_rate < 0.8
+                assert sum(variant.outcomes.values()) == pytest.approx(1.0)
+                assert 0 < variant.error.rmse < 0.02
+                assert len(variant.frame_rmse) == OPTIONS.frames - OPTIONS.error_from
+                assert variant.floor is not None and variant.efficiency is not None
+                assert min(variant.work.values()) > 0
+
+
+def test_progress_goes_from_start_to_end(
+    measurement: Measurement, steps: list[tuple[int, int, str]]
+) -> None:
+    done = [step for step, _, _ in steps]
+    assert done == sorted(done)
+    assert steps[0][0] == 0 and steps[-1][0] == steps[-1][1] == 2 * (OPTIONS.frames + 1)
+
+
+def test_nothing_to_measure(gpu: Gpu, scene: Scene, bundle: Bundle) -> None:
+    with pytest.raises(UsageError, match="SC027"):
+        measure(gpu, scene, [], OPTIONS)
+    with pytest.raises(UsageError, match="SC026"):
+        measure(gpu, scene, [Entry("x", bundle, ("4-pass",))], OPTIONS)
+
+
+def test_the_clock_fits_the_renderer(gpu: Gpu, measurement: Measurement) -> None:
+    assert isinstance(pick_clock(gpu), WallClock if gpu.is_software else QueryClock)
+    assert measurement.clock == pick_clock(gpu).name
+    assert QueryClock(gpu.ctx).time(lambda: None) >= 0.0
+
+
+def test_json_holds_everything(gpu: Gpu, measurement: Measurement, tmp_path: Path) -> None:
+    data = to_json(measurement, environment(gpu))
+    write_json(tmp_path / "new" / "r.json", data)
+    back = read_json(tmp_path / "new" / "r.json")
+    assert back == json.loads(json.dumps(data))
+    assert back["environment"]["gl"]["renderer"] == gpu.renderer
+    first = back["groups"][0]["nodes"][0]["variants"][0]
+    assert len(first["timing"]["samples"]) == OPTIONS.frames - 1
+    assert [item.name for item in (tmp_path / "new").iterdir()] == ["r.json"]
+
+
+def test_csv_has_a_row_for_each_variant(measurement: Measurement) -> None:
+    lines = to_csv(measurement).splitlines()
+    assert lines[0] == ",".join(COLUMNS)
+    assert len(lines) == 1 + 6 == 1 + len(rows(measurement))
+
+
+def test_results_that_cannot_be_read_or_written(tmp_path: Path) -> None:
+    (tmp_path / "r.json").write_text("{}")
+    with pytest.raises(InputError, match="SC023"):
+        read_json(tmp_path / "r.json")
+    with pytest.raises(InputError, match="SC023"):
+        read_json(tmp_path / "none.json")
+    with pytest.raises(UsageError, match="SC025"):
+        write_json(tmp_path / "r.json" / "x.json", {})
+
+
+def test_pictures(measurement: Measurement, bundle: Bundle, tmp_path: Path) -> None:
+    assert len(measurement.shots) == 6
+    shot = measurement.shots[1]
+    assert shot.original.shape == shot.cached.shape == shot.outcomes.shape == (96, 128, 3)
+    colors = {tuple(color) for color in shot.outcomes.reshape(-1, 3).tolist()}
+    assert {OUTCOME_COLORS["hit"], OUTCOME_COLORS["refresh"], (0, 0, 0)} <= colors
+    assert difference_picture(shot.original, shot.original).max() == 0
+    assert difference_picture(shot.original, shot.cached).max() > 0
+    write_png(tmp_path / "a.png", shot.original)
+    assert np.array_equal(np.asarray(Image.open(tmp_path / "a.png")), shot.original)
+
+
+def test_pictures_stand_upright() -> None:
+    pixels = np.zeros((2, 1, 4), np.float32)
+    pixels[1, 0] = (2.0, np.nan, 0.5, 1.0)  # the upper row in OpenGL's order
+    assert picture(pixels)[0, 0].tolist() == [255, 0, 128]
+    mask = np.array([[0], [1]], np.uint8)
+    assert tuple(hit_picture(mask, {"hit": 1})[0, 0]) == OUTCOME_COLORS["hit"]
+
+
+def test_the_contact_sheet(measurement: Measurement) -> None:
+    sheet_rows = [SheetRow(shot, shot.label, "numbers") for shot in measurement.shots[:2]]
+    one = contact_sheet("Title", sheet_rows[:1], cell=100)
+    two = contact_sheet("Title", sheet_rows, cell=100)
+    assert two.shape[0] > one.shape[0] + 75 and two.shape[1] == one.shape[1] > 400
+
+
+def test_plots_are_pictures(measurement: Measurement) -> None:
+    for png in (plot_time(measurement), plot_error(measurement)):
+        with Image.open(io.BytesIO(png)) as image:
+            assert image.size == (1200, 750)

@@ -1,0 +1,104 @@
+"""Statistics of samples and the error of images."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from shadercache.diagnostics import InputError
+from shadercache.harness.image import ErrorSum, compare
+from shadercache.harness.stats import paired_ratio, timing
+
+ALL = np.ones((4, 8), bool)
+
+
+def test_timing() -> None:
+    found = timing([3.0, 1.0, 2.0])
+    assert (found.median, found.minimum, found.samples) == (2.0, 1.0, (3.0, 1.0, 2.0))
+
+
+def test_a_drift_of_the_machine_leaves_the_ratio_alone() -> None:
+    drift = np.linspace(1.0, 3.0, 40)
+    found = paired_ratio((drift * 0.02).tolist(), (drift * 0.01).tolist())
+    assert found.median == pytest.approx(2.0) and found.total == pytest.approx(2.0)
+    assert found.low == pytest.approx(2.0) and found.high == pytest.approx(2.0)
+
+
+def test_the_interval_covers_the_truth_and_is_the_same_each_time() -> None:
+    rng = np.random.default_rng(7)
+    covered = 0
+    for _ in range(60):
+        first = 2.0 * np.exp(rng.normal(0.0, 0.1, 30))
+        second = np.exp(rng.normal(0.0, 0.1, 30))
+        found = paired_ratio(first.tolist(), second.tolist())
+        assert found == paired_ratio(first.tolist(), second.tolist())
+        assert found.low <= found.median <= found.high
+        covered += found.low <= 2.0 <= found.high
+    assert covered >= 52
+
+
+def test_unpaired_samples_are_refused() -> None:
+    with pytest.raises(ValueError, match="not paired"):
+        paired_ratio([1.0, 2.0], [1.0])
+    with pytest.raises(ValueError, match="not paired"):
+        paired_ratio([], [])
+
+
+@pytest.mark.parametrize("kind", [np.uint8, np.float32])
+def test_error_of_one_pixel(kind: type[np.generic]) -> None:
+    scale = 255 if kind is np.uint8 else 1
+    one = np.zeros((4, 8, 4), kind)
+    other = one.copy()
+    other[1, 2, :3] = np.array([0.2, 0.4, 0.0]) * scale
+    other[1, 2, 3] = scale  # alpha is not looked at
+    found = compare(one, other, ALL)
+    assert found.pixels == 32
+    assert found.maximum == pytest.approx(0.4, abs=1e-6)
+    assert found.rmse == pytest.approx(math.sqrt((0.04 + 0.16) / 96), rel=1e-6)
+    assert found.psnr == pytest.approx(-20 * math.log10(found.rmse))
+    assert found.p99 == pytest.approx(0.4, abs=2e-5)
+
+
+def test_only_covered_pixels_count() -> None:
+    one, other = np.zeros((4, 8, 4), np.uint8), np.full((4, 8, 4), 51, np.uint8)
+    half = ALL.copy()
+    half[:2] = False
+    other[2:] = 0
+    assert compare(one, other, half).rmse == 0.0
+    assert compare(one, other, half).psnr == math.inf
+    assert compare(one, other, ~half).rmse == pytest.approx(0.2)
+    assert compare(one, other, ~ALL).pixels == 0
+
+
+def test_frames_add_up() -> None:
+    total = ErrorSum()
+    zero = np.zeros((4, 8, 4), np.uint8)
+    for level in (0, 51):
+        total.add(zero, np.full((4, 8, 4), level, np.uint8), ALL)
+    found = total.stats()
+    assert found.rmse == pytest.approx(0.2 / math.sqrt(2))
+    assert (found.p99, found.maximum, found.pixels) == (pytest.approx(0.2), pytest.approx(0.2), 64)
+
+
+def test_the_percentile_is_exact_for_bytes() -> None:
+    rng = np.random.default_rng(3)
+    one = rng.integers(0, 256, (64, 64, 4), np.uint8)
+    other = rng.integers(0, 256, (64, 64, 4), np.uint8)
+    whole = np.ones((64, 64), bool)
+    apart = np.abs(one.astype(int) - other)[..., :3].max(-1).ravel() / 255.0
+    expected = np.sort(apart)[math.ceil(0.99 * apart.size) - 1]
+    assert compare(one, other, whole).p99 == pytest.approx(expected, abs=1e-9)
+
+
+@pytest.mark.parametrize("poison", [np.nan, np.inf])
+def test_poison_is_never_given_a_score(poison: float) -> None:
+    one = np.zeros((4, 8, 4), np.float32)
+    other = one.copy()
+    other[0, 0, 1] = poison
+    with pytest.raises(InputError, match="SC604"):
+        compare(one, other, ALL)
+    uncovered = ALL.copy()
+    uncovered[0, 0] = False
+    assert compare(one, other, uncovered).rmse == 0.0

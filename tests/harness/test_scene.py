@@ -1,0 +1,107 @@
+"""Scene files: what is read, and one diagnostic for each mistake."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from shadercache.diagnostics import InputError
+from shadercache.harness.camera import look_at, perspective, rotation, scene_values
+from shadercache.harness.scene import Motion, Scene, load_scene
+
+
+def broken(folder: Path, old: str, new: str) -> InputError:
+    """What is said of the torus scene with one piece of text replaced."""
+    text = (folder / "scene.toml").read_text()
+    assert old in text
+    path = folder / "broken.toml"
+    path.write_text(text.replace(old, new, 1))
+    with pytest.raises(InputError) as caught:
+        load_scene(path)
+    return caught.value
+
+
+def test_a_folder_stands_for_its_scene_file(scene: Scene, scene_folder: Path) -> None:
+    assert scene.path == scene_folder / "scene.toml"
+    assert scene.name == "torus"
+    assert scene.fragment.is_file() and scene.mesh.is_file()
+    assert scene.verify_mesh == scene.mesh
+    assert scene.constants["u_light"] == (0.4, 0.8, 0.5)
+    assert scene.semantics["u_model"] == "model"
+    assert scene.demo is not None and scene.demo.nodes == ("payload",)
+    assert not scene.cull
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "code", "words", "line"),
+    [
+        ('name = "torus"', 'name = "torus', "SC502", "not TOML", 1),
+        ('mesh = "torus.npz"', "", "SC503", "mesh is missing", None),
+        ('mesh = "torus.npz"', 'mesh = "no.npz"', "SC507", "mesh: there is no file", 5),
+        ('mesh = "torus.npz"', "mesh = 3", "SC505", "mesh must be a string, not 3", 5),
+        ("[camera]\neye = [0.0,", '[camera]\neye = ["x",', "SC505", "camera.eye must be", 13),
+        ("fov_degrees = 45.0", "fov_degrees = 180", "SC505", "between 0 and 180", 16),
+        ("near = 0.5", "near = 20", "SC505", "camera.near must be above 0", 17),
+        ("near = 0.5", "", "SC503", "camera.near is missing", 12),
+        ("eye = [0.0, 1.2, 2.6]", "eye = [0.0, 3.0, 0.0]", "SC505", "do not span", 13),
+        ("near = 0.5", "near = inf", "SC505", "must be a finite number", 17),
+        ("frames = 64", "frames = 0", "SC505", "a whole number from 1 up", 24),
+        ("axis = [1.0, 0.2, 0.0]", "axis = [0, 0, 0]", "SC505", "axis must not be zero", 21),
+        ('semantic = "model" }', 'semantic = "modle" }', "SC506", "semantic 'modle'", 28),
+        ('{ semantic = "model" }', "{ semantics = 1 }", "SC505", "u_model must be", 28),
+        ("u_scale = 5.0", "u_scale = [[1, 2], [3]]", "SC505", "u_scale must be", 30),
+        ("block = 4", "block = 1", "SC505", "from 2 up", 38),
+        ("block = 4", "blocks = 4", "SC504", "unknown key demo.blocks", 38),
+        ('nodes = ["payload"]', "nodes = [1]", "SC505", "an array of strings", 36),
+        ("[nodes]", "[knots]", "SC504", "unknown key knots", None),
+        ("[nodes]", "[nodes]\nx = 1\n[textures.u_t]\nfile='torus.npz'\nwrap='mirror'", "SC505",
+         "one of repeat, clamp", 36),
+    ],
+)  # fmt: skip
+def test_one_mistake(
+    scene_folder: Path, old: str, new: str, code: str, words: str, line: int | None
+) -> None:
+    error = broken(scene_folder, old, new)
+    found = [item for item in error.diagnostics if words in item.message]
+    assert [item.code for item in found] == [code], str(error)
+    rendered = found[0].render()
+    assert "broken.toml" in rendered
+    if line is not None:
+        assert f"broken.toml:{line}:" in rendered
+
+
+def test_all_mistakes_are_told_at_once(scene_folder: Path) -> None:
+    error = broken(scene_folder, "near = 0.5", 'near = "x"\nfra = 1\nup = 3')
+    assert len(error.diagnostics) == 1, "a key given twice is not TOML"
+    error = broken(scene_folder, "near = 0.5", 'near = "x"\nfra = 1')
+    assert [item.code for item in error.diagnostics] == ["SC505", "SC504"]
+
+
+def test_no_such_file(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="SC501"):
+        load_scene(tmp_path / "none.toml")
+    (tmp_path / "scene.toml").write_bytes(b"\xff\xfe")
+    with pytest.raises(InputError, match="not UTF-8"):
+        load_scene(tmp_path)
+
+
+def test_matrices(scene: Scene) -> None:
+    turn = rotation(Motion((0.0, 1.0, 0.0), 90.0, 0.0, 4), 1)
+    assert np.allclose(turn @ [0, 0, 1, 1], [1, 0, 0, 1])
+    view = look_at(scene.camera)
+    assert np.allclose(view @ [*scene.camera.eye, 1], [0, 0, 0, 1])
+    assert np.allclose((view @ [*scene.camera.target, 1])[:2], 0)
+    project = perspective(scene.camera, 1.5)
+    near = project @ [0, 0, -scene.camera.near, 1]
+    far = project @ [0, 0, -scene.camera.far, 1]
+    assert near[2] / near[3] == pytest.approx(-1) and far[2] / far[3] == pytest.approx(1)
+
+
+def test_uniform_values_are_in_upload_order(scene: Scene) -> None:
+    values = scene_values(scene, 3, 1.0)
+    model = rotation(scene.motion, 3)
+    assert values["u_model"].tolist() == model.T.ravel().tolist()
+    assert values["u_light"].tolist() == [0.4, 0.8, 0.5]
+    assert values["u_scale"].tolist() == [5.0]

@@ -1,0 +1,121 @@
+"""Runs a variant from its folder alone: the proof that the manifest tells an engine enough.
+
+This file imports nothing of shadercache. It knows what ``manifest.schema.json`` defines, and gets
+from its caller what every engine has anyway: a mesh, textures, and the uniforms of each frame.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import moderngl
+import numpy as np
+
+CACHE_DTYPES = {"rgba16f": "f2", "rgba32f": "f4"}
+DEPTH_TESTS = {"less": "<", "lequal": "<="}
+FILTERS = {"linear": moderngl.LINEAR, "nearest": moderngl.NEAREST}
+
+
+class IndependentRunner:
+    """One variant of one folder, drawn frame by frame."""
+
+    def __init__(
+        self,
+        ctx: moderngl.Context,
+        folder: Path,
+        algorithm: str,
+        size: tuple[int, int],
+        attributes: Mapping[str, np.ndarray],
+        index: np.ndarray,
+        textures: Mapping[str, moderngl.Texture | moderngl.TextureCube],
+        cache_format: str | None = None,
+    ) -> None:
+        """Args: ``attributes`` maps vertex attributes to (n, c) float32, ``index`` is (m, 3)."""
+        self.ctx = ctx
+        self.folder = folder
+        self.manifest = json.loads((folder / "manifest.json").read_text())
+        self.textures = textures
+        self.roles = {item["name"]: item["role"] for item in self.manifest["uniforms"]}
+        self.twins = {twin: name for name, twin in self.manifest["previous"].items()}
+        self.buffers = {
+            name: (ctx.buffer(array.astype("f4").tobytes()), f"{array.shape[1]}f")
+            for name, array in attributes.items()
+        }
+        self.index = ctx.buffer(index.astype("u4").tobytes())
+        cache = self.manifest["cache"]
+        kind = CACHE_DTYPES[cache_format or cache["format"]]
+        self.caches = [ctx.texture(size, 4, dtype=kind) for _ in range(cache["buffers"])]
+        for texture in self.caches:
+            texture.filter = (FILTERS[cache["filter"]],) * 2
+            texture.repeat_x = texture.repeat_y = False
+        self.color = ctx.texture(size, 4, dtype="f4")
+        self.depth = ctx.depth_renderbuffer(size)
+        variant = next(v for v in self.manifest["variants"] if v["algorithm"] == algorithm)
+        self.passes = [(item, self._program(item)) for item in variant["passes"]]
+        self.last_values: Mapping[str, Any] | None = None
+
+    def _program(self, item: Mapping[str, Any]) -> tuple[moderngl.Program, moderngl.VertexArray]:
+        program = self.ctx.program(
+            vertex_shader=(self.folder / item["vertex"]).read_text(),
+            fragment_shader=(self.folder / item["fragment"]).read_text(),
+        )
+        content = [(*self.buffers[n], n) for n in item["attributes"] if n in program]
+        return program, self.ctx.vertex_array(program, content, self.index)
+
+    def reset(self) -> None:
+        """The next frame is the first one again."""
+        self.last_values = None
+
+    def draw(self, frame: int, values: Mapping[str, Any], period: int, block: int) -> np.ndarray:
+        """Draw a frame and return its colours, (h, w, 4) float32 with row 0 at the bottom.
+
+        Args: ``values`` maps the user's uniforms to what moderngl takes as their value.
+        """
+        clear = self.manifest["cache"]["clear"]
+        previous, current = self.caches
+        on_reset = self.last_values is None
+        if on_reset:
+            self.ctx.framebuffer([previous]).clear(*clear)
+        self.ctx.framebuffer([current]).clear(*clear)
+        self.ctx.framebuffer([self.color], self.depth).clear(0.0, 0.0, 0.0, 0.0, depth=1.0)
+        self.ctx.enable_only(moderngl.DEPTH_TEST)
+        defaults = {item["role"]: item["default"] for item in self.manifest["uniforms"]}
+        numbers = defaults | {"clock": frame % period, "period": period, "block": block}
+        targets = {"color": self.color, "cache": current}
+        caches = {"previous-cache": previous, "current-cache": current}
+        for item, (program, array) in self.passes:
+            if on_reset and not item["on_reset"]:
+                continue
+            attachments = [targets[name] for name in item["targets"]]
+            framebuffer = self.ctx.framebuffer(attachments, self.depth)
+            framebuffer.depth_mask = item["depth"]["write"]
+            framebuffer.use()
+            self.ctx.depth_func = DEPTH_TESTS[item["depth"]["test"]]
+            self._set_uniforms(program, item["uniforms"], values, numbers, caches)
+            array.render()
+        self.caches.reverse()
+        self.last_values = dict(values)
+        width, height = self.color.size
+        return np.frombuffer(self.color.read(), "f4").reshape(height, width, 4)
+
+    def _set_uniforms(
+        self,
+        program: moderngl.Program,
+        names: list[str],
+        values: Mapping[str, Any],
+        numbers: Mapping[str, Any],
+        caches: Mapping[str, moderngl.Texture],
+    ) -> None:
+        last = values if self.last_values is None else self.last_values
+        textures = {**self.textures, **{n: caches[r] for n, r in self.roles.items() if r in caches}}
+        for unit, name in enumerate(n for n in names if n in program):
+            if name in textures:
+                textures[name].use(unit)
+                program[name].value = unit
+            elif name in self.roles:
+                program[name].value = numbers[self.roles[name]]
+            else:
+                program[name].value = last[self.twins[name]] if name in self.twins else values[name]
