@@ -25,12 +25,12 @@ class BlockChecker:
         """Members of a block without instance name are global names; otherwise they are fields
         of the instance."""
         context = self._context
-        self._variables.layouts.check(block.qualifiers)
+        self._variables.layouts.check(block.qualifiers, default=True)
         storage = self._variables.storage(block.qualifiers)
         self._check_storage(block, storage)
         fields = self._resolver.fields(block.fields, f"block {block.name}")
         for decl in block.fields:
-            self._variables.layouts.check(decl.qualifiers)
+            self._variables.layouts.check(decl.qualifiers, member=True)
         for name, kind in fields.items():
             if kind is not ERROR and kind.holds_opaque:
                 message = f"the member '{name}' of a block cannot be {kind}"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from shadercache.ast.nodes import Call
 from shadercache.lang.builtins import Signature
@@ -40,7 +40,7 @@ class CallChecker:
         key = (node.name, args)
         known = self._resolved.get(key)
         if known is None or known[0] != count:
-            found = self._resolve(node, own.overloads if own else [], args)
+            found = self._resolve(node, own.overloads if own else {}, args)
             if found is None:
                 return ERROR
             outs = tuple(i for i, (_, way) in enumerate(parameters(found)) if way != "in")
@@ -72,7 +72,7 @@ class CallChecker:
                 self._context.error("SC226", message, arg)
 
     def _resolve(
-        self, node: Call, own: Sequence[Overload], args: tuple[Type, ...]
+        self, node: Call, own: Mapping[tuple[Type, ...], Overload], args: tuple[Type, ...]
     ) -> Candidate | None:
         """The function that is called; ``None`` once a diagnostic or an earlier one says why."""
         builtin = self._context.builtin_functions(node.name)
@@ -82,13 +82,13 @@ class CallChecker:
             return None
         if ERROR in args:
             return None
-        exact = exact_match(own, args) or exact_match(builtin, args)
+        exact = own.get(args) or exact_match(builtin, args)
         if exact is not None:
             if own and isinstance(exact, Signature):
                 self._warn_hidden(node, exact)
             return exact
         # Functions of the user hide the built-in ones (except in ES, where they join them).
-        candidates: list[Candidate] = [*own]
+        candidates: list[Candidate] = [*own.values()]
         if not own or self._context.es:
             candidates += builtin
         best = convertible(candidates, args, self._context.conversions)

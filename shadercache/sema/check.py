@@ -79,3 +79,5 @@ class _Checker:
             self._functions.declare(decl)
         elif isinstance(decl, QualifierDecl):
             self._variables.qualify(decl)
+        else:
+            self._variables.check_precision(decl)

@@ -28,6 +28,8 @@ from shadercache.source import Source
 ERROR = Type("<error>")
 """Type of an expression that was already complained about: whoever uses it stays silent."""
 
+_HINTS = 20
+
 # Extensions that give an older version functions and conversions of a later one.
 _EXTENSION_VERSIONS = {
     "GL_ARB_gpu_shader5": 400,
@@ -43,6 +45,7 @@ _INTERFACE_VERSIONS = {
     "GL_ARB_separate_shader_objects": 410,
     "GL_ARB_explicit_uniform_location": 430,
 }
+_QUALIFIER_VERSIONS = {"GL_ARB_shading_language_420pack": 420}
 
 
 @dataclass(slots=True)
@@ -65,6 +68,7 @@ class Context:
     es: bool = False
     function_version: int = 330
     interface_version: int = 330
+    qualifier_version: int = 330
     blocks: dict[str, set[str]] = field(default_factory=dict)
     conversions: Conversions = field(init=False)
     _undeclared: set[str] = field(default_factory=set)
@@ -75,6 +79,7 @@ class Context:
         extensions = enabled_extensions(self.module)
         self.function_version = _lifted(self.version, extensions, _EXTENSION_VERSIONS)
         self.interface_version = _lifted(self.version, extensions, _INTERFACE_VERSIONS)
+        self.qualifier_version = _lifted(self.version, extensions, _QUALIFIER_VERSIONS)
         lifts = "GL_ARB_gpu_shader5" in extensions and not self.es
         self.conversions = Conversions(max(self.version, 400 if lifts else 0), self.es)
 
@@ -96,7 +101,9 @@ class Context:
         if name in self._undeclared:
             return ERROR
         self._undeclared.add(name)
-        return self.error("SC201", f"undeclared {what} '{name}'", node, did_you_mean(name, known()))
+        # Looking for similar names is slow, and nobody reads the hundredth hint.
+        hint = did_you_mean(name, known()) if len(self._undeclared) <= _HINTS else None
+        return self.error("SC201", f"undeclared {what} '{name}'", node, hint)
 
     def no_field(self, message: str, node: Node, fields: Iterable[str]) -> Type:
         """Report an unknown field."""

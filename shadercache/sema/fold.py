@@ -198,11 +198,20 @@ _CALLS: Mapping[str, Callable[..., Any]] = {
     "clamp": lambda x, low, high: min(max(x, low), high),
     "mix": lambda x, y, a: (y if a else x) if isinstance(a, bool) else x * (1.0 - a) + y * a,
     "step": lambda edge, x: 0.0 if x < edge else 1.0,
+    "lessThan": operator.lt,
+    "lessThanEqual": operator.le,
+    "greaterThan": operator.gt,
+    "greaterThanEqual": operator.ge,
+    "equal": operator.eq,
+    "notEqual": operator.ne,
+    "not": operator.not_,
 }
 
 
 def fold_call(name: str, values: list[Value], params: list[Type], kind: Type) -> Value | None:
     """A call of a built-in function that works component by component."""
+    if name in ("any", "all") and isinstance(values[0], tuple):
+        return any(values[0]) if name == "any" else all(values[0])
     apply = _CALLS.get(name)
     if apply is None or kind.cols > 1:
         return None

@@ -6,6 +6,7 @@ from shadercache.ast.nodes import Call, FunctionDef, FunctionProto, Param
 from shadercache.lang.types import VOID, Type
 from shadercache.sema.context import ERROR, Context
 from shadercache.sema.facts import Symbol
+from shadercache.sema.qualifiers import words_problem
 from shadercache.sema.scopes import FunctionSet, Overload
 from shadercache.sema.typespecs import TypeResolver
 
@@ -33,9 +34,9 @@ class FunctionChecker:
             message = f"'{proto.name}' is already declared, and not as a function"
             context.error("SC202", message, proto)
             entry = FunctionSet(proto.name)
-        before = entry.find(overload.params)
+        before = entry.overloads.get(overload.params)
         if before is None:
-            entry.overloads.append(overload)
+            entry.overloads[overload.params] = overload
             self._all.append(overload)
         else:
             self._compare(before, overload)
@@ -67,14 +68,15 @@ class FunctionChecker:
         extra = [word for word in words if word not in _PARAM_WORDS]
         if extra:
             context.error("SC221", f"'{extra[0]}' does not apply to a parameter", param)
+        problem = words_problem(words, context.qualifier_version)
+        if problem is not None:
+            context.error("SC221", problem, param)
         if kind is VOID:
             context.error("SC204", "a parameter cannot be void", param)
         elif kind.is_unsized:
             context.error("SC215", "an array parameter needs a size", param)
         elif kind.holds_opaque and param.writes_back:
             context.error("SC221", f"a parameter of type {kind} cannot be written", param)
-        if "const" in words and param.writes_back:
-            context.error("SC221", "a 'const' parameter cannot be written", param)
         return kind
 
     def _compare(self, before: Overload, now: Overload) -> None:

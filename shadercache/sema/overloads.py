@@ -20,10 +20,10 @@ def parameters(candidate: Candidate) -> tuple[tuple[Type, str], ...]:
     return tuple(zip(candidate.params, candidate.directions, strict=True))
 
 
-def exact_match(candidates: Sequence[Candidate], args: tuple[Type, ...]) -> Candidate | None:
-    """The overload whose parameters have exactly these types."""
+def exact_match(candidates: Sequence[Signature], args: tuple[Type, ...]) -> Signature | None:
+    """The built-in overload whose parameters have exactly these types."""
     for candidate in candidates:
-        if tuple(kind for kind, _ in parameters(candidate)) == args:
+        if tuple([param.type for param in candidate.params]) == args:
             return candidate
     return None
 

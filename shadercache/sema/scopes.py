@@ -27,14 +27,10 @@ class Overload:
 
 @dataclass(slots=True, eq=False)
 class FunctionSet:
-    """All functions of one name; ``resolved`` remembers calls by the types of their arguments."""
+    """All functions of one name, by the types of their parameters."""
 
     name: str
-    overloads: list[Overload] = field(default_factory=list)
-
-    def find(self, params: tuple[Type, ...]) -> Overload | None:
-        """The overload with exactly these parameter types."""
-        return next((item for item in self.overloads if item.params == params), None)
+    overloads: dict[tuple[Type, ...], Overload] = field(default_factory=dict)
 
 
 Entry: TypeAlias = Symbol | Type | FunctionSet

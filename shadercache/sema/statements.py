@@ -132,7 +132,7 @@ class StatementChecker:
         elif isinstance(decl, QualifierDecl):
             self._variables.qualify(decl)
         elif isinstance(decl, PrecisionDecl):
-            return
+            self._variables.check_precision(decl)
 
     def _return(self, node: Return) -> None:
         self._returns = True

@@ -108,5 +108,7 @@ class TypeResolver:
                 if declarator.name in fields:
                     message = f"{owner} has two members '{declarator.name}'"
                     self._context.error("SC202", message, declarator)
+                if declarator.name.startswith("gl_") and not owner.endswith(" gl_PerVertex"):
+                    self._context.check_name(declarator.name, declarator)
                 fields[declarator.name] = self.with_dims(base, declarator.dims, declarator)
         return fields

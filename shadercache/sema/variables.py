@@ -8,15 +8,17 @@ from shadercache.ast.nodes import (
     BlockDecl,
     Declarator,
     Node,
+    PrecisionDecl,
     QualifierDecl,
     Qualifiers,
     VarDecl,
 )
 from shadercache.lang import builtins
-from shadercache.lang.types import BOOL, VOID, Type
+from shadercache.lang.types import BOOL, FLOAT, INT, VOID, Type
 from shadercache.sema.context import ERROR, Context
 from shadercache.sema.facts import Kind, Symbol
 from shadercache.sema.layouts import LayoutChecker
+from shadercache.sema.qualifiers import global_problem, words_problem
 from shadercache.sema.scopes import FunctionSet
 from shadercache.sema.typespecs import TypeResolver
 
@@ -39,7 +41,8 @@ class VariableChecker:
     def declare(self, decl: VarDecl) -> None:
         """A declaration of variables, global or local."""
         base = self._resolver.resolve(decl.type)
-        layout = self.layouts.check(decl.qualifiers) if decl.qualifiers.layout else {}
+        names = [declarator.name for declarator in decl.declarators]
+        layout = self.layouts.check(decl.qualifiers, names) if decl.qualifiers.layout else {}
         kind = self.storage(decl.qualifiers)
         if base is VOID:
             base = self._context.error("SC204", "a variable cannot be void", decl.type)
@@ -50,27 +53,32 @@ class VariableChecker:
 
     def storage(self, qualifiers: Qualifiers) -> Kind:
         """How a variable with these qualifiers is stored; complains where that is impossible."""
-        context = self._context
-        local = context.scopes.depth > 0
-        if not qualifiers.words:
+        words, local = qualifiers.words, self._context.scopes.depth > 0
+        if not words:
             return "local" if local else "global"
-        misplaced = [word for word in qualifiers.words if word not in _LOCAL_WORDS]
+        storage = self._stored(words)
+        problem = words_problem(words, self._context.qualifier_version)
+        misplaced = [word for word in words if word not in _LOCAL_WORDS]
         if local and misplaced:
-            message = f"'{misplaced[0]}' stands only on global variables and parameters"
-            context.error("SC221", message, qualifiers)
-        if qualifiers.has("attribute"):
+            problem = f"'{misplaced[0]}' stands only on global variables and parameters"
+        elif not local and problem is None:
+            problem = global_problem(words, self._context.stage, storage)
+        if problem is not None:
+            self._context.error("SC221", problem, qualifiers)
+        return storage
+
+    def _stored(self, words: tuple[str, ...]) -> Kind:
+        context = self._context
+        for word in words:
+            if word in _STORAGE:
+                return _STORAGE[word]
+        if "attribute" in words:
             if context.stage == "fragment":
-                context.error("SC221", "a fragment shader has no attributes", qualifiers)
+                context.error("SC221", "a fragment shader has no attributes", context.module)
             return "in"
-        if qualifiers.has("varying"):
+        if "varying" in words:
             return "in" if context.stage == "fragment" else "out"
-        words = [word for word in qualifiers.words if word in _STORAGE]
-        if len(words) > 1:
-            message = f"'{' '.join(words)}' contradict each other"
-            context.error("SC221", message, qualifiers)
-        if words:
-            return _STORAGE[words[0]]
-        return "local" if local else "global"
+        return "local" if context.scopes.depth > 0 else "global"
 
     def _declare_one(self, decl: VarDecl, declarator: Declarator, base: Type, kind: Kind) -> Symbol:
         declared = self._resolver.with_dims(base, declarator.dims, declarator)
@@ -198,7 +206,7 @@ class VariableChecker:
         """``invariant gl_Position;``: the names must be variables, for ``invariant`` outputs (or
         inputs of a fragment shader, section 4.6.1)."""
         context = self._context
-        self.layouts.check(decl.qualifiers)
+        self.layouts.check(decl.qualifiers, default=True)
         invariant = decl.qualifiers.has("invariant")
         if invariant and context.scopes.depth:
             context.error("SC221", "'invariant' stands only at global scope", decl)
@@ -212,6 +220,13 @@ class VariableChecker:
             elif invariant and known.storage not in self._invariable():
                 message = f"'{name}' is no output: it cannot be invariant"
                 context.error("SC221", message, decl)
+
+    def check_precision(self, decl: PrecisionDecl) -> None:
+        """``precision`` is set for float, int and samplers (section 4.5.3)."""
+        kind = self._resolver.resolve(decl.type)
+        if kind not in (FLOAT, INT, ERROR) and not kind.is_opaque:
+            message = f"there is no default precision of {kind}"
+            self._context.error("SC221", message, decl.type)
 
     def _invariable(self) -> tuple[str, ...]:
         return ("out", "in") if self._context.stage == "fragment" else ("out",)
