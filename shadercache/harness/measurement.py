@@ -16,16 +16,16 @@ from shadercache.harness.stats import Ratio, Timing
 
 @dataclass(frozen=True, eq=False)
 class Entry:
-    """A node to measure: its name in tables, its programs, and which variants (empty: all)."""
+    """A node to measure: its name in tables, its programs, and which variants (None: all)."""
 
     label: str
     bundle: Bundle
-    algorithms: tuple[str, ...] = ()
+    algorithms: tuple[str, ...] | None = None
 
     @property
     def chosen(self) -> tuple[str, ...]:
         """The variants to measure."""
-        return self.algorithms or self.bundle.algorithms
+        return self.bundle.algorithms if self.algorithms is None else self.algorithms
 
 
 @dataclass(frozen=True, slots=True)

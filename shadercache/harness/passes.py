@@ -87,7 +87,7 @@ class BoundPass:
 
     def release(self) -> None:
         """Give the program back."""
-        self._stage.drop(self._program)
+        self._stage.programs.release(self._program)
 
     def _load(self, inputs: FrameInputs, caches: CachePair | None) -> None:
         for uniform, name in self._now:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from collections import OrderedDict
+from dataclasses import dataclass
 from typing import Any
 
 import moderngl
@@ -18,6 +19,9 @@ from shadercache.source import Source, Span
 _SAMPLERS = {0x8B5E: "2D texture", 0x8B60: "cube map"}
 _SAMPLER_RANGES = (range(0x8B5D, 0x8B64), range(0x8DC0, 0x8DD9), range(0x9108, 0x910E))
 _FORMATS = {code: np.dtype(code) for code in "fiId"}
+
+MOST_IDLE = 16
+"""Unused programs that are kept: a node in proof and plain mode has twelve."""
 
 # "0:12(5): error: ..." (Mesa), "0(12) : error ..." (NVIDIA), "ERROR: 0:12: ..." (others).
 _LOG_LINE = re.compile(r"^(?:ERROR: )?0[:(](\d+)(?:\((\d+)\))?[):]*\s*(.*)$", re.MULTILINE)
@@ -56,28 +60,45 @@ class Uniform:
 
 @dataclass(eq=False)
 class Program:
-    """A linked program with its active uniforms and vertex attributes (name -> components)."""
+    """A linked program with its active uniforms and vertex attributes (name -> components).
+
+    ``array`` is the stage's mesh as its input, made when it is first drawn.
+    """
 
     name: str
     gl: moderngl.Program
     uniforms: dict[str, Uniform]
     attributes: dict[str, int]
-    users: int = field(default=0)
+    array: moderngl.VertexArray | None = None
+    users: int = 0
+
+    def release(self) -> None:
+        """Free the GL objects."""
+        if self.array is not None:
+            self.array.release()
+        self.gl.release()
 
 
 class Programs:
-    """Linked programs of one context, shared by text and counted by user.
+    """Linked programs of one stage, shared by text and counted by user.
 
-    Hundreds of nodes share the original's program; a node's own programs go when its last runner
-    goes.
+    Programs that nobody uses are kept for a while, the last used longest: a node is verified in
+    several runs, and compiling its programs anew for each would take most of the time.
     """
 
     def __init__(self, gpu: Gpu) -> None:
         self._gpu = gpu
-        self._by_text: dict[tuple[str, str], Program] = {}
+        self._by_text: OrderedDict[tuple[str, str], Program] = OrderedDict()
 
-    def __len__(self) -> int:
-        return len(self._by_text)
+    @property
+    def used(self) -> int:
+        """How many programs somebody uses."""
+        return sum(program.users > 0 for program in self._by_text.values())
+
+    @property
+    def idle(self) -> int:
+        """How many are kept although nobody uses them (at most ``MOST_IDLE``)."""
+        return len(self._by_text) - self.used
 
     def acquire(self, vertex: Source, fragment: Source) -> Program:
         """The program of two shaders; call ``release`` with it once for every ``acquire``.
@@ -90,21 +111,20 @@ class Programs:
         if program is None:
             program = self._by_text[key] = _link(self._gpu.ctx, vertex, fragment)
         program.users += 1
+        self._by_text.move_to_end(key)
         return program
 
-    def release(self, program: Program) -> bool:
-        """Give one use back; True if it was the last and the program is gone."""
+    def release(self, program: Program) -> None:
+        """Give one use back."""
         program.users -= 1
-        if program.users > 0:
-            return False
-        self._by_text = {key: kept for key, kept in self._by_text.items() if kept is not program}
-        program.gl.release()
-        return True
+        idle = [key for key, kept in self._by_text.items() if kept.users == 0]
+        for key in idle[: max(0, len(idle) - MOST_IDLE)]:
+            self._by_text.pop(key).release()
 
     def release_all(self) -> None:
         """Free every program, whoever still uses it."""
         for program in self._by_text.values():
-            program.gl.release()
+            program.release()
         self._by_text.clear()
 
 

@@ -49,7 +49,6 @@ class Stage:
         self.targets = Targets(gpu.ctx, size, color)
         self._buffers: dict[str, moderngl.Buffer] = {}
         self._index = gpu.ctx.buffer(self.mesh.index.tobytes())
-        self._arrays: dict[Program, moderngl.VertexArray] = {}
         self._textures: dict[str, GlTexture] = {}
         self._values: OrderedDict[int, Values] = OrderedDict()
         # moderngl cannot free a query, so there is one for all runners.
@@ -86,17 +85,10 @@ class Stage:
         Raises:
             InputError: SC521, an attribute that the scene does not map to an array.
         """
-        found = self._arrays.get(program)
-        if found is None:
+        if program.array is None:
             content = [self._attribute(program, name) for name in program.attributes]
-            found = self.gpu.ctx.vertex_array(program.gl, content, self._index)
-            self._arrays[program] = found
-        return found
-
-    def drop(self, program: Program) -> None:
-        """Give back one use of a program that was acquired from ``programs``."""
-        if self.programs.release(program) and program in self._arrays:
-            self._arrays.pop(program).release()
+            program.array = self.gpu.ctx.vertex_array(program.gl, content, self._index)
+        return program.array
 
     def begin(self) -> None:
         """Set the state a frame starts from, and clear colour and depth."""
@@ -107,8 +99,6 @@ class Stage:
     def release(self) -> None:
         """Free every GL object of the stage; its runners can draw no more."""
         self.programs.release_all()
-        for array in self._arrays.values():
-            array.release()
         for buffer in (*self._buffers.values(), self._index):
             buffer.release()
         for texture in self._textures.values():

@@ -40,7 +40,7 @@ def spec(fragment: str, vertex: str = VERTEX) -> PassSpec:
 def codes(stage: Stage, fragment: str, vertex: str = VERTEX) -> tuple[list[str], str]:
     with pytest.raises(InputError) as caught:
         PassRunner(stage, spec(fragment, vertex))
-    assert len(stage.programs) == 0, "a program that cannot be used is given back"
+    assert stage.programs.used == 0, "a program that cannot be used is given back"
     return [item.code for item in caught.value.diagnostics], str(caught.value)
 
 

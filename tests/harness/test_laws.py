@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from shadercache.harness.bundle import Bundle
+from shadercache.harness.programs import MOST_IDLE
 from shadercache.harness.runner import (
     CoverageRunner,
+    PassRunner,
     RunOptions,
     VariantRunner,
     render_original,
     render_variant,
 )
 from shadercache.harness.stage import Stage
+from shadercache.source import Source
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -163,14 +168,24 @@ def test_no_depth_ties_on_a_torus(stage: Stage, bundle: Bundle) -> None:
         assert not runner.ties(0).any()
 
 
-def test_programs_and_caches_are_given_back(stage: Stage, bundle: Bundle) -> None:
-    assert len(stage.programs) == 0
+def test_programs_are_shared_and_given_back(stage: Stage, bundle: Bundle) -> None:
+    assert stage.programs.used == 0
     with (
         VariantRunner(stage, bundle, "2-pass") as first,
         VariantRunner(stage, bundle, "2-pass") as second,
     ):
-        assert len(stage.programs) == 2, "equal programs are shared"
+        assert stage.programs.used == 2, "equal programs are shared"
         first.draw(0)
         second.draw(0)
     second.release()
-    assert len(stage.programs) == 0
+    assert stage.programs.used == 0
+
+
+def test_unused_programs_are_kept_up_to_a_limit(stage: Stage, bundle: Bundle) -> None:
+    original = bundle.original
+    for number in range(MOST_IDLE + 5):
+        fragment = Source("f", f"{original.fragment.text}\n// {number}\n")
+        with PassRunner(stage, replace(original, fragment=fragment)) as runner:
+            runner.draw(0)
+    assert stage.programs.idle == MOST_IDLE
+    assert stage.programs.used == 0
