@@ -56,7 +56,6 @@ class BoundPass:
         self.name = spec.name
         self._stage = stage
         self._spec = spec
-        self._fixed: list[tuple[Uniform, str]] = []
         self._now: list[tuple[Uniform, str]] = []
         self._before: list[tuple[Uniform, str]] = []
         self._numbers: list[tuple[Uniform, str]] = []

@@ -5,6 +5,7 @@ Arrays that are read back have row 0 at the bottom, as in OpenGL.
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from dataclasses import dataclass
 from types import TracebackType
@@ -39,7 +40,7 @@ class RunOptions:
     moving: bool = True
 
 
-class _Runner:
+class _Runner(ABC):
     """What all runners share: a stage, and the right to its colour target after a draw."""
 
     def __init__(self, stage: Stage) -> None:
@@ -51,9 +52,9 @@ class _Runner:
         self._bound.append(bound)
         return bound
 
+    @abstractmethod
     def draw(self, frame: int) -> None:
         """Draw one frame (counted from 0) into the stage's colour target."""
-        raise NotImplementedError
 
     def image(self, frame: int) -> NDArray[np.float32]:
         """Draw one frame and read it: (h, w, 4), display-encoded."""

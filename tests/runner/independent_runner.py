@@ -32,9 +32,11 @@ class IndependentRunner:
         index: np.ndarray,
         textures: Mapping[str, moderngl.Texture | moderngl.TextureCube],
         cache_format: str | None = None,
+        cull: bool = False,
     ) -> None:
         """Args: ``attributes`` maps vertex attributes to (n, c) float32, ``index`` is (m, 3)."""
         self.ctx = ctx
+        self.flags = moderngl.DEPTH_TEST | (moderngl.CULL_FACE if cull else 0)
         self.folder = folder
         self.manifest = json.loads((folder / "manifest.json").read_text())
         self.textures = textures
@@ -53,6 +55,7 @@ class IndependentRunner:
             texture.repeat_x = texture.repeat_y = False
         self.color = ctx.texture(size, 4, dtype="f4")
         self.depth = ctx.depth_renderbuffer(size)
+        self.framebuffers: dict[tuple[int, ...], moderngl.Framebuffer] = {}
         variant = next(v for v in self.manifest["variants"] if v["algorithm"] == algorithm)
         self.passes = [(item, self._program(item)) for item in variant["passes"]]
         self.last_values: Mapping[str, Any] | None = None
@@ -64,6 +67,13 @@ class IndependentRunner:
         )
         content = [(*self.buffers[n], n) for n in item["attributes"] if n in program]
         return program, self.ctx.vertex_array(program, content, self.index)
+
+    def _framebuffer(self, *textures: moderngl.Texture, depth: bool = True) -> moderngl.Framebuffer:
+        key = (depth, *(texture.glo for texture in textures))
+        if key not in self.framebuffers:
+            made = self.ctx.framebuffer(textures, self.depth if depth else None)
+            self.framebuffers[key] = made
+        return self.framebuffers[key]
 
     def reset(self) -> None:
         """The next frame is the first one again."""
@@ -78,10 +88,10 @@ class IndependentRunner:
         previous, current = self.caches
         on_reset = self.last_values is None
         if on_reset:
-            self.ctx.framebuffer([previous]).clear(*clear)
-        self.ctx.framebuffer([current]).clear(*clear)
-        self.ctx.framebuffer([self.color], self.depth).clear(0.0, 0.0, 0.0, 0.0, depth=1.0)
-        self.ctx.enable_only(moderngl.DEPTH_TEST)
+            self._framebuffer(previous, depth=False).clear(*clear)
+        self._framebuffer(current, depth=False).clear(*clear)
+        self._framebuffer(self.color).clear(0.0, 0.0, 0.0, 0.0, depth=1.0)
+        self.ctx.enable_only(self.flags)
         defaults = {item["role"]: item["default"] for item in self.manifest["uniforms"]}
         numbers = defaults | {"clock": frame % period, "period": period, "block": block}
         targets = {"color": self.color, "cache": current}
@@ -89,8 +99,7 @@ class IndependentRunner:
         for item, (program, array) in self.passes:
             if on_reset and not item["on_reset"]:
                 continue
-            attachments = [targets[name] for name in item["targets"]]
-            framebuffer = self.ctx.framebuffer(attachments, self.depth)
+            framebuffer = self._framebuffer(*(targets[name] for name in item["targets"]))
             framebuffer.depth_mask = item["depth"]["write"]
             framebuffer.use()
             self.ctx.depth_func = DEPTH_TESTS[item["depth"]["test"]]
