@@ -168,7 +168,10 @@ class _Pruner:
         before = live_then | live_other | self.table.of(stmt.condition).reads
         if then is stmt.then and other is stmt.other:
             return stmt, before
-        return replace(stmt, then=then or n.Block(stmt.then.span, ()), other=other), before
+        if then is None and other is not None:
+            condition = n.Unary(stmt.condition.span, "!", stmt.condition)
+            return replace(stmt, condition=condition, then=other, other=None), before
+        return replace(stmt, then=then, other=other), before
 
     def loop(self, stmt: n.For | n.While | n.DoWhile, live: Live) -> tuple[n.Stmt | None, Live]:
         """A loop goes as a whole where nothing live comes out of it; else its body is pruned.
@@ -192,7 +195,7 @@ class _Pruner:
         for part in header:
             self.mentioned |= names_in(part)
         body, _ = self.nested(stmt.body, around, _Jumps(live, around))
-        if body is stmt.body:
+        if body is stmt.body or (body is None and _is_empty(stmt.body)):
             return stmt, around
         return replace(stmt, body=body or n.Block(stmt.body.span, ())), around
 
@@ -206,6 +209,12 @@ class _Pruner:
     def _matters(self, expr: n.Expr, live: Live) -> bool:
         effects = self.table.of(expr)
         return bool(effects.writes & live) or bool(effects.does & Does.DISCARD)
+
+
+def _is_empty(stmt: n.Stmt) -> bool:
+    return (isinstance(stmt, n.Block) and not stmt.body) or (
+        isinstance(stmt, n.ExprStmt) and stmt.expr is None
+    )
 
 
 def _killed(expr: n.Expr) -> Live:

@@ -1,0 +1,109 @@
+#version 330
+// shadercache: 1-pass, node stone.27-f6bd6cd8
+
+vec4 sc_fetch_0;
+in vec4 sc_current;
+in vec4 sc_previous;
+uniform sampler2D sc_cache;
+uniform int sc_clock;
+uniform int sc_period;
+uniform int sc_block;
+uniform float sc_epsilon;
+vec3 sc_payload;
+layout(location = 1) out vec4 sc_store;
+uniform sampler2D u_map;
+uniform vec3 u_tint;
+in vec3 v_position;
+in vec3 v_normal;
+in vec2 v_uv;
+layout(location = 0) out vec4 o_color;
+
+float noise(vec3 p) {
+    return sin(p.x * 12.9) * sin(p.y * 78.2) * sin(p.z * 37.7);
+}
+
+void sc_stone(vec3 p) {
+    sc_fetch_0 = texture(u_map, p.xy);
+}
+
+void sc_stone_1() {
+    vec4 grain = sc_fetch_0;
+    sc_payload = grain.rgb;
+}
+
+vec3 sc_stone_2(vec3 p) {
+    float octaves = noise(p) + 0.5 * noise(p * 2.0) + 0.25 * noise(p * 4.0);
+    return mix(vec3(0.2), vec3(0.9), octaves) * sc_payload;
+}
+
+void sc_fetch_0_ahead() {
+    sc_stone(v_position);
+}
+
+void sc_compute() {
+    sc_stone_1();
+}
+
+void sc_shade() {
+    vec3 normal = normalize(v_normal);
+    vec3 albedo = sc_stone_2(v_position);
+    float light = max(dot(normal, u_tint), 0.0);
+    o_color = vec4(albedo * light + texture(u_map, v_uv).rgb, 1.0);
+}
+
+void sc_fetch_ahead() {
+    sc_fetch_0_ahead();
+}
+
+uint sc_hash(uvec2 block) {
+    uint x = block.x * 1973u + block.y * 9277u + 26699u;
+    x ^= x << 13;
+    x ^= x >> 17;
+    x ^= x << 5;
+    x *= 0x9E3779B9u;
+    return x ^ x >> 15;
+}
+
+bool sc_due() {
+    uvec2 block = uvec2(gl_FragCoord.xy / float(sc_block));
+    int h = int((sc_hash(block) >> 16) * uint(sc_period) >> 16);
+    int phase = h + sc_clock;
+    return phase == 0 || phase == sc_period;
+}
+
+int sc_look_up(out vec4 texel) {
+    vec2 size = vec2(textureSize(sc_cache, 0));
+    vec2 motion = sc_previous.xy / sc_previous.w - sc_current.xy / sc_current.w;
+    vec2 place = gl_FragCoord.xy + 0.5 * size * motion;
+    if (motion == vec2(0.0)) {
+        texel = texelFetch(sc_cache, ivec2(gl_FragCoord.xy), 0);
+    } else {
+        texel = textureLod(sc_cache, place / size, 0.0);
+    }
+    if (sc_due()) {
+        return 2;
+    }
+    if (!(sc_previous.w > 0.0 && all(greaterThanEqual(place, vec2(0.5))) && all(lessThanEqual(place, size - 0.5)))) {
+        return 3;
+    }
+    if (!(abs(texel.w * sc_previous.w - 1.0) <= sc_epsilon)) {
+        return 4;
+    }
+    return 1;
+}
+
+vec4 sc_texel() {
+    return vec4(sc_payload, 1.0 / sc_current.w);
+}
+
+void main() {
+    sc_fetch_ahead();
+    vec4 texel;
+    if (sc_look_up(texel) == 1) {
+        sc_payload = texel.xyz;
+    } else {
+        sc_compute();
+    }
+    sc_shade();
+    sc_store = sc_texel();
+}

@@ -1,0 +1,24 @@
+#version 330
+// shadercache: 3-pass.reuse, node stone.27-f6bd6cd8
+
+invariant gl_Position;
+out vec4 sc_current;
+out vec4 sc_previous;
+in vec3 a_position;
+uniform mat4 u_modelViewProjection;
+
+void sc_vertex() {
+    gl_Position = u_modelViewProjection * vec4(a_position, 1.0);
+}
+
+uniform mat4 sc_previous_u_modelViewProjection;
+
+void sc_vertex_previous() {
+    sc_previous = sc_previous_u_modelViewProjection * vec4(a_position, 1.0);
+}
+
+void main() {
+    sc_vertex();
+    sc_current = gl_Position;
+    sc_vertex_previous();
+}

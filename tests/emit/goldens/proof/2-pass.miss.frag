@@ -1,0 +1,44 @@
+#version 400
+// shadercache: 2-pass.miss, node stone.1-ae098caa
+
+in vec4 sc_current;
+precise float sc_payload;
+layout(location = 1) precise out vec4 sc_store;
+uniform sampler2D u_map;
+uniform vec3 u_tint;
+in vec3 v_position;
+in vec3 v_normal;
+in vec2 v_uv;
+layout(location = 0) precise out vec4 o_color;
+
+float noise(vec3 p) {
+    precise float sc_exact_1 = sin(p.x * 12.9) * sin(p.y * 78.2) * sin(p.z * 37.7);
+    return sc_exact_1;
+}
+
+vec3 sc_stone(vec3 p) {
+    precise vec3 sc_exact_1 = p * 2.0;
+    sc_payload = noise(p) + 0.5 * noise(sc_exact_1);
+    precise vec3 sc_exact_2 = p * 4.0;
+    precise float octaves = sc_payload + 0.25 * noise(sc_exact_2);
+    precise vec4 grain = texture(u_map, p.xy);
+    precise vec3 sc_exact_3 = mix(vec3(0.2), vec3(0.9), octaves) * grain.rgb;
+    return sc_exact_3;
+}
+
+void sc_shade() {
+    precise vec3 normal = normalize(v_normal);
+    precise vec3 albedo = sc_stone(v_position);
+    precise float light = max(dot(normal, u_tint), 0.0);
+    o_color = vec4(albedo * light + texture(u_map, v_uv).rgb, 1.0);
+}
+
+vec4 sc_texel() {
+    precise vec4 sc_exact_1 = vec4(sc_payload, 0.0, 0.0, 1.0 / sc_current.w);
+    return sc_exact_1;
+}
+
+void main() {
+    sc_shade();
+    sc_store = sc_texel();
+}

@@ -1,0 +1,53 @@
+#version 330
+// shadercache: hit-mask, node stone.1-ae098caa
+
+in vec4 sc_current;
+in vec4 sc_previous;
+uniform sampler2D sc_cache;
+uniform int sc_clock;
+uniform int sc_period;
+uniform int sc_block;
+uniform float sc_epsilon;
+layout(location = 0) out float sc_outcome;
+
+uint sc_hash(uvec2 block) {
+    uint x = block.x * 1973u + block.y * 9277u + 26699u;
+    x ^= x << 13;
+    x ^= x >> 17;
+    x ^= x << 5;
+    x *= 0x9E3779B9u;
+    return x ^ x >> 15;
+}
+
+bool sc_due() {
+    uvec2 block = uvec2(gl_FragCoord.xy / float(sc_block));
+    int h = int((sc_hash(block) >> 16) * uint(sc_period) >> 16);
+    int phase = h + sc_clock;
+    return phase == 0 || phase == sc_period;
+}
+
+int sc_look_up(out vec4 texel) {
+    vec2 size = vec2(textureSize(sc_cache, 0));
+    vec2 motion = sc_previous.xy / sc_previous.w - sc_current.xy / sc_current.w;
+    vec2 place = gl_FragCoord.xy + 0.5 * size * motion;
+    if (motion == vec2(0.0)) {
+        texel = texelFetch(sc_cache, ivec2(gl_FragCoord.xy), 0);
+    } else {
+        texel = textureLod(sc_cache, place / size, 0.0);
+    }
+    if (sc_due()) {
+        return 2;
+    }
+    if (!(sc_previous.w > 0.0 && all(greaterThanEqual(place, vec2(0.5))) && all(lessThanEqual(place, size - 0.5)))) {
+        return 3;
+    }
+    if (!(abs(texel.w * sc_previous.w - 1.0) <= sc_epsilon)) {
+        return 4;
+    }
+    return 1;
+}
+
+void main() {
+    vec4 texel;
+    sc_outcome = float(sc_look_up(texel));
+}

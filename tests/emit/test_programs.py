@@ -1,0 +1,273 @@
+"""The emitted programs: golden texts, and that each pass holds only what it needs."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+from conftest import Golden
+from shaders import analysed, find
+
+from shadercache.analysis.effects import Does, EffectTable
+from shadercache.ast import nodes as n
+from shadercache.ast.walk import walk
+from shadercache.compiler import Analysis, Emission, analyse, rewrite
+from shadercache.diagnostics import InputError
+from shadercache.front.parse import parse
+from shadercache.options import Mode, Options
+from shadercache.paths import data_path
+from shadercache.sema.check import check
+from shadercache.source import Source
+from shadercache.transform.reachable import declared_names, names_in
+
+NOISE = """
+float noise(vec3 p) { return sin(p.x * 12.9) * sin(p.y * 78.2) * sin(p.z * 37.7); }
+vec3 stone(vec3 p) {
+    float octaves = noise(p) + 0.5 * noise(p * 2.0) + 0.25 * noise(p * 4.0);
+    vec4 grain = texture(u_map, p.xy);
+    return mix(vec3(0.2), vec3(0.9), octaves) * grain.rgb;
+}
+"""
+BODY = """
+    vec3 normal = normalize(v_normal);
+    vec3 albedo = stone(v_position);
+    float light = max(dot(normal, u_tint), 0.0);
+    o_color = vec4(albedo * light + texture(u_map, v_uv).rgb, 1.0);
+"""
+NODES = {
+    "two-octaves": "noise(p) + 0.5 * noise(p * 2.0)",
+    "inside-noise": "sin(p.x * 12.9) * sin(p.y * 78.2)",
+    "grain": "grain.rgb",
+    "albedo": "albedo",
+    "light": "albedo * light",
+}
+
+
+@pytest.fixture(scope="module")
+def analysis() -> Analysis:
+    return analysed(BODY, NOISE)
+
+
+@pytest.mark.parametrize("name", ["two-octaves", "grain"])
+def test_golden_programs(name: str, analysis: Analysis, golden: Golden) -> None:
+    emission = rewrite(analysis, find(analysis, NODES[name]))
+    for file, text in emission.files.items():
+        golden(f"tests/emit/goldens/{name}/{file}", text)
+
+
+def test_golden_proof_mode(analysis: Analysis, golden: Golden) -> None:
+    emission = rewrite(analysis, find(analysis, NODES["two-octaves"]), Options(mode="proof"))
+    for file in ("2-pass.miss.frag", "3-pass.payload.frag", "2-pass.hit.vert"):
+        golden(f"tests/emit/goldens/proof/{file}", emission.files[file])
+
+
+def emissions(analysis: Analysis) -> dict[tuple[str, Mode], Emission]:
+    modes: tuple[Mode, ...] = ("plain", "proof")
+    return {
+        (name, mode): rewrite(
+            analysis, find(analysis, text), Options(mode=mode), unprofitable=True
+        )
+        for name, text in NODES.items()
+        for mode in modes
+    }
+
+
+def test_every_program_is_valid_and_holds_nothing_unused(analysis: Analysis) -> None:
+    for emission in emissions(analysis).values():
+        check_programs(emission)
+
+
+def check_programs(emission: Emission) -> None:
+    """Parse and type every program of an emission; nothing declared in it goes unused."""
+    passes = [p for v in emission.manifest["variants"] for p in v["passes"]]
+    passes += [emission.manifest["original"], emission.manifest["debug"]]
+    for item in passes:
+        fragment = module_of(emission, item["fragment"])
+        vertex = module_of(emission, item["vertex"])
+        check(fragment, Source(item["fragment"], ""), "fragment")
+        check(vertex, Source(item["vertex"], ""), "vertex")
+        assert_nothing_unused(fragment)
+        assert_nothing_unused(vertex)
+        assert varyings(vertex, "out") == varyings(fragment, "in"), item["name"]
+        assert uniforms(vertex) | uniforms(fragment) == set(item["uniforms"])
+        assert varyings(vertex, "in") == set(item["attributes"])
+
+
+def module_of(emission: Emission, name: str) -> n.Module:
+    return parse(Source(name, emission.files[name]))
+
+
+def varyings(module: n.Module, word: str) -> set[str]:
+    return {
+        name
+        for decl in module.decls
+        if isinstance(decl, n.VarDecl) and decl.qualifiers.has(word)
+        for name in declared_names(decl)
+    }
+
+
+def uniforms(module: n.Module) -> set[str]:
+    return varyings(module, "uniform")
+
+
+def assert_nothing_unused(module: n.Module) -> None:
+    """Every declared name is named by another declaration (outputs must be assigned)."""
+    for decl in module.decls:
+        others = set().union(*(names_in(other) for other in module.decls if other is not decl))
+        for name in declared_names(decl):
+            assert name in others or name == "main", f"{name} is not used"
+    assigned = {
+        item.target.name if isinstance(item.target, n.Name) else ""
+        for item in walk(module)
+        if isinstance(item, n.Assign)
+    }
+    assert varyings(module, "out") <= assigned
+
+
+def test_the_payload_pass_has_no_lighting_and_the_shading_pass_no_payload(
+    analysis: Analysis,
+) -> None:
+    files = rewrite(analysis, find(analysis, NODES["two-octaves"])).files
+    for word in ("u_tint", "v_normal", "light", "o_color", "u_map"):
+        assert word not in files["3-pass.payload.frag"]
+    assert files["3-pass.shade.frag"].count("noise(p * 4.0)") == 1
+    assert "noise(p * 2.0)" not in files["3-pass.shade.frag"]
+    assert "sc_store" not in files["3-pass.shade.frag"]
+    assert "u_tint" not in files["3-pass.reuse.frag"] + files["hit-mask.frag"]
+
+
+def test_other_calls_of_a_function_are_not_disturbed(analysis: Analysis) -> None:
+    node = find(analysis, NODES["inside-noise"], "noise@2")
+    text = rewrite(analysis, node, unprofitable=True).files["3-pass.shade.frag"]
+    assert "noise(p) + 0.5 * sc_noise(p * 2.0) + 0.25 * noise(p * 4.0)" in text
+
+
+def test_no_derivative_behind_a_discard_or_in_the_branch(analysis: Analysis) -> None:
+    """Law 8: implicit fetches stand before the discard, and outside of ``if`` and ``else``."""
+    for emission in emissions(analysis).values():
+        for name in (item for item in emission.files if item.endswith(".frag")):
+            module = module_of(emission, name)
+            table = EffectTable(module)
+            body = table.functions["main"].body.body
+            discarded = False
+            for stmt in body:
+                does = table.of(stmt).does
+                implicit = bool(does & (Does.IMPLICIT_LOD | Does.DERIVATIVE))
+                assert not (implicit and discarded), name
+                assert not (implicit and isinstance(stmt, n.If)), name
+                discarded = discarded or bool(does & Does.DISCARD)
+
+
+def test_one_pass_fetches_ahead_of_its_branch(analysis: Analysis) -> None:
+    text = rewrite(analysis, find(analysis, NODES["albedo"])).files["1-pass.frag"]
+    main = text[text.index("void main()") :]
+    assert main.index("sc_fetch_ahead();") < main.index("sc_look_up")
+
+
+def test_a_fetch_that_cannot_be_moved_is_refused_for_one_pass_only() -> None:
+    analysis = analysed(
+        "vec3 a = v_position; if (v_uv.x > 0.0) a *= texture(u_map, v_uv).rgb;"
+        "o_color = vec4(sin(a) * cos(a), 1.0);"
+    )
+    node = find(analysis, "sin(a) * cos(a)")
+    manifest = rewrite(analysis, node).manifest
+    assert [item["algorithm"] for item in manifest["variants"]] == ["2-pass", "3-pass"]
+    assert manifest["refused"][0]["algorithm"] == "1-pass"
+    with pytest.raises(InputError) as error:
+        rewrite(analysis, node, algorithms=(1,))
+    assert error.value.diagnostics[0].code == "SC319"
+
+
+def test_user_names_that_look_like_ours_do_not_collide() -> None:
+    analysis = analysed(
+        "float sc_payload = noise(v_position); o_color = vec4(sc_look_up(sc_payload));",
+        "float sc_look_up(float x) { return x; }\n" + NOISE,
+    )
+    emission = rewrite(analysis, find(analysis, "noise(v_position)"))
+    check_programs(emission)
+    assert "sc1_look_up" in emission.files["2-pass.hit.frag"]
+
+
+def test_manifest_twins_name_the_uniforms_of_the_position(analysis: Analysis) -> None:
+    manifest = rewrite(analysis, find(analysis, NODES["albedo"])).manifest
+    assert manifest["previous"] == {"u_modelViewProjection": "sc_previous_u_modelViewProjection"}
+    assert "a_position" in manifest["relies_on"][-1]
+
+
+VERTEX_CASES = {
+    "functions, a changing global and a block": (
+        """layout(std140) uniform Camera { mat4 view; mat4 projection; };
+        uniform float u_sway;
+        uniform mat4 u_unrelated;
+        const float HALF = 0.5;
+        float amount;
+        in vec3 a_position; in vec3 a_normal;
+        out vec3 v_position; out vec3 v_normal; out vec2 v_uv;
+        vec3 sway(vec3 p) { amount = u_sway * HALF; p.x += amount; return p; }
+        void main() {
+            vec3 p = sway(a_position);
+            v_position = p; v_normal = mat3(u_unrelated) * a_normal; v_uv = p.xy;
+            gl_Position = projection * view * vec4(p, 1.0);
+            gl_Position.z -= 0.001;
+            gl_PointSize = 2.0;
+        }""",
+        {
+            "view": "sc_previous_view",
+            "projection": "sc_previous_projection",
+            "u_sway": "sc_previous_u_sway",
+        },
+    ),
+    "an early return": (
+        """uniform mat4 u_m; uniform bool u_flat; in vec3 a_position;
+        out vec3 v_position; out vec3 v_normal; out vec2 v_uv;
+        void main() {
+            v_position = a_position; v_normal = a_position; v_uv = a_position.xy;
+            gl_Position = u_m * vec4(a_position, 1.0);
+            if (u_flat) return;
+            gl_Position.x *= 2.0;
+        }""",
+        {"u_m": "sc_previous_u_m", "u_flat": "sc_previous_u_flat"},
+    ),
+}
+
+
+@pytest.mark.parametrize("name", VERTEX_CASES)
+def test_vertex_twins(name: str, analysis: Analysis) -> None:
+    text, twins = VERTEX_CASES[name]
+    again = analyse(analysis.fragment, Source("test.vert", "#version 330\n" + text))
+    emission = rewrite(again, find(again, NODES["albedo"]))
+    assert twins.items() <= emission.manifest["previous"].items()
+    assert "u_unrelated" not in emission.manifest["previous"]
+    for item in ("2-pass.hit.vert", "3-pass.payload.vert", "original.vert"):
+        check(module_of(emission, item), Source(item, ""), "vertex")
+
+
+@pytest.mark.skipif(shutil.which("glslangValidator") is None, reason="needs glslang-tools")
+def test_glslang_accepts_every_program_without_a_warning(
+    analysis: Analysis, tmp_path: Path
+) -> None:
+    files: list[str] = []
+    for (name, mode), emission in emissions(analysis).items():
+        for file, text in emission.files.items():
+            path = tmp_path / f"{name}-{mode}-{file}"
+            path.write_text(text)
+            files.append(str(path))
+    done = subprocess.run(
+        ["glslangValidator", *files], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stdout
+    assert "WARNING" not in done.stdout
+
+
+@pytest.mark.parametrize("scene", ["dragon", "trashcan"])
+def test_corpus_programs_hold_nothing_unused(scene: str) -> None:
+    texts = {
+        kind: Source(f"{scene}.{kind}", data_path("corpus", scene, f"{scene}.{kind}").read_text())
+        for kind in ("frag", "vert")
+    }
+    analysis = analyse(texts["frag"], texts["vert"])
+    offered = [node for node in analysis.nodes if node.offered]
+    for node in offered[:: max(1, len(offered) // 12)]:
+        check_programs(rewrite(analysis, node))

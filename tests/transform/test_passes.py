@@ -1,0 +1,177 @@
+"""Each rewrite on its own: what goes in, what comes out."""
+
+from __future__ import annotations
+
+from shadercache.ast import nodes as n
+from shadercache.ast.walk import walk
+from shadercache.emit.printer import print_module, print_node
+from shadercache.front.parse import parse
+from shadercache.sema.check import check
+from shadercache.sema.verify_tree import verify_module
+from shadercache.source import Source
+from shadercache.transform.drop_parameters import drop_parameters
+from shadercache.transform.make_precise import make_precise
+from shadercache.transform.names import FreshNames, fresh_prefix
+from shadercache.transform.rename import rename
+from shadercache.transform.specialise import Cut, insert_clones, specialise
+from shadercache.transform.split import split_declarations
+from shadercache.transform.unique_names import make_names_unique
+
+HEAD = "#version 330\nuniform float u_a;\nin vec3 v_a;\nout vec4 color;\n"
+
+
+def module_of(text: str) -> n.Module:
+    return parse(Source("test.frag", HEAD + text))
+
+
+def lines(module: n.Module) -> list[str]:
+    return [line.strip() for line in print_module(module).splitlines()]
+
+
+def test_split_declarations() -> None:
+    module = split_declarations(
+        module_of(
+            "struct S { float x; } s, t[2];\n"
+            "void main() { float a = 1.0, b = a; for (int i = 0, j = 1; i < j; i++) {} }"
+        )
+    )
+    text = lines(module)
+    assert "struct S {" in text and "S s;" in text and "S t[2];" in text
+    assert "float a = 1.0;" in text and "float b = a;" in text
+    assert any("int i = 0, j = 1;" in line for line in text)
+
+
+def unique(text: str) -> str:
+    module = module_of(text)
+    facts = check(module, Source("test.frag", HEAD + text))
+    result = make_names_unique(module, facts)
+    verify_module(result)
+    return print_module(result)
+
+
+def test_names_are_made_unique() -> None:
+    text = unique(
+        """float a;
+        float f(float x) { return x; }
+        float f(vec2 x) { float a = x.x; { float a = a + 1.0; x.y = a; } return a + x.y; }
+        float mix(float a) { return a; }
+        void main() { a = u_a; color = vec4(f(a) + f(vec2(a)) + mix(a)); }"""
+    )
+    assert "float f(float x)" in text
+    assert "float f_1(vec2 x)" in text and "f_1(vec2(a))" in text
+    assert "float mix_1(float" in text and "mix_1(a)" in text
+    assert "float a_1 = x.x;" in text and "float a_2 = a_1 + 1.0;" in text
+    assert "return a_1 + x.y;" in text
+
+
+def test_prototypes_follow_their_functions() -> None:
+    text = unique(
+        """float f(float x); float f(vec2 x);
+        void main() { color = vec4(f(u_a) + f(vec2(u_a))); }
+        float f(float x) { return x; }
+        float f(vec2 y) { return y.x; }"""
+    )
+    assert text.count("f_1(vec2") == 3
+
+
+def test_unique_names_change_nothing_where_nothing_collides() -> None:
+    text = "float f(float x) { float y = x; return y; }\nvoid main() { color = vec4(f(u_a)); }"
+    module = module_of(text)
+    facts = check(module, Source("test.frag", HEAD + text))
+    assert make_names_unique(module, facts) is module
+
+
+def test_fresh_names() -> None:
+    assert fresh_prefix("float a;", "int sc;") == "sc_"
+    assert fresh_prefix("float sc_a; float sc1_b;", "#define X sc2_y") == "sc3_"
+    names = FreshNames({"a", "a_1"})
+    assert names.make("a") == "a_2"
+    assert names.make("b") == "b"
+    assert names.make("b") == "b_1"
+    assert "__" not in names.make("c__d")
+
+
+def test_rename() -> None:
+    module = module_of("float f(float x) { return x; }\nvoid main() { color = vec4(f(u_a)); }")
+    text = print_module(rename(module, {"f": "g", "u_a": "u_b", "x": "y"}))
+    assert "float g(float y)" in text and "return y;" in text and "g(u_b)" in text
+    assert "uniform float u_b;" in text
+
+
+CALLS = """float inner(float x) { float y = x * 2.0; return y + sin(x); }
+float outer(float x) { return inner(x) + inner(x + 1.0); }
+void main() { color = vec4(outer(u_a)); }"""
+
+
+def cut_at(module: n.Module, kind: str) -> list[str]:
+    """Cut ``sin(x)`` in the second call of ``inner``; the module's lines."""
+    calls = {print_node(item): item for item in walk(module) if isinstance(item, n.Call)}
+    path = (calls["outer(u_a)"], calls["inner(x + 1.0)"])
+    cut = Cut(path, calls["sin(x)"], "sc_payload", kind)  # type: ignore[arg-type]
+    clones = specialise(module, (cut,), "sc_entry", FreshNames(()), "sc_")
+    return lines(insert_clones(module, clones))
+
+
+def test_specialise_use() -> None:
+    text = cut_at(module_of(CALLS), "use")
+    assert "return y + sc_payload;" in text
+    assert "return inner(x) + sc_inner(x + 1.0);" in text
+    assert "color = vec4(sc_outer(u_a));" in text
+    assert "return inner(x) + inner(x + 1.0);" in text  # the original stays
+
+
+def test_specialise_store() -> None:
+    text = cut_at(module_of(CALLS), "store")
+    at = text.index("sc_payload = sin(x);")
+    assert text[at + 1] == "return y + sc_payload;"
+
+
+def test_specialise_goal_cuts_everything_behind_it() -> None:
+    text = cut_at(module_of(CALLS), "goal")
+    at = text.index("void sc_inner(float x) {")
+    assert text[at + 1 : at + 4] == ["float y = x * 2.0;", "sc_payload = sin(x);", "}"]
+    assert text[text.index("void sc_outer(float x) {") + 1] == "sc_inner(x + 1.0);"
+    assert text[text.index("void sc_entry() {") + 1] == "sc_outer(u_a);"
+
+
+def test_drop_parameters() -> None:
+    module = module_of(
+        """float f(float x, float y) { return y; }
+        float g(float x) { return 1.0; }
+        void main() { float z = 1.0; color = vec4(f(u_a, z) + g(z++) + f(2.0, 3.0)); }"""
+    )
+    text = print_module(drop_parameters(module, {"f", "g"}))
+    assert "float f(float y)" in text and "f(z)" in text and "f(3.0)" in text
+    assert "g(z++)" in text  # its argument has a side effect
+    assert drop_parameters(module, ()) is module
+
+
+def test_make_precise() -> None:
+    module = make_precise(
+        module_of(
+            """float f(float x, out float y) { y = x; if (x > 1.0) return x * 2.0; return x; }
+            void main() { float a; int i = 1; float b = f(u_a * 2.0 + 1.0, a);
+                          color = vec4(a + b + float(i)); }"""
+        ),
+        "sc_",
+    )
+    text = lines(module)
+    assert text[0] == "#version 400"
+    assert "precise out vec4 color;" in text
+    assert any("precise out float y" in line for line in text)
+    assert "precise float a;" in text and "int i = 1;" in text
+    assert any(line.startswith("precise float sc_exact_") and "x * 2.0" in line for line in text)
+    assert any("u_a * 2.0 + 1.0;" in line and line.startswith("precise") for line in text)
+    assert "in vec3 v_a;" in text and "uniform float u_a;" in text
+    verify_module(module)
+
+
+def test_make_precise_leaves_conditional_arguments_where_they_are() -> None:
+    module = make_precise(
+        module_of(
+            """float f(float x) { return x; }
+            void main() { float a = u_a > 0.0 ? f(1.0 / u_a) : 0.0; color = vec4(a); }"""
+        ),
+        "sc_",
+    )
+    assert "f(1.0 / u_a)" in print_module(module)
