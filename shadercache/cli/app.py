@@ -84,7 +84,12 @@ def main(argv: Sequence[str]) -> int:
 
 def _build(args: Sequence[str], reporter: Reporter) -> typer.Typer:
     """The typer application with the commands that ``args`` may mean (all, if it names none)."""
-    app = typer.Typer(add_completion=False, rich_markup_mode=None, pretty_exceptions_enable=False)
+    app = typer.Typer(
+        add_completion=False,
+        rich_markup_mode=None,
+        pretty_exceptions_enable=False,
+        context_settings={"max_content_width": 100},
+    )
 
     @app.callback(help="Cache an intermediate value of a GLSL shader from frame to frame.")
     def root(

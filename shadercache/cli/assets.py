@@ -32,7 +32,10 @@ def command(
         typer.Option("-o", "--output", metavar="FILE", help="The .npz file to write."),
     ] = None,
 ) -> None:
-    """Fetch the real Stanford dragon, 75,000 faces, for the dragon scene. Nothing needs it."""
+    """Fetch the real Stanford dragon for the dragon scene (optional).
+
+    The mesh has 75,000 faces. Nothing needs it; it is for research use only.
+    """
     print(TERMS)
     if not accept_terms:
         _ask()
@@ -52,7 +55,7 @@ def command(
 def _ask() -> None:
     if not sys.stdin.isatty() or not typer.confirm("Do you accept the terms?"):
         raise usage_error(
-            "SC006", "the terms are not accepted", hint="--accept-terms says that you keep to them"
+            "SC030", "the terms are not accepted", hint="--accept-terms says that you keep to them"
         )
 
 

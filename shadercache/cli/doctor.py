@@ -24,7 +24,7 @@ VALIDATOR = "glslangValidator"
 def command(
     as_json: Annotated[bool, typer.Option("--json", help="The same as JSON.")] = False,
 ) -> None:
-    """Say which OpenGL there is, which clock is used, and what to install.
+    """Say which OpenGL there is and what to install.
 
     Exit status 3 if there is no usable OpenGL.
     """

@@ -34,10 +34,11 @@ def command(
     ] = "source",
     as_json: Annotated[bool, typer.Option("--json", help="The same as JSON.")] = False,
 ) -> None:
-    """List every node: one evaluation of one expression, on one path of calls.
+    """List every value of a shader, its cost, and whether it may be cached.
 
-    P/T is the static cost of the value over that of the whole shader. The verdict is "offered" or
-    the code of the reason why the value may not be cached. --json leaves nothing out.
+    A node is one evaluation of one expression, on one path of calls. P/T is the static cost of
+    the value over that of the whole shader. The verdict is "offered" or the code of the reason
+    why the value may not be cached. --json leaves nothing out.
     """
     from shadercache.compiler import analyse
 

