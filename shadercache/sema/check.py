@@ -31,7 +31,12 @@ def check(module: Module, source: Source, stage: Stage = "fragment") -> Facts:
 
     Raises :class:`InputError` with every mistake found (SC2xx), in source order.
     """
-    return _Checker(Context(module, source, stage)).run()
+    return check_in(Context(module, source, stage))
+
+
+def check_in(context: Context) -> Facts:
+    """:func:`check` with the tables of a given, fresh context."""
+    return _Checker(context).run()
 
 
 class _Checker:
@@ -64,6 +69,7 @@ class _Checker:
             constant_expressions=constants.expressions,
             functions=tuple(d for d in context.module.decls if isinstance(d, FunctionDef)),
             called={function: tuple(calls) for function, calls in context.called.items()},
+            prototypes=self._functions.prototypes(),
             structs=context.structs,
             warnings=tuple(found),
         )

@@ -65,8 +65,9 @@ class Facts:
     ``types`` holds every expression; ``symbols`` every variable use; ``declared`` every declared
     variable; ``calls`` what each call resolves to. ``constants`` holds the scalar constant
     expressions whose value is known on every driver (floats rounded to 32 bits). ``called`` lists
-    the calls in the body of each function, in source order; ``structs`` where a struct is defined.
-    ``functions`` are the definitions in source order.
+    the calls in the body of each function in the order of evaluation; ``structs`` where a struct is
+    defined. ``functions`` are the definitions in source order; ``prototypes`` leads from each
+    prototype to the definition of its function, where the module has one.
     """
 
     types: Mapping[Expr, Type]
@@ -77,6 +78,7 @@ class Facts:
     constant_expressions: Set[Expr]
     functions: tuple[FunctionDef, ...]
     called: Mapping[FunctionDef, tuple[Call, ...]]
+    prototypes: Mapping[FunctionProto, FunctionDef]
     structs: Mapping[StructType, StructDef]
     warnings: tuple[Diagnostic, ...] = ()
 

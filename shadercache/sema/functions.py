@@ -22,6 +22,12 @@ class FunctionChecker:
         self._context = context
         self._resolver = types
         self._all: list[Overload] = []
+        self._prototypes: dict[FunctionProto, Overload] = {}
+
+    def prototypes(self) -> dict[FunctionProto, FunctionDef]:
+        """The definition of each prototype that has one."""
+        found = self._prototypes.items()
+        return {proto: item.definition for proto, item in found if item.definition}
 
     def declare(self, proto: FunctionProto, definition: FunctionDef | None = None) -> Overload:
         """Enter a prototype, or the head of a definition, into the global functions."""
@@ -41,7 +47,9 @@ class FunctionChecker:
         else:
             self._compare(before, overload)
             overload = before
-        if definition is not None:
+        if definition is None:
+            self._prototypes[proto] = overload
+        else:
             if overload.definition is not None:
                 message = f"'{proto.name}' with these parameters is defined twice"
                 context.error("SC202", message, proto)
