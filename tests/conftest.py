@@ -52,7 +52,12 @@ def golden(request: pytest.FixtureRequest) -> Golden:
 
 def _difference(name: str, expected: str, text: str) -> str:
     lines = difflib.unified_diff(
-        expected.splitlines(), text.splitlines(), f"{name} (expected)", "what the code wrote", n=2
+        expected.splitlines(),
+        text.splitlines(),
+        f"{name} (expected)",
+        "what the code wrote",
+        n=2,
+        lineterm="",
     )
     advice = "If the new text is right, ./dev goldens writes it; read the diff before you commit."
     body = "\n".join(lines) or "only the line ends differ"
