@@ -35,7 +35,7 @@ class MeasureOptions:
     ``frames``: how many are drawn; frame 0 is a reset and is not timed.
     ``error_from``: images are compared from this frame on (half of ``frames`` if that is less).
     ``probe_every``: every so many frames of that range, hit masks, work and the parts of the floor
-    are taken as well (they cost extra draws).
+    are taken as well (they cost extra draws); oftener in a short run, so that there are eight.
     ``group``: how many variants are interleaved at once; more need more memory for caches.
     ``picture_frame``: the frame whose pictures are kept; None keeps none.
     """
@@ -59,7 +59,8 @@ class MeasureOptions:
     def is_probed(self, frame: int) -> bool:
         """Whether the costly extras are taken at a frame."""
         since = frame - self.first_compared
-        return since >= 0 and since % self.probe_every == 0
+        compared = self.frames - self.first_compared
+        return since >= 0 and since % max(1, min(self.probe_every, compared // 8)) == 0
 
 
 @dataclass(frozen=True, eq=False)

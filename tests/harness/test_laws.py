@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
+import moderngl
 import numpy as np
 import pytest
 
 from shadercache.harness.bundle import Bundle
+from shadercache.harness.context import Gpu
 from shadercache.harness.programs import MOST_IDLE
 from shadercache.harness.runner import (
     CoverageRunner,
@@ -17,6 +21,7 @@ from shadercache.harness.runner import (
     render_original,
     render_variant,
 )
+from shadercache.harness.scene import Scene
 from shadercache.harness.stage import Stage
 from shadercache.source import Source
 
@@ -189,3 +194,33 @@ def test_unused_programs_are_kept_up_to_a_limit(stage: Stage, bundle: Bundle) ->
             runner.draw(0)
     assert stage.programs.idle == MOST_IDLE
     assert stage.programs.used == 0
+
+
+def test_nothing_stays_on_the_gpu(
+    gpu: Gpu, scene: Scene, bundle: Bundle, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made: list[Any] = []
+
+    def recorded(make: Callable[..., Any]) -> Callable[..., Any]:
+        def remember(*args: Any, **more: Any) -> Any:
+            made.append(make(*args, **more))
+            return made[-1]
+
+        return remember
+
+    kinds = ("texture", "buffer", "framebuffer", "program", "vertex_array", "depth_renderbuffer")
+    for kind in kinds:
+        make = getattr(moderngl.Context, kind)
+        monkeypatch.setattr(moderngl.Context, kind, recorded(make))
+    with Stage(gpu, scene, (16, 16)) as stage, CoverageRunner(stage, bundle) as coverage:
+        coverage.ties(0)
+        for name in ALGORITHMS:
+            with VariantRunner(stage, bundle, name) as runner:
+                runner.draw(0)
+                runner.hit_mask(1)
+                runner.work(1)
+                runner.draw(1)
+    assert {type(item).__name__ for item in made} == {
+        "Texture", "Buffer", "Framebuffer", "Program", "VertexArray", "Renderbuffer"
+    }  # fmt: skip
+    assert [item for item in made if not isinstance(item.mglo, moderngl.InvalidObject)] == []

@@ -73,7 +73,7 @@ def test_the_numbers_of_a_variant(measurement: Measurement) -> None:
         assert len(group.original.samples) == OPTIONS.frames - 1
         for node in group.nodes:
             assert node.ratio is not None and node.payload is not None and node.hit is not None
-            assert len(node.hit.samples) == 2
+            assert len(node.hit.samples) == 4
             for variant in node.variants:
                 assert len(variant.timing.samples) == OPTIONS.frames - 1
                 assert variant.timing.minimum > 0
