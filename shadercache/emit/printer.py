@@ -84,7 +84,7 @@ def print_module(module: Module) -> str:
 
 
 def print_node(node: Node) -> str:
-    """The text of any node, without a newline at its end."""
+    """The text of any node, without a newline at its end unless it is a module."""
     if type(node) in _EXPRESSIONS:
         return _expression(node)
     match node:
@@ -196,7 +196,7 @@ def _gap(op: str, operand: Node) -> str:
 
 
 def _dims(dims: Dims) -> str:
-    return "".join("[]" if size is None else f"[{_expression(size)}]" for size in dims)
+    return "".join("[]" if size is None else f"[{_expression(size, ASSIGN)}]" for size in dims)
 
 
 def _layout_item(node: LayoutItem) -> str:

@@ -249,8 +249,6 @@ def _missing_semicolon(mistake: _Mistake) -> Diagnostic | None:
 
 def _construct(mistake: _Mistake) -> str:
     """What stands unfinished on the parser's stack, in words."""
-    if not mistake.openings:
-        return "declaration"
     for value in reversed(mistake.values):
         if isinstance(value, Token) and value.type in _JUMPS:
             return f"'{_JUMPS[value.type]}'"
@@ -260,7 +258,7 @@ def _construct(mistake: _Mistake) -> str:
             return "declaration"
     if isinstance(mistake.values[-1], FunctionProto):
         return "the function; one cannot be defined in another"
-    return "expression"
+    return "expression" if mistake.openings else "declaration"
 
 
 def _is_declaration(value: tuple[Any, ...]) -> bool:

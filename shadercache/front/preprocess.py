@@ -28,7 +28,7 @@ VERSIONS = (330, 400, 410, 420, 430, 440, 450, 460)
 PROFILES = ("core", "compatibility")
 
 MAX_EXPANSION = 1_000_000
-"""Lexemes that the macros of one file may make; a few nested macros can ask for billions."""
+"""Words that may be read in the macros of one file; a few nested macros can ask for billions."""
 
 _DIRECTIVE = re.compile(r"^[ \t\v\f]*#[^\n]*", re.MULTILINE)
 _PARTS = re.compile(r"\s*#\s*(\w*)\s*(.*)", re.DOTALL | re.ASCII)
@@ -212,12 +212,9 @@ def _expand_all(state: _State, lexemes: Lexemes) -> None:
     out = state.lexemes
     for text, start, end in zip(lexemes.texts, lexemes.starts, lexemes.ends, strict=True):
         body = _body(state, text, start)
-        for made in (text,) if body is None else _expand(state, text, body, start):
-            state.expanded += body is not None
-            if state.expanded > MAX_EXPANSION:
-                message = f"macros expand to more than {MAX_EXPANSION} words"
-                raise InputError(Diagnostic("SC109", message, state.source, Span(start, end)))
-            out.texts.append(made)
+        made = (text,) if body is None else _expand(state, text, body, Span(start, end))
+        for word in made:
+            out.texts.append(word)
             out.starts.append(start)
             out.ends.append(end)
 
@@ -237,14 +234,18 @@ def _body(state: _State, name: str, at: int) -> tuple[str, ...] | None:
             return state.macros.get(name)
 
 
-def _expand(state: _State, name: str, body: tuple[str, ...], at: int) -> Iterator[str]:
+def _expand(state: _State, name: str, body: tuple[str, ...], use: Span) -> Iterator[str]:
     """The lexemes of a macro, with the macros in it expanded, but never one inside itself."""
     open_names = [name]
     open_bodies = [iter(body)]
     hidden = {name}
     while open_bodies:
         for text in open_bodies[-1]:
-            inner = None if text in hidden else _body(state, text, at)
+            state.expanded += 1
+            if state.expanded > MAX_EXPANSION:
+                message = f"macros expand to more than {MAX_EXPANSION} words"
+                raise InputError(Diagnostic("SC109", message, state.source, use))
+            inner = None if text in hidden else _body(state, text, use.start)
             if inner is None:
                 yield text
             else:

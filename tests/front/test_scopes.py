@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from shadercache.ast.nodes import Call, Construct, Declarator, Expr, Name, Node
+from shadercache.ast.nodes import Binary, Call, Construct, Declarator, Expr, Name, Node
 from shadercache.ast.walk import walk
 from shadercache.diagnostics import InputError
 from shadercache.front.parse import parse
@@ -80,7 +80,9 @@ def test_a_type_is_back_when_the_scope_that_hides_it_ends(inner: str) -> None:
 
 def test_the_header_of_a_loop_is_in_scope_in_its_body() -> None:
     text = STRUCT + "void f() { for (float S = 1.0; ; ) { float it = S + 1.0; } }"
-    assert isinstance(initialiser(text).left, Name)  # type: ignore[union-attr]
+    node = initialiser(text)
+    assert isinstance(node, Binary)
+    assert isinstance(node.left, Name)
 
 
 def test_a_struct_of_an_inner_block_ends_with_it() -> None:
