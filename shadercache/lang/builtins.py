@@ -23,6 +23,7 @@ _SCALARS = {"": "float", "i": "int", "u": "uint", "b": "bool", "d": "double"}
 _SIZES = ("2", "3", "4")
 
 _FIRST_DOUBLE = 400
+_FOREVER = 9999
 
 # GLSL ES as the desktop version that has about the same built-ins.
 _ES_AS_DESKTOP = {100: 120, 300: 330, 310: 330, 320: 330}
@@ -83,7 +84,7 @@ class _Availability:
     """Where something exists: a range of desktop versions, the first ES version, one stage."""
 
     since: int = 0
-    until: int = 9999
+    until: int = _FOREVER
     es: int | None = None
     stage: str | None = None
 
@@ -94,8 +95,8 @@ class _Availability:
         if profile == "es":
             if self.es is not None:
                 return version >= self.es
-            version = _ES_AS_DESKTOP.get(version, 330)
-            return self.since <= version and (self.until > 330 or version < 300)
+            old = self.until < _FOREVER
+            return self.since <= _ES_AS_DESKTOP.get(version, 330) and not (old and version >= 300)
         return self.since <= version and (version <= self.until or profile == "compatibility")
 
 
@@ -104,13 +105,13 @@ def functions(
     name: str, version: int = 330, profile: str | None = None, stage: str = "fragment"
 ) -> tuple[Signature, ...]:
     """All overloads of the built-in function ``name``; none if there is no such function."""
-    lines = _index()["functions"].get(name, ())
-    found = []
-    for line in lines:
+    # max(genType, float) and max(genType, genType) are the same for a scalar: keyed by parameters.
+    found: dict[tuple[Type, ...], Signature] = {}
+    for line in _index()["functions"].get(name, ()):
         for signature, where in _signatures(name, line):
             if where.holds(version, profile, stage):
-                found.append(signature)
-    return tuple(found)
+                found.setdefault(tuple(param.type for param in signature.params), signature)
+    return tuple(found.values())
 
 
 @cache
@@ -160,7 +161,7 @@ def _availability(words: list[str]) -> _Availability:
     numbers = {key: int(value) for key, _, value in (w.partition("=") for w in words) if value}
     stage = next((word for word in words if word in ("fragment", "vertex")), None)
     return _Availability(
-        numbers.get("since", 0), numbers.get("until", 9999), numbers.get("es"), stage
+        numbers.get("since", 0), numbers.get("until", _FOREVER), numbers.get("es"), stage
     )
 
 
@@ -244,7 +245,7 @@ def _optional(text: str) -> Iterator[tuple[bool, list[str]]]:
         return
     *types, last = types
     yield False, types
-    yield last == "bias?", [*types, "float" if last == "bias?" else "int"]
+    yield last == "bias?", [*types, "float" if last == "bias?" else "const int"]
 
 
 @cache
