@@ -12,7 +12,6 @@ import io
 import os
 import pickle
 import sys
-import tempfile
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -52,12 +51,13 @@ def load_parser() -> Parser:
 
 
 def _key(text: str) -> str:
-    """What a saved parser depends on: the grammar, Lark and Python."""
+    """What a saved parser depends on: the grammar, Lark, Python, and the lexer it names."""
     import lark
 
-    from shadercache.front import tokens
+    from shadercache.front.tokens import TokenLexer
 
-    parts = (text, lark.__version__, sys.version, tokens.__name__)
+    lexer = f"{TokenLexer.__module__}.{TokenLexer.__qualname__}"
+    parts = (text, lark.__version__, sys.version, lexer)
     return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
 
 
@@ -92,6 +92,8 @@ def _load(path: Path, builder: Builder) -> Lark | None:
 
 def _save(path: Path, lark: Lark) -> None:
     """Write the parser under its name at one stroke, so that nobody reads half of it."""
+    import tempfile
+
     buffer = io.BytesIO()
     lark.save(buffer, {"transformer"})
     try:

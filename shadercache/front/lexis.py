@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from shadercache.diagnostics import Diagnostic
 from shadercache.source import Source, Span
 
-_COMMENT = re.compile(r"//[^\n]*|/\*[^*]*\*+(?:[^/*][^*]*\*+)*/|/\*")
+_COMMENT = re.compile(r"//[^\n]*|/\*[^*]*\*+(?:[^/*][^*]*\*+)*/|(?P<unclosed>/\*.*)", re.DOTALL)
 _NOT_NEWLINE = re.compile(r"[^\n]")
 _CONTINUATION = re.compile(r"\\([ \t]*\n)")
 _NEXT_LINE = re.compile(r"\n[ \t]*([^\n]?[^\n]?)")
@@ -28,6 +28,7 @@ _LEXEME = re.compile(
     r"|\S)",
     re.ASCII,
 )
+_BLANKS = " \t\n\r\f\v"
 _NUMBER = re.compile(
     r"(?:0[xX][0-9a-fA-F]+|0[0-7]*|[1-9]\d*)[uU]?"
     r"|(?:(?:\d+\.\d*|\.\d+)(?:[eE][+-]?\d+)?|\d+[eE][+-]?\d+)(?:[fF]|lf|LF)?",
@@ -49,6 +50,8 @@ class Lexemes:
     def scan(self, text: str, start: int, end: int) -> None:
         """Append the lexemes of ``text[start:end]``."""
         add_text, add_start, add_end = self.texts.append, self.starts.append, self.ends.append
+        # Blanks at the end are no part of a lexeme, and the pattern would try each of them.
+        end = start + len(text[start:end].rstrip(_BLANKS))
         at = start
         for blank, lexeme in _LEXEME.findall(text, start, end):
             at += len(blank)
@@ -60,7 +63,7 @@ class Lexemes:
 
 def spellings(text: str) -> tuple[str, ...]:
     """The lexemes of a text without their places."""
-    return tuple(lexeme for _, lexeme in _LEXEME.findall(text))
+    return tuple(lexeme for _, lexeme in _LEXEME.findall(text.rstrip(_BLANKS)))
 
 
 def is_word(lexeme: str) -> bool:
@@ -84,6 +87,8 @@ def clean(source: Source, errors: list[Diagnostic]) -> str:
     if nul >= 0:
         message = "the file holds a NUL character"
         errors.append(Diagnostic("SC101", message, source, Span(nul, nul + 1)))
+    if text.startswith("\ufeff"):
+        text = " " + text[1:]  # The byte order mark that some editors begin a file with.
     if "\r" in text:
         text = text.replace("\r\n", " \n").replace("\r", "\n")
     text = _blank_comments(text, source, errors)
@@ -97,11 +102,10 @@ def _blank_comments(text: str, source: Source, errors: list[Diagnostic]) -> str:
             if comment.rstrip().endswith("\\"):
                 _check_comment_end(text, match, source, errors)
             return " " * len(comment)
-        if comment == "/*":
+        if match["unclosed"]:
             message = "this comment is never closed"
-            errors.append(
-                Diagnostic("SC104", message, source, Span(*match.span()), hint="close it with */")
-            )
+            span = Span(match.start(), match.start() + 2)
+            errors.append(Diagnostic("SC104", message, source, span, hint="close it with */"))
         return _NOT_NEWLINE.sub(" ", comment)
 
     return _COMMENT.sub(blank, text)

@@ -29,7 +29,6 @@ def parse(source: Source) -> Module:
     _check_depth(source, prepared.lexemes)
     from lark.exceptions import UnexpectedToken
 
-    from shadercache.front.errors import explain
     from shadercache.front.grammar import load_parser
     from shadercache.front.tokens import TokenStream
 
@@ -40,6 +39,8 @@ def parse(source: Source) -> Module:
         try:
             decls: Any = lark.parse(stream)
         except UnexpectedToken as error:
+            from shadercache.front.errors import explain
+
             raise InputError(explain(error, stream)) from None
         finally:
             builder.end()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import time
+
 import pytest
 
 from shadercache.diagnostics import InputError
@@ -188,6 +190,19 @@ def test_offsets_are_those_of_the_file() -> None:
 
 def test_a_comment_that_is_never_closed() -> None:
     assert errors("#version 330\n a /* b\n") == ["2:4 SC104"]
+
+
+def test_long_blanks_and_open_comments_take_no_time() -> None:
+    begin = time.perf_counter()
+    assert words("a" + " " * 500_000 + "b" + " \n" * 250_000) == ["a", "b"]
+    assert words("/*" + "*" * 500_000 + "/" + "//" * 250_000) == []
+    assert errors("#version 330\n" + "/* " * 250_000) == ["2:1 SC104"]
+    assert words("#define A 1" + " " * 500_000 + "\nA") == ["1"]
+    assert time.perf_counter() - begin < 2.0
+
+
+def test_a_byte_order_mark_is_no_part_of_the_shader() -> None:
+    assert run("\ufeff#version 330\na").lexemes.starts == [14]
 
 
 def test_a_line_continuation_joins_lines() -> None:
