@@ -1,8 +1,9 @@
 """From a tree to GLSL text.
 
 ``print_module(parse(source))`` is the shader again, laid out afresh: four spaces of indent, one
-statement a line, blank lines around what takes several, the kept directives first. Parentheses come from the precedence table, never from
-the tree; literals keep their spelling. Printing what was parsed from printed text changes nothing.
+statement a line, blank lines around what takes several, the kept directives first. Parentheses
+come from the precedence table, never from the tree; literals keep their spelling. Printing what
+was parsed from printed text changes nothing.
 
 Expressions are printed with an explicit stack, so the length of an operator chain has no limit.
 """
