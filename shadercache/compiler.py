@@ -28,6 +28,7 @@ from typing import Any
 
 from shadercache.analysis.candidates import Candidate, Candidates, find_candidates
 from shadercache.analysis.effects import EffectTable
+from shadercache.analysis.restrictions import check_stages, find_color
 from shadercache.ast import nodes as n
 from shadercache.diagnostics import Diagnostic, InputError, UsageError, input_error
 from shadercache.emit import program_set
@@ -39,7 +40,6 @@ from shadercache.manifest import build_manifest, original_manifest
 from shadercache.options import ALGORITHMS, Mode, Options
 from shadercache.sema.check import check
 from shadercache.sema.facts import Facts, Stage
-from shadercache.analysis.restrictions import check_stages, find_color
 from shadercache.source import Source
 from shadercache.transform.names import fresh_prefix
 from shadercache.transform.split import split_declarations
@@ -84,6 +84,20 @@ class Analysis:
         message = f"{self.fragment.name} has no node '{node_id}'"
         raise UsageError(Diagnostic("SC010", message, hint=hint))
 
+    def require(self, node: Candidate, unprofitable: bool = False) -> None:
+        """Raise :class:`InputError` with the refusal's code if the node may not be cached.
+
+        ``unprofitable`` lets nodes pass that are refused only as cheaper than a fetch.
+        """
+        refusal = node.refusal
+        if refusal is None or (refusal.unprofitable and unprofitable):
+            return
+        hint = "caching it anyway takes --unprofitable" if refusal.unprofitable else None
+        message = f"'{node.text}' {refusal.sentence}"
+        raise InputError(
+            Diagnostic(refusal.code.code, message, self.fragment, node.expr.span, hint)
+        )
+
 
 @dataclass(frozen=True, slots=True)
 class Emission:
@@ -125,11 +139,13 @@ def rewrite(
 
     A node that is refused only as cheaper than a fetch is rewritten where ``unprofitable`` is set.
     Raises :class:`InputError` with the refusal's code for any other refused node, SC402 without a
-    vertex shader, SC319 where an algorithm that was asked for alone cannot be used for the node.
+    vertex shader, SC407 where an algorithm that was asked for alone cannot be used for the node.
     """
-    _require(analysis, node, unprofitable)
+    analysis.require(node, unprofitable)
     options = options or Options()
-    programs = program_set.emit_programs(analysis.program, _vertex(analysis), node, options, algorithms)
+    programs = program_set.emit_programs(
+        analysis.program, _vertex(analysis), node, options, algorithms
+    )
     if not programs.variants:
         raise InputError(_unfit(analysis, node, programs))
     manifest = build_manifest(analysis.fragment, _vertex_source(analysis), node, options, programs)
@@ -146,18 +162,7 @@ def emit_original(analysis: Analysis, mode: Mode = "plain") -> Emission:
 def _unfit(analysis: Analysis, node: Candidate, programs: program_set.ProgramSet) -> Diagnostic:
     reason = next(iter(programs.refused.values()))
     message = f"'{node.text}' cannot be cached in one pass: {reason}"
-    return Diagnostic("SC319", message, analysis.fragment, node.expr.span)
-
-
-def _require(analysis: Analysis, node: Candidate, unprofitable: bool) -> None:
-    refusal = node.refusal
-    if refusal is None or (refusal.unprofitable and unprofitable):
-        return
-    hint = "caching it anyway takes --unprofitable" if refusal.unprofitable else None
-    message = f"'{node.text}' {refusal.sentence}"
-    raise InputError(
-        Diagnostic(refusal.code.code, message, analysis.fragment, node.expr.span, hint)
-    )
+    return Diagnostic("SC407", message, analysis.fragment, node.expr.span)
 
 
 def _vertex(analysis: Analysis) -> VertexEmitter:

@@ -1,4 +1,4 @@
-"""Small shaders for tests: a fragment shader is written as its body, or as declarations and body."""
+"""Small shaders for tests: a fragment shader is written as its body, with declarations."""
 
 from __future__ import annotations
 

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from hashlib import blake2b
 
 from shadercache.analysis.cost import FETCH, CostTable
-from shadercache.analysis.derivatives import DerivativeUses
 from shadercache.analysis.effects import Does, EffectTable
 from shadercache.analysis.instances import Instance, Place, Use, find_instances
+from shadercache.analysis.neighbours import SharedUses, cube_lookups, derivatives
 from shadercache.analysis.refusals import Code, Refusal
 from shadercache.analysis.slices import DERIVATIVE, Slice, SliceTable
 from shadercache.analysis.spine import written_anywhere
@@ -66,7 +66,7 @@ class Candidates:
     nodes: tuple[Candidate, ...]
     instances: tuple[Instance, ...]
     slices: SliceTable
-    uses: DerivativeUses
+    derivatives: SharedUses
     total_cost: float
 
 
@@ -82,14 +82,15 @@ def find_candidates(
     instances = find_instances(table)
     costs = CostTable(facts)
     slices = SliceTable(module, instances, table, costs)
-    uses = DerivativeUses(instances, slices, table)
-    judge = _Judge(module, facts, source, table, slices, uses, costs)
+    takes = SharedUses(instances, slices, derivatives(table))
+    cubes = SharedUses(instances, slices, cube_lookups(table, facts))
+    judge = _Judge(module, facts, source, table, slices, (takes, cubes), costs)
     digests = _digests(instances, printed)
     found: list[Candidate] = []
     for instance in instances:
         found.extend(judge.candidate(instance, place, digests) for place in instance.places.all)
     found.extend(_initialisers(module, facts, source, printed))
-    return Candidates(tuple(found), instances, slices, uses, judge.total)
+    return Candidates(tuple(found), instances, slices, takes, judge.total)
 
 
 class _Judge:
@@ -102,11 +103,11 @@ class _Judge:
         source: Source,
         table: EffectTable,
         slices: SliceTable,
-        uses: DerivativeUses,
+        uses: tuple[SharedUses, SharedUses],
         costs: CostTable,
     ) -> None:
         self.facts, self.source, self.table, self.slices = facts, source, table, slices
-        self.uses, self.costs = uses, costs
+        (self.derivatives, self.cubes), self.costs = uses, costs
         main = table.functions["main"]
         self.total = costs.function(main) or 1.0
         self.discards = bool(table.of(main.body).does & Does.DISCARD)
@@ -200,8 +201,10 @@ class _Judge:
         return None
 
     def _by_use(self, instance: Instance, place: Place) -> Refusal | None:
-        if self.uses.fed_by(instance, place):
+        if self.derivatives.fed_by(instance, place):
             return Refusal(Code.FEEDS_DERIVATIVE)
+        if self.cubes.fed_by(instance, place):
+            return Refusal(Code.FEEDS_CUBE)
         return None
 
 

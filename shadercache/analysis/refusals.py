@@ -28,6 +28,11 @@ class Code(Enum):
         "decides a derivative or a texture's level of detail later in the shader; neighbouring "
         "fragments may hold reused values, so that would be wrong",
     )
+    FEEDS_CUBE = (
+        "SC319",
+        "decides where a cube map is looked up later in the shader; a driver may round that "
+        "look-up together with neighbouring fragments, which may hold reused values",
+    )
     DISCARDS = ("SC316", "belongs to a shader that discards fragments, which is not supported yet")
     NOT_FLOAT = ("SC317", "is not made of floats; integers and booleans must not be filtered")
     INITIALISER = ("SC318", "is evaluated before main, in the initialiser of a global")

@@ -384,9 +384,7 @@ class Directive(Node):
     text: str
 
 
-Decl: TypeAlias = (
-    VarDecl | BlockDecl | PrecisionDecl | QualifierDecl | FunctionProto | FunctionDef
-)
+Decl: TypeAlias = VarDecl | BlockDecl | PrecisionDecl | QualifierDecl | FunctionProto | FunctionDef
 
 
 @dataclass(frozen=True, slots=True, eq=False)

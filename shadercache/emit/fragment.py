@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from shadercache.analysis.candidates import Candidate, Candidates
-from shadercache.analysis.derivatives import DerivativeUse
 from shadercache.analysis.effects import Does, EffectTable
 from shadercache.analysis.instances import Use
+from shadercache.analysis.neighbours import SharedUse
 from shadercache.ast import nodes as n
 from shadercache.emit.assemble import (
     Shader,
@@ -47,7 +47,7 @@ class FragmentEmitter:
         self.payload = program.prefix + "payload"
         self.store = program.prefix + "store"
         found = program.candidates.slices.before(node.instance, node.place.step.index, node.expr)
-        self.fetches = program.candidates.uses.inside(node.instance, node.place, found)
+        self.fetches = program.candidates.derivatives.inside(node.instance, node.place, found)
 
     def one(self) -> Shader:
         """One pass: look up, else compute; then shade."""
@@ -56,7 +56,9 @@ class FragmentEmitter:
         clones: list[Clones] = []
         cuts: list[Cut] = []
         for use, name in fetched:
-            clones.append(self._clone(names, f"{name}_ahead", (*cuts, _cut(use, self._own(name), "goal"))))
+            clones.append(
+                self._clone(names, f"{name}_ahead", (*cuts, _cut(use, self._own(name), "goal")))
+            )
             cuts.append(_cut(use, self._own(name), "use"))
         ahead = call_all(self._own("fetch_ahead"), [group.entry for group in clones])
         clones.append(self._clone(names, "compute", (*cuts, self._node_cut("goal"))))
@@ -98,7 +100,7 @@ class FragmentEmitter:
         wanted = {self._own("outcome"): 0}
         return self._build("passes/hit_mask", [], (), wanted)
 
-    def unfit_for_one_pass(self) -> DerivativeUse | None:
+    def unfit_for_one_pass(self) -> SharedUse | None:
         """An implicit fetch of the payload that cannot be made before the branch, if any."""
         for use in self.fetches:
             plain = use.instance.use is Use.PLAIN and use.place.use is Use.PLAIN
@@ -160,7 +162,7 @@ def original(program: FragmentProgram) -> Shader:
     return interface(with_locations(module, {program.color: 0}))
 
 
-def _cut(use: DerivativeUse, name: str, kind: CutKind) -> Cut:
+def _cut(use: SharedUse, name: str, kind: CutKind) -> Cut:
     return Cut(use.instance.path, use.place.expr, name, kind)
 
 

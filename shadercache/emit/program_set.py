@@ -15,6 +15,7 @@ from shadercache.emit.fragment import FragmentEmitter, FragmentProgram, original
 from shadercache.emit.printer import print_module
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.options import Options
+from shadercache.sema.facts import Stage
 from shadercache.transform.make_precise import make_precise
 
 COLOR, CACHE, MASK = "color", "cache", "mask"
@@ -136,14 +137,14 @@ class _Writer:
     def add(self, item: Pass, fragment: Shader) -> Pass:
         """Print both stages of a pass; return the pass with its interface filled in."""
         vertex = self.vertex.for_fragment(fragment)
-        for stage, shader in (("frag", fragment), ("vert", vertex)):
-            self.made.files[f"{item.file}.{stage}"] = self._text(item, shader)
+        self.made.files[f"{item.file}.frag"] = self._text(item, fragment, "fragment")
+        self.made.files[f"{item.file}.vert"] = self._text(item, vertex, "vertex")
         uniforms = tuple(dict.fromkeys((*vertex.uniforms, *fragment.uniforms)))
         return replace(item, uniforms=uniforms, attributes=vertex.inputs)
 
-    def _text(self, item: Pass, shader: Shader) -> str:
+    def _text(self, item: Pass, shader: Shader, stage: Stage) -> str:
         module = shader.module
         if self.options.mode == "proof":
-            module = make_precise(module, self.vertex.prefix)
+            module = make_precise(module, self.vertex.prefix, stage)
         version, rest = print_module(module).split("\n", 1)
         return f"{version}\n// shadercache: {item.file}, {self.about}\n{rest}"

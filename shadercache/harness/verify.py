@@ -8,7 +8,6 @@ counted (law 4).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
@@ -176,7 +175,7 @@ class Verifier:
             first = first or run
             verdict.agreeing[name] = self._agreement(run, first)
 
-    def release(self) -> None:
+    def close(self) -> None:
         """Free everything on the GPU."""
         self.stage.release()
 
@@ -229,24 +228,3 @@ class Verifier:
             found = found.worst(difference(color, color_1, covered))
             found = found.worst(difference(cache, cache_1, covered))
         return found
-
-
-def verify_nodes(
-    gpu: Gpu,
-    scene: Scene,
-    analysis: Analysis,
-    nodes: Sequence[Candidate],
-    told: Callable[[Verdict], None] | None = None,
-    plain: bool = True,
-) -> list[Verdict]:
-    """Check the given nodes of a scene; ``told`` hears of each verdict as it is reached."""
-    verifier = Verifier(gpu, scene, analysis)
-    verdicts: list[Verdict] = []
-    try:
-        for node in nodes:
-            verdicts.append(verifier.check(node, plain))
-            if told is not None:
-                told(verdicts[-1])
-    finally:
-        verifier.release()
-    return verdicts

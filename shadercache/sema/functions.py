@@ -45,14 +45,11 @@ class FunctionChecker:
             entry.overloads[overload.params] = overload
             self._all.append(overload)
         else:
-            self._compare(before, overload)
+            self._compare(before, overload, definition)
             overload = before
         if definition is None:
             self._prototypes[proto] = overload
         else:
-            if overload.definition is not None:
-                message = f"'{proto.name}' with these parameters is defined twice"
-                context.error("SC202", message, proto)
             overload.definition = definition
         return overload
 
@@ -87,7 +84,7 @@ class FunctionChecker:
             context.error("SC221", f"a parameter of type {kind} cannot be written", param)
         return kind
 
-    def _compare(self, before: Overload, now: Overload) -> None:
+    def _compare(self, before: Overload, now: Overload, definition: FunctionDef | None) -> None:
         """A function declared again must agree in everything (section 6.1)."""
         name = now.proto.name
         if ERROR in (before.result, now.result):
@@ -98,6 +95,9 @@ class FunctionChecker:
         elif _qualified(before.proto) != _qualified(now.proto):
             message = f"'{name}' was declared with other parameter qualifiers"
             self._context.error("SC224", message, now.proto)
+        elif definition is not None and before.definition is not None:
+            message = f"'{name}' with these parameters is defined twice"
+            self._context.error("SC202", message, now.proto)
 
     def declare_params(self, function: FunctionDef, overload: Overload) -> None:
         """Enter the parameters into the scope of the function's body."""

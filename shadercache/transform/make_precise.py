@@ -21,16 +21,18 @@ from shadercache.analysis.effects import EffectTable
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import children
 from shadercache.lang.types import builtin_type
+from shadercache.sema.facts import Stage
 from shadercache.source import NOWHERE
 from shadercache.transform.replace import replace_expressions
 
 PRECISE_VERSION = 400
 
 
-def make_precise(module: n.Module, prefix: str) -> n.Module:
+def make_precise(module: n.Module, prefix: str, stage: Stage = "fragment") -> n.Module:
     """The module at ``#version 400`` or higher with precise values and invariant varyings."""
     table = EffectTable(module)
-    decls = tuple(_decl(decl, prefix, table) for decl in module.decls)
+    varying = "out" if stage == "vertex" else "in"
+    decls = tuple(_varying(_decl(decl, prefix, table), varying) for decl in module.decls)
     return replace(module, version=max(module.version, PRECISE_VERSION), decls=decls)
 
 
@@ -62,6 +64,18 @@ def _variable(decl: n.VarDecl) -> n.VarDecl:
     if not _is_float(decl.type) or not decl.declarators or words.has("const", "uniform", "in"):
         return decl
     return replace(decl, qualifiers=_with(words, "precise"))
+
+
+def _varying(decl: n.Decl, word: str) -> n.Decl:
+    """Each pass has a vertex shader of its own, and all must compute the same varyings.
+
+    Before GLSL 4.20 both stages must say so. ``precise`` comes first where both are there.
+    """
+    if not isinstance(decl, n.VarDecl) or not decl.qualifiers.has(word):
+        return decl
+    rest = tuple(item for item in decl.qualifiers.words if item not in ("precise", "invariant"))
+    first = ("precise",) if decl.qualifiers.has("precise") else ()
+    return replace(decl, qualifiers=replace(decl.qualifiers, words=(*first, "invariant", *rest)))
 
 
 def _with(qualifiers: n.Qualifiers, word: str) -> n.Qualifiers:

@@ -168,10 +168,11 @@ class _Pruner:
         before = live_then | live_other | self.table.of(stmt.condition).reads
         if then is stmt.then and other is stmt.other:
             return stmt, before
-        if then is None and other is not None:
-            condition = n.Unary(stmt.condition.span, "!", stmt.condition)
-            return replace(stmt, condition=condition, then=other, other=None), before
-        return replace(stmt, then=then, other=other), before
+        if then is not None:
+            return replace(stmt, then=then, other=other), before
+        assert other is not None
+        condition = n.Unary(stmt.condition.span, "!", stmt.condition)
+        return replace(stmt, condition=condition, then=other, other=None), before
 
     def loop(self, stmt: n.For | n.While | n.DoWhile, live: Live) -> tuple[n.Stmt | None, Live]:
         """A loop goes as a whole where nothing live comes out of it; else its body is pruned.

@@ -155,6 +155,12 @@ CASES = {
         "noise(v_position)",
         "SC315",
     ),
+    "decides a look-up in a cube map": (
+        "vec3 ray = reflect(v_position, normalize(v_normal) + sin(v_position));"
+        "o_color = textureLod(u_cube, ray, 0.0);",
+        "reflect(v_position, normalize(v_normal) + sin(v_position))",
+        "SC319",
+    ),
     "integers": (
         "int i = int(noise(v_position)); o_color = vec4(i);",
         "int(noise(v_position))",
@@ -166,7 +172,7 @@ CASES = {
 @pytest.mark.parametrize("name", CASES)
 def test_verdict(name: str) -> None:
     body, text, code = CASES[name]
-    node = find(analysed(body, NOISE), text)
+    node = find(analysed(body, NOISE + "uniform samplerCube u_cube;\n"), text)
     assert (node.refusal.code.code if node.refusal else None) == code
 
 

@@ -66,9 +66,7 @@ def test_golden_proof_mode(analysis: Analysis, golden: Golden) -> None:
 def emissions(analysis: Analysis) -> dict[tuple[str, Mode], Emission]:
     modes: tuple[Mode, ...] = ("plain", "proof")
     return {
-        (name, mode): rewrite(
-            analysis, find(analysis, text), Options(mode=mode), unprofitable=True
-        )
+        (name, mode): rewrite(analysis, find(analysis, text), Options(mode=mode), unprofitable=True)
         for name, text in NODES.items()
         for mode in modes
     }
@@ -177,7 +175,7 @@ def test_a_fetch_that_cannot_be_moved_is_refused_for_one_pass_only() -> None:
     assert manifest["refused"][0]["algorithm"] == "1-pass"
     with pytest.raises(InputError) as error:
         rewrite(analysis, node, algorithms=(1,))
-    assert error.value.diagnostics[0].code == "SC319"
+    assert error.value.diagnostics[0].code == "SC407"
 
 
 def test_user_names_that_look_like_ours_do_not_collide() -> None:
@@ -254,9 +252,7 @@ def test_glslang_accepts_every_program_without_a_warning(
             path = tmp_path / f"{name}-{mode}-{file}"
             path.write_text(text)
             files.append(str(path))
-    done = subprocess.run(
-        ["glslangValidator", *files], capture_output=True, text=True, check=False
-    )
+    done = subprocess.run(["glslangValidator", *files], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout
     assert "WARNING" not in done.stdout
 

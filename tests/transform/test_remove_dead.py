@@ -117,7 +117,10 @@ def main_of(body: str, *wanted: str) -> list[str]:
             ["float a = u_a;", "if (a > 0.0)", "discard;", "color = vec4(u_b);"],
         ),
         # A switch is one thing.
-        ("float a = 0.0; switch (1) { case 1: a = u_a; } color = vec4(u_b);", ["color = vec4(u_b);"]),
+        (
+            "float a = 0.0; switch (1) { case 1: a = u_a; } color = vec4(u_b);",
+            ["color = vec4(u_b);"],
+        ),
         (
             "float a = u_a; switch (1) { case 1: a = u_b; break; default: a += 1.0; }"
             " color = vec4(a);",
@@ -140,9 +143,7 @@ def test_statements(body: str, left: list[str] | None) -> None:
 
 
 def test_an_array_element_written_in_a_loop_keeps_the_array() -> None:
-    found = main_of(
-        "float a[3]; for (int i = 0; i < 3; i++) a[i] = u_a; color = vec4(a[1]);"
-    )
+    found = main_of("float a[3]; for (int i = 0; i < 3; i++) a[i] = u_a; color = vec4(a[1]);")
     assert found[0] == "float a[3];"
     assert "a[i] = u_a;" in " ".join(found)
 

@@ -2,14 +2,14 @@
 // shadercache: 2-pass.hit, node stone.1-ae098caa
 
 invariant gl_Position;
-precise out vec4 sc_current;
-precise out vec4 sc_previous;
+precise invariant out vec4 sc_current;
+precise invariant out vec4 sc_previous;
 in vec3 a_position;
 in vec3 a_normal;
 uniform mat4 u_modelViewProjection;
-precise out vec3 v_position;
-precise out vec3 v_normal;
-precise out vec2 v_uv;
+precise invariant out vec3 v_position;
+precise invariant out vec3 v_normal;
+precise invariant out vec2 v_uv;
 
 void sc_vertex() {
     v_position = a_position;

@@ -1,14 +1,14 @@
 #version 400
 // shadercache: 2-pass.miss, node stone.1-ae098caa
 
-in vec4 sc_current;
+invariant in vec4 sc_current;
 precise float sc_payload;
 layout(location = 1) precise out vec4 sc_store;
 uniform sampler2D u_map;
 uniform vec3 u_tint;
-in vec3 v_position;
-in vec3 v_normal;
-in vec2 v_uv;
+invariant in vec3 v_position;
+invariant in vec3 v_normal;
+invariant in vec2 v_uv;
 layout(location = 0) precise out vec4 o_color;
 
 float noise(vec3 p) {

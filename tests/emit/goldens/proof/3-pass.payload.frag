@@ -1,10 +1,10 @@
 #version 400
 // shadercache: 3-pass.payload, node stone.1-ae098caa
 
-in vec4 sc_current;
+invariant in vec4 sc_current;
 precise float sc_payload;
 layout(location = 0) precise out vec4 sc_store;
-in vec3 v_position;
+invariant in vec3 v_position;
 
 float noise(vec3 p) {
     precise float sc_exact_1 = sin(p.x * 12.9) * sin(p.y * 78.2) * sin(p.z * 37.7);

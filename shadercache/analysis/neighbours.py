@@ -1,13 +1,19 @@
-"""Where the shader takes derivatives, openly or for a texture's level of detail.
+"""Where a value decides what neighbouring fragments compute together.
 
-Two questions are answered (DESIGN section 4, "Derivatives"). Which nodes *feed* a derivative that
-stays outside of the payload: there neighbouring fragments may hold reused values, so the derivative
-would be of nothing real. And which implicit fetches belong to a payload: a one-pass variant must
-make those before its branch.
+That is a derivative, taken openly or for a texture's level of detail, and the look-up in a cube
+map: on llvmpipe the filter of a cube map rounds differently when any fragment of the same vector
+lies on an edge of the cube (measured: 1 ulp in 2e-3 of the pixels, all beside fragments of another
+surface).
+
+Two questions are answered (DESIGN section 4, "Derivatives"). Which nodes *feed* such a use that
+stays outside of the payload: there neighbouring fragments may hold reused values of something
+else. And which implicit fetches belong to a payload: a one-pass variant must make those before its
+branch.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from shadercache.analysis.effects import EffectTable, needs_derivative
@@ -15,25 +21,31 @@ from shadercache.analysis.instances import Instance, Place
 from shadercache.analysis.slices import Slice, SliceTable
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
+from shadercache.sema.facts import Facts
+
+Chooses = Callable[[n.Call], bool]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class DerivativeUse:
-    """One evaluation of a derivative or of an implicit fetch, and what its operands depend on."""
+class SharedUse:
+    """One evaluation of a derivative or fetch, and what its operands depend on."""
 
     instance: Instance
     place: Place
     operands: Slice
 
 
-class DerivativeUses:
-    """All derivative uses of a program, in order of their instances and places."""
+class SharedUses:
+    """The uses of one kind in a program, in order of their instances and places.
+
+    ``chooses`` tells whether a call is such a use: :func:`derivatives` or :func:`cube_lookups`.
+    """
 
     def __init__(
-        self, instances: tuple[Instance, ...], slices: SliceTable, table: EffectTable
+        self, instances: tuple[Instance, ...], slices: SliceTable, chooses: Chooses
     ) -> None:
         self._slices = slices
-        self._table = table
+        self._chooses = chooses
         self._children: dict[tuple[Instance, n.Call], Instance] = {
             (item.parent, item.call): item
             for item in instances
@@ -48,10 +60,10 @@ class DerivativeUses:
         self._fed: dict[Instance, bool] = {}
 
     def fed_by(self, instance: Instance, place: Place) -> bool:
-        """Does any derivative depend on the value at ``place`` from outside of that expression?"""
+        """Does any of these uses, outside of that expression, depend on the value at ``place``?"""
         return self._fed_by_step(instance, place) or self._call_fed(instance)
 
-    def inside(self, instance: Instance, place: Place, found: Slice) -> list[DerivativeUse]:
+    def inside(self, instance: Instance, place: Place, found: Slice) -> list[SharedUse]:
         """The uses that belong to the payload at ``place``, whose slice is ``found``.
 
         In order of evaluation: whatever one of them depends on comes before it.
@@ -62,13 +74,13 @@ class DerivativeUses:
         # operand has the higher number.
         return sorted(chosen, key=lambda u: (u.operands.atoms.bit_count(), -u.place.ordinal))
 
-    def _of_instance(self, instance: Instance) -> list[DerivativeUse]:
+    def _of_instance(self, instance: Instance) -> list[SharedUse]:
         found = []
         for place in instance.places.all:
-            if isinstance(place.expr, n.Call) and needs_derivative(place.expr, self._table):
+            if isinstance(place.expr, n.Call) and self._chooses(place.expr):
                 root = place.step.stmt if place.step.is_control else place.expr
                 operands = self._slices.before(instance, place.step.index, root)
-                found.append(DerivativeUse(instance, place, operands))
+                found.append(SharedUse(instance, place, operands))
         return found
 
     def _mark_operands(self) -> None:
@@ -96,7 +108,7 @@ class DerivativeUses:
         return self._fed[instance]
 
     def _is_inside(
-        self, use: DerivativeUse, instance: Instance, below: set[n.Call], found: Slice
+        self, use: SharedUse, instance: Instance, below: set[n.Call], found: Slice
     ) -> bool:
         at: Instance | None = use.instance
         inner: n.Expr = use.place.expr
@@ -122,3 +134,19 @@ class DerivativeUses:
                 if bit & found.atoms and any(item is inner for item in walk(arg)):
                     return True
         return False
+
+
+def derivatives(table: EffectTable) -> Chooses:
+    """Chooses built-in derivatives and fetches with implicit level of detail."""
+    return lambda call: needs_derivative(call, table)
+
+
+def cube_lookups(table: EffectTable, facts: Facts) -> Chooses:
+    """Chooses fetches from cube maps, whatever their level of detail."""
+
+    def chooses(call: n.Call) -> bool:
+        if call.name in table.functions or not call.args:
+            return False
+        return "Cube" in facts.types[call.args[0]].name
+
+    return chooses
