@@ -22,31 +22,31 @@ LOW, HIGH = (-1.55, -0.08, -1.35), (1.35, 2.25, 1.35)
 TRUNK: Rows = [
     (-0.50, 0.50, 0.00, 0.150),
     (-0.38, 0.53, 0.00, 0.200),
-    (-0.15, 0.52, 0.00, 0.205),
-    (0.10, 0.55, 0.00, 0.240),
-    (0.30, 0.64, 0.00, 0.225),
-    (0.44, 0.80, 0.00, 0.165),
-    (0.48, 0.98, 0.00, 0.122),
-    (0.44, 1.16, 0.00, 0.102),
-    (0.44, 1.33, 0.02, 0.094),
-    (0.54, 1.47, 0.03, 0.092),
-    (0.70, 1.50, 0.04, 0.095),
+    (-0.15, 0.52, 0.00, 0.210),
+    (0.10, 0.55, 0.00, 0.250),
+    (0.30, 0.64, 0.00, 0.235),
+    (0.44, 0.80, 0.00, 0.178),
+    (0.48, 0.98, 0.00, 0.136),
+    (0.44, 1.16, 0.00, 0.116),
+    (0.43, 1.33, 0.02, 0.106),
+    (0.52, 1.48, 0.03, 0.104),
+    (0.69, 1.53, 0.04, 0.104),
 ]
 TAIL: Rows = [
     (-0.30, 0.52, 0.00, 0.190),
-    (-0.52, 0.47, 0.00, 0.150),
-    (-0.80, 0.33, 0.02, 0.118),
-    (-1.05, 0.18, 0.12, 0.095),
-    (-1.18, 0.11, 0.36, 0.078),
-    (-1.08, 0.09, 0.65, 0.066),
-    (-0.80, 0.08, 0.86, 0.056),
-    (-0.42, 0.09, 0.93, 0.047),
-    (-0.06, 0.12, 0.84, 0.038),
-    (0.16, 0.21, 0.74, 0.030),
-    (0.22, 0.36, 0.72, 0.023),
-    (0.12, 0.46, 0.76, 0.016),
+    (-0.52, 0.47, 0.00, 0.156),
+    (-0.76, 0.33, 0.02, 0.126),
+    (-0.96, 0.18, 0.12, 0.102),
+    (-1.05, 0.11, 0.36, 0.086),
+    (-0.96, 0.09, 0.63, 0.073),
+    (-0.70, 0.08, 0.82, 0.062),
+    (-0.36, 0.09, 0.88, 0.052),
+    (-0.04, 0.12, 0.80, 0.042),
+    (0.14, 0.22, 0.71, 0.033),
+    (0.20, 0.37, 0.69, 0.025),
+    (0.12, 0.48, 0.73, 0.018),
 ]
-HEAD_AT, HEAD_DOWN = np.array([0.70, 1.50, 0.04]), np.radians(-16.0)
+HEAD_AT, HEAD_DOWN, HEAD_SIZE = np.array([0.69, 1.53, 0.04]), np.radians(-18.0), 1.22
 
 
 def spline(rows: Rows, samples: int) -> Curve:
@@ -150,7 +150,7 @@ def head(field: Field) -> None:
     to_world = _head_frame()
 
     def bone(rows: Rows, samples: int = 12) -> list[Part]:
-        moved = [(*to_world(r[:3]), r[3]) for r in rows]
+        moved = [(*to_world(r[:3]), r[3] * HEAD_SIZE) for r in rows]
         return tube(spline(moved, samples))
 
     field.union(bone([(-0.06, 0.0, 0, 0.10), (0.05, 0.02, 0, 0.105), (0.14, 0.02, 0, 0.085)]), 0.05)
@@ -162,14 +162,16 @@ def head(field: Field) -> None:
         field.union(bone([*lower, (0.30, -0.185, 0.014 * z, 0.026)]), 0.03)
         field.union(bone([(0.33, 0.03, 0.026 * z, 0.022), (0.345, 0.036, 0.03 * z, 0.018)]), 0.02)
         field.union(bone([(0.02, 0.10, 0.065 * z, 0.03), (0.17, 0.065, 0.05 * z, 0.02)]), 0.02)
-        field.union(bone([(0.10, 0.045, 0.072 * z, 0.026), (0.12, 0.045, 0.073 * z, 0.024)]), 0.008)
+        field.union(bone([(0.10, 0.045, 0.074 * z, 0.031), (0.12, 0.046, 0.074 * z, 0.029)]), 0.008)
         horn: Rows = [(-0.03, 0.08, 0.055 * z, 0.040), (-0.14, 0.17, 0.085 * z, 0.031)]
         horn += [(-0.27, 0.21, 0.115 * z, 0.021), (-0.40, 0.195, 0.125 * z, 0.010)]
         field.union(bone(horn, 20), 0.025)
         spur: Rows = [(-0.04, 0.0, 0.09 * z, 0.030), (-0.15, 0.015, 0.145 * z, 0.019)]
         field.union(bone([*spur, (-0.25, 0.05, 0.165 * z, 0.009)]), 0.02)
         _teeth(field, bone, z)
-    field.union(bone([(0.10, -0.06, 0, 0.03), (0.22, -0.10, 0, 0.02), (0.32, -0.09, 0, 0.013)]), 0.02)
+    field.union(
+        bone([(0.10, -0.06, 0, 0.03), (0.22, -0.10, 0, 0.02), (0.32, -0.09, 0, 0.013)]), 0.02
+    )
     field.union(bone([(0.02, -0.07, 0, 0.06), (0.14, -0.11, 0, 0.03)]), 0.03)
 
 
@@ -191,7 +193,7 @@ def _head_frame() -> Callable[[tuple[float, float, float]], tuple[float, float, 
 
     def to_world(p: tuple[float, float, float]) -> tuple[float, float, float]:
         x, y, z = p
-        moved = HEAD_AT + np.array([c * x - s * y, s * x + c * y, z]) * (1.05, 1.05, 1.05)
+        moved = HEAD_AT + np.array([c * x - s * y, s * x + c * y, z]) * HEAD_SIZE
         return float(moved[0]), float(moved[1]), float(moved[2])
 
     return to_world
@@ -199,30 +201,48 @@ def _head_frame() -> Callable[[tuple[float, float, float]], tuple[float, float, 
 
 def ridges(field: Field) -> None:
     """A row of backward-leaning plates from the back of the head to the end of the tail."""
-    back, tail = spline(TRUNK, 240)[20:236], spline(TAIL, 320)[40:310]
-    for plate in _plates(back, 17, 0.105, 0.075, -1.0):
-        field.union([triangle(*plate, 0.012)], 0.015)
-    for plate in _plates(tail, 26, 0.105, 0.028, 1.0):
-        field.union([triangle(*plate, 0.009)], 0.012)
+    for here in _frames(spline(TRUNK, 240)[20:236], 17):
+        field.union([_plate(here, 0.105 - 0.03 * here.at, -1.0, 0.012)], 0.015)
+    for here in _frames(spline(TAIL, 320)[40:310], 26):
+        field.union([_plate(here, 0.105 - 0.077 * here.at, 1.0, 0.009)], 0.012)
 
 
-def _plates(
-    curve: Curve, count: int, first: float, last: float, lean: float
-) -> Iterator[tuple[Curve, Curve, Curve]]:
-    """Triangles on the back of a curve, ``first`` .. ``last`` high, leaning along it by ``lean``.
+def scutes(field: Field) -> None:
+    """Bands across throat and belly, each a little over the one behind."""
+    for here in _frames(spline(TRUNK, 240)[30:232], 34):
+        across = np.cross(here.along, here.up) * here.radius * 0.52
+        middle = here.point - here.up * here.radius * 0.80
+        band = 0.26 * here.radius
+        field.union([capsule(middle - across, middle + across, band, band)], 0.012)
 
-    The back is up where the curve begins, and stays what it is as the curve bends.
-    """
+
+@dataclass(frozen=True)
+class _Frame:
+    """A place on a curve: how far along (0 .. 1), where, how thick, and two axes."""
+
+    at: float
+    point: Curve
+    radius: float
+    along: Curve
+    up: Curve
+
+
+def _plate(here: _Frame, height: float, lean: float, thickness: float) -> Part:
+    """A triangle that stands on the back, leaning along the curve."""
+    size = height * (0.9 + 0.2 * (int(here.at * 1000) % 2))
+    root = here.point + here.up * here.radius * 0.86
+    foot = here.along * size * 0.5
+    return triangle(root - foot, root + foot, root + here.up * size + 1.4 * lean * foot, thickness)
+
+
+def _frames(curve: Curve, count: int) -> Iterator[_Frame]:
+    """``count`` frames along a curve; the back is up at its start and stays what it is."""
     up = np.array([0.0, 1.0, 0.0])
     wanted = [int((i + 0.5) / count * (len(curve) - 1)) for i in range(count)]
-    for here in range(1, len(curve) - 1):
-        along = (curve[here + 1] - curve[here - 1])[:3]
+    for i in range(1, len(curve) - 1):
+        along = (curve[i + 1] - curve[i - 1])[:3]
         along /= np.linalg.norm(along)
-        up -= along * (up @ along)
+        up = up - along * (up @ along)
         up /= np.linalg.norm(up)
-        if here in wanted:
-            at = here / len(curve)
-            size = (first + (last - first) * at) * (0.88 + 0.24 * (wanted.index(here) % 2))
-            root = curve[here, :3] + up * curve[here, 3] * 0.86
-            tip = root + up * size + along * size * 0.7 * lean
-            yield root - along * size * 0.5, root + along * size * 0.5, tip
+        if i in wanted:
+            yield _Frame(i / len(curve), curve[i, :3], float(curve[i, 3]), along, up)

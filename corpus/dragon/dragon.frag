@@ -63,19 +63,21 @@ vec3 fbm(vec3 p) {
 vec3 marble(vec3 p) {
     vec3 ragged = 0.08 * texture(u_detail, p.xy * 1.1 + 0.7 * p.z).rgb;
     vec3 turbulence = fbm(p * 2.3 + ragged);
-    float strata = sin(dot(p, vec3(3.1, 5.2, 2.3)) + 2.9 * turbulence.x);
-    float vein = exp2(-8.0 * strata * strata) * clamp(0.8 + 2.0 * turbulence.y, 0.0, 1.0);
-    vec3 stone = mix(vec3(0.72, 0.66, 0.56), vec3(0.50, 0.49, 0.46), 0.5 + turbulence.z);
+    float strata = sin(dot(p, vec3(4.0, 6.6, 3.1)) + 3.1 * turbulence.x);
+    float vein = exp2(-6.5 * strata * strata) * clamp(0.9 + 2.2 * turbulence.y, 0.0, 1.0);
+    vec3 stone = mix(vec3(0.66, 0.60, 0.50), vec3(0.45, 0.45, 0.43), 0.5 + turbulence.z);
     return mix(stone, vec3(0.13, 0.17, 0.16), 0.9 * vein);
 }
 
-// Light from the sky and the lamp, and a highlight where the stone is polished.
+// Light from the sky and the lamp on the stone, and what its polish mirrors of both.
 vec3 blinn_phong(vec3 albedo, vec3 normal, vec3 view, float polish) {
     vec3 halfway = normalize(u_light + view);
     float lambert = max(dot(normal, u_light), 0.0);
     float highlight = pow(max(dot(normal, halfway), 0.0), 48.0);
+    float rim = 1.0 - max(dot(normal, view), 0.0);
     vec3 sky = mix(vec3(0.13, 0.11, 0.10), vec3(0.30, 0.34, 0.42), 0.5 + 0.5 * normal.y);
-    return albedo * (sky + vec3(0.95, 0.90, 0.80) * lambert) + polish * highlight;
+    vec3 diffuse = albedo * (sky + vec3(0.95, 0.90, 0.80) * lambert);
+    return diffuse + polish * (highlight + 2.0 * rim * rim * rim * sky);
 }
 
 void main() {

@@ -77,7 +77,9 @@ def triangle(a: Point, b: Point, c: Point, thickness: float) -> Part:
     walls = [np.cross(edge, normal) for edge in edges]
     area = float(normal @ normal)  # squared, times four
     if area < 1e-12:
-        return max((capsule(p, q, thickness, thickness) for p, q in combinations(corners, 2)), key=_size)
+        return max(
+            (capsule(p, q, thickness, thickness) for p, q in combinations(corners, 2)), key=_size
+        )
 
     def distance(x: Array, y: Array, z: Array) -> Array:
         nearest: Array | None = None

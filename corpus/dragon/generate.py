@@ -12,7 +12,7 @@ from pathlib import Path
 import fast_simplification
 import numpy as np
 import numpy.typing as npt
-from anatomy import HIGH, LOW, head, legs, ridges, trunk
+from anatomy import HIGH, LOW, head, legs, ridges, scutes, trunk
 from collapse import collapsed
 from field import Field
 from PIL import Image
@@ -34,7 +34,7 @@ Indices = npt.NDArray[np.int64]
 def body(step: float, fatter: float = 0.0) -> tuple[Floats, Indices]:
     """The dragon's surface from marching cubes: vertices (n, 3) and outward faces (m, 3)."""
     field = Field(LOW, HIGH, step)
-    for part in (trunk, legs, head, ridges, wings):
+    for part in (trunk, scutes, legs, head, ridges, wings):
         part(field)
     values = _largest_solid(field.values - np.float32(fatter))
     vertices, faces, _, _ = marching_cubes(values, 0.0, gradient_direction="descent")
@@ -130,7 +130,7 @@ def dragon(step: float, count: int, fatter: float = 0.0) -> dict[str, npt.NDArra
 
 
 def lattice(seed: int = 7) -> tuple[npt.NDArray[np.float16], npt.NDArray[np.float16]]:
-    """Permutation (64, 64, 1) and gradients (1, 64, 4) of the noise, as texels.
+    """Permutation (64, 64, 1) and gradients (1, 64, 3) of the noise, as texels.
 
     The permutation holds the hash of (x, y), as the place of a texel of the gradients; adding z
     to it (in texels) completes the hash. After Perlin, "Improving noise" (2002).
@@ -143,7 +143,7 @@ def lattice(seed: int = 7) -> tuple[npt.NDArray[np.float16], npt.NDArray[np.floa
     height = 1.0 - (2.0 * np.arange(LATTICE) + 1.0) / LATTICE
     turn = np.arange(LATTICE) * np.pi * (3.0 - np.sqrt(5.0))
     ring = np.sqrt(1.0 - height**2)
-    sphere = np.stack([ring * np.cos(turn), ring * np.sin(turn), height, 0.0 * turn], axis=-1)
+    sphere = np.stack([ring * np.cos(turn), ring * np.sin(turn), height], axis=-1)
     gradients = 1.45 * sphere[random.permutation(LATTICE)]
     return permutation.astype(np.float16)[..., None], gradients.astype(np.float16)[None]
 

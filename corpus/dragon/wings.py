@@ -11,10 +11,10 @@ Triple = tuple[float, float, float]
 
 SHOULDER, ELBOW, WRIST = (0.16, 0.74, 0.14), (-0.12, 1.10, 0.40), (0.10, 1.52, 0.62)
 FINGERS: tuple[tuple[Triple, Triple], ...] = (
-    ((0.02, 1.92, 0.80), (-0.30, 2.10, 0.92)),
-    ((-0.30, 1.75, 0.98), (-0.84, 1.74, 1.12)),
-    ((-0.36, 1.46, 1.02), (-1.05, 1.22, 1.14)),
-    ((-0.30, 1.20, 0.86), (-0.98, 0.72, 0.90)),
+    ((0.02, 1.92, 0.80), (-0.26, 2.10, 0.90)),
+    ((-0.30, 1.75, 0.96), (-0.74, 1.76, 1.06)),
+    ((-0.36, 1.46, 0.97), (-0.90, 1.25, 0.99)),
+    ((-0.30, 1.20, 0.84), (-0.92, 0.70, 0.82)),
 )
 """Middle control point and tip of each finger, all starting at the wrist (right wing)."""
 ROOT = (-0.44, 0.60, 0.10)
@@ -46,7 +46,9 @@ def _wing(field: Field, mirror: Vector) -> None:
     outward = np.array([0.35, 0.1, 0.9]) * mirror
     for one, other in zip(fingers, [*fingers[1:], inner], strict=True):
         field.union(_skin(one, other, -0.10 * outward), 0.012)
-    field.union(_skin(flank, _bezier(elbow, shoulder, np.array(ROOT) * mirror, 17), 0 * outward), 0.01)
+    field.union(
+        _skin(flank, _bezier(elbow, shoulder, np.array(ROOT) * mirror, 17), 0 * outward), 0.01
+    )
     front = _bezier(shoulder, (shoulder + wrist) / 2 - 0.1 * outward, wrist, 17)
     field.union(_skin(front, _bezier(shoulder, elbow, wrist, 17), 0 * outward), 0.012)
     for finger in fingers:

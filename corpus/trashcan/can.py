@@ -118,7 +118,9 @@ def _grip() -> tuple[Floats, Floats]:
 def _ear(side: float) -> tuple[Floats, Floats]:
     """A handle on the wall: an arch that stands out to the side."""
     t = np.linspace(-1.0, 1.0, 6)
-    path = np.stack([side * (0.54 + 0.13 * (1.0 - t**4)), 0.36 - 0.06 * (1.0 - t**4), 0.17 * t], axis=-1)
+    path = np.stack(
+        [side * (0.54 + 0.13 * (1.0 - t**4)), 0.36 - 0.06 * (1.0 - t**4), 0.17 * t], axis=-1
+    )
     return _tube(path, 0.024, 4)
 
 
