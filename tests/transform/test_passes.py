@@ -162,7 +162,7 @@ def test_make_precise() -> None:
     assert "precise float a;" in text and "int i = 1;" in text
     assert any(line.startswith("precise float sc_exact_") and "x * 2.0" in line for line in text)
     assert any("u_a * 2.0 + 1.0;" in line and line.startswith("precise") for line in text)
-    assert "in vec3 v_a;" in text and "uniform float u_a;" in text
+    assert "invariant in vec3 v_a;" in text and "uniform float u_a;" in text
     verify_module(module)
 
 

@@ -95,7 +95,8 @@ def main_of(body: str, *wanted: str) -> list[str]:
             ],
         ),
         (
-            "float a = 0.0; float b = u_b; while (a < 3.0) { a = a + b; b = u_a; } color = vec4(a);",
+            "float a = 0.0; float b = u_b; while (a < 3.0) { a = a + b; b = u_a; }"
+            " color = vec4(a);",
             [
                 "float a = 0.0;",
                 "float b = u_b;",
