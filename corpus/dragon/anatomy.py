@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 import numpy.typing as npt
@@ -65,7 +66,7 @@ def spline(rows: Rows, samples: int) -> Curve:
 
 def tube(curve: Curve) -> list[Part]:
     """Tapered capsules along a curve of (x, y, z, radius)."""
-    return [capsule(p[:3], q[:3], p[3], q[3]) for p, q in zip(curve, curve[1:], strict=False)]
+    return [capsule(p[:3], q[:3], p[3], q[3]) for p, q in pairwise(curve)]
 
 
 def mirrored(rows: Rows, side: int) -> Rows:
@@ -122,13 +123,14 @@ def legs(field: Field) -> None:
 def _toe(field: Field, foot: Curve, angle: float, length: float) -> None:
     ahead = np.array([np.cos(angle), 0.0, np.sin(angle)])
     reach = length if np.cos(angle) > 0 else 0.55 * length
-    knuckle = foot + ahead * reach * 0.5 + (0, -0.005, 0)
+    knuckle = foot + ahead * reach * 0.5
+    knuckle[1] -= 0.005
     tip = foot + ahead * reach
     tip[1] = 0.034
     field.union([capsule(foot, knuckle, 0.048, 0.042), capsule(knuckle, tip, 0.042, 0.034)], 0.03)
-    claw = tip + ahead * 0.062
-    claw[1] = 0.004
-    field.union([capsule(tip + (0, 0.008, 0), claw, 0.024, 0.007)], 0.012)
+    root, claw = tip.copy(), tip + ahead * 0.062
+    root[1], claw[1] = 0.042, 0.004
+    field.union([capsule(root, claw, 0.024, 0.007)], 0.012)
 
 
 def trunk(field: Field) -> None:

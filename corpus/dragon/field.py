@@ -82,18 +82,19 @@ def triangle(a: Point, b: Point, c: Point, thickness: float) -> Part:
         )
 
     def distance(x: Array, y: Array, z: Array) -> Array:
-        nearest: Array | None = None
-        outside: npt.NDArray[np.bool_] | None = None
+        to_edge, outside = [], []
         for corner, edge, wall in zip(corners, edges, walls, strict=True):
             p = (x - corner[0], y - corner[1], z - corner[2])
             t = np.clip(_dot(p, edge) / max(float(edge @ edge), 1e-12), 0.0, 1.0)
-            squared = sum(((v - t * e) ** 2 for v, e in zip(p, edge, strict=True)), np.float32(0))
-            beyond = _dot(p, wall) > 0.0
-            nearest = squared if nearest is None else np.minimum(nearest, squared)
-            outside = beyond if outside is None else outside | beyond
-        assert nearest is not None and outside is not None
+            dx, dy, dz = (v - t * e for v, e in zip(p, edge, strict=True))
+            to_edge.append(dx * dx + dy * dy + dz * dz)
+            outside.append(_dot(p, wall) > 0.0)
         plane = _dot((x - corners[0][0], y - corners[0][1], z - corners[0][2]), normal)
-        squared = np.where(outside, nearest, plane * plane / np.float32(area))
+        squared = np.where(
+            np.logical_or.reduce(outside),
+            np.minimum.reduce(to_edge),
+            plane * plane / np.float32(area),
+        )
         return np.asarray(np.sqrt(squared) - np.float32(thickness), np.float32)
 
     low = np.minimum.reduce(corners) - thickness
@@ -106,7 +107,7 @@ def _size(part: Part) -> float:
 
 
 def _dot(point: tuple[Array, Array, Array], axis: Array) -> Array:
-    return point[0] * axis[0] + point[1] * axis[1] + point[2] * axis[2]
+    return np.asarray(point[0] * axis[0] + point[1] * axis[1] + point[2] * axis[2])
 
 
 class Field:

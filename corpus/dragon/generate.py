@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
+from typing import Any
 
 import fast_simplification
 import numpy as np
@@ -16,10 +17,12 @@ from anatomy import HIGH, LOW, head, legs, ridges, scutes, trunk
 from collapse import collapsed
 from field import Field
 from PIL import Image
-from skimage.measure import label, marching_cubes
+from scipy.ndimage import label
+from skimage.measure import marching_cubes
 from wings import wings
 
 HERE = Path(__file__).parent
+Mesh = dict[str, npt.NDArray[Any]]
 FACES, FACES_SMALL = 75_000, 4_000
 STEP, STEP_SMALL = 0.0070, 0.0200
 FATTER = 0.010
@@ -44,7 +47,7 @@ def body(step: float, fatter: float = 0.0) -> tuple[Floats, Indices]:
 def _largest_solid(values: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
     """Drops crumbs off the body and bubbles inside it."""
     for sign in (1.0, -1.0):
-        regions = label(sign * values < 0.0, connectivity=1)
+        regions, _ = label(sign * values < 0.0)
         largest = 1 + int(np.argmax(np.bincount(regions.ravel())[1:]))
         values = np.where((regions != 0) & (regions != largest), np.float32(sign * 1e-3), values)
     return values
@@ -112,7 +115,7 @@ def _spread(bits: Indices) -> Indices:
     return result
 
 
-def quantised(vertices: Floats, faces: Indices) -> dict[str, npt.NDArray[np.generic]]:
+def quantised(vertices: Floats, faces: Indices) -> Mesh:
     """The arrays of a mesh file in the short form that corpus/README.md describes."""
     bounds = np.stack([vertices.min(axis=0), vertices.max(axis=0)]).astype(np.float32)
     low, high = bounds.astype(np.float64)
@@ -124,9 +127,20 @@ def quantised(vertices: Floats, faces: Indices) -> dict[str, npt.NDArray[np.gene
     }
 
 
-def dragon(step: float, count: int, fatter: float = 0.0) -> dict[str, npt.NDArray[np.generic]]:
+def dragon(step: float, count: int, fatter: float = 0.0) -> Mesh:
     """The dragon on a grid of ``step``, with about ``count`` faces."""
     return quantised(*ordered(*simplified(*body(step, fatter), count)))
+
+
+def save(path: Path, mesh: Mesh) -> None:
+    """Writes a mesh in the short form."""
+    np.savez_compressed(
+        path,
+        position_u16=mesh["position_u16"],
+        bounds=mesh["bounds"],
+        normal_i16=mesh["normal_i16"],
+        index_delta=mesh["index_delta"],
+    )
 
 
 def lattice(seed: int = 7) -> tuple[npt.NDArray[np.float16], npt.NDArray[np.float16]]:
@@ -158,7 +172,8 @@ def detail(size: int = 128, seed: int = 11) -> npt.NDArray[np.uint8]:
         mask = np.exp(-((radius / high) ** 2)) - np.exp(-((radius / low) ** 2))
         waves = np.fft.ifft2(np.fft.fft2(random.normal(size=(size, size))) * mask).real
         channels.append(0.5 + 0.16 * waves / waves.std())
-    return np.round(np.clip(np.stack(channels, axis=-1), 0.0, 1.0) * 255.0).astype(np.uint8)
+    texels = np.clip(np.stack(channels, axis=-1), 0.0, 1.0)
+    return np.asarray(np.round(texels * 255.0).astype(np.uint8))
 
 
 def main() -> None:
@@ -166,8 +181,8 @@ def main() -> None:
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
     arguments.add_argument("--output", type=Path, default=HERE)
     out: Path = arguments.parse_args().output
-    np.savez_compressed(out / "dragon.npz", **dragon(STEP, FACES))
-    np.savez_compressed(out / "dragon-small.npz", **dragon(STEP_SMALL, FACES_SMALL, FATTER))
+    save(out / "dragon.npz", dragon(STEP, FACES))
+    save(out / "dragon-small.npz", dragon(STEP_SMALL, FACES_SMALL, FATTER))
     permutation, gradients = lattice()
     np.savez_compressed(out / "permutation.npz", pixels=permutation)
     np.savez_compressed(out / "gradients.npz", pixels=gradients)

@@ -6,11 +6,13 @@ grid of points whose rows run along one curve and whose columns run along anothe
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import numpy.typing as npt
 
 Floats = npt.NDArray[np.float64]
-Mesh = dict[str, npt.NDArray[np.generic]]
+Mesh = dict[str, npt.NDArray[Any]]
 
 AROUND = 26
 """Segments around the can."""

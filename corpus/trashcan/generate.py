@@ -141,7 +141,15 @@ def main() -> None:
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
     arguments.add_argument("--output", type=Path, default=HERE)
     out: Path = arguments.parse_args().output
-    np.savez_compressed(out / "can.npz", **can())
+    mesh = can()
+    np.savez_compressed(
+        out / "can.npz",
+        position=mesh["position"],
+        normal=mesh["normal"],
+        tangent=mesh["tangent"],
+        uv=mesh["uv"],
+        index=mesh["index"],
+    )
     np.savez_compressed(out / "environment.npz", faces=environment())
     Image.fromarray(normal_map()).save(out / "normals.png", optimize=True)
 
