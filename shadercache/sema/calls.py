@@ -87,10 +87,8 @@ class CallChecker:
             if own and isinstance(exact, Signature):
                 self._warn_hidden(node, exact)
             return exact
-        # Functions of the user hide the built-in ones (except in ES, where they join them).
-        candidates: list[Candidate] = [*own.values()]
-        if not own or self._context.es:
-            candidates += builtin
+        # Functions of the user hide the built-in ones.
+        candidates: list[Candidate] = [*own.values()] if own else [*builtin]
         best = convertible(candidates, args, self._context.conversions)
         if len(best) == 1:
             return best[0]

@@ -2,6 +2,41 @@
 
 ``check`` goes through a module once, in source order, and fills the tables of :class:`Facts`. It
 collects all mistakes; an expression that was complained about silences what depends on it.
+
+The codes of its diagnostics:
+
+=====  ============================================================================================
+SC201  a name that is not declared (with the nearest known one as a hint)
+SC202  a name that is declared twice in a scope, a function that is defined twice
+SC203  a reserved name
+SC204  a name of another sort than the place needs: a type, a variable, a function; misplaced void
+SC205  an operator that does not apply to its operands
+SC206  a call that no overload fits (with the candidates)
+SC207  a call with a wrong number of arguments
+SC208  an ambiguous call
+SC209  a target of an assignment, or an out argument, that cannot be written
+SC210  a value that does not convert to the type it is assigned to
+SC211  a wrong or missing return value
+SC212  a condition that is not bool
+SC213  a field, swizzle or length() that does not exist
+SC214  an index of a wrong type or out of range, or something without elements
+SC215  a wrong array size
+SC216  recursion
+SC217  no main, or a wrong one
+SC218  discard, break or continue where there can be none
+SC219  wrong arguments of a constructor
+SC220  a wrong switch
+SC221  a qualifier, or a kind of variable, that the place or the type does not allow
+SC222  an initialiser that has to be constant
+SC223  a wrong layout
+SC224  declarations of a function that disagree, or a wrong result type
+SC225  arrays of arrays in a version without them
+SC226  an argument that has to be constant
+SC232  an integer that needs more than 32 bits
+SC290  warning: the drivers disagree about a call of an overloaded built-in function
+SC291  warning: a function that is called but not defined
+SC292  warning: a name with two underscores
+=====  ============================================================================================
 """
 
 from __future__ import annotations

@@ -97,7 +97,8 @@ class VariableChecker:
             kind in _WRITABLE,
         )
         self.enter(symbol, declarator)
-        if kind in ("const", "uniform"):
+        # ES wants constant initialisers of all global variables (ES 3.00 section 4.3).
+        if kind in ("const", "uniform") or (kind == "global" and self._context.es):
             self._check_constant(symbol, declarator, given)
         return symbol
 

@@ -7,6 +7,7 @@ keyed by node, a node that stands at several places of the tree must mean the sa
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import TypeVar
 
 from shadercache.ast.nodes import Module, Name
@@ -59,8 +60,8 @@ def verify_module(
 
 
 def _verify_unique(facts: Facts, after: str) -> None:
-    seen: set[str] = {function.name for function in facts.functions}
-    for symbol in facts.declared.values():
-        if symbol.name in seen and symbol.kind != "builtin":
-            raise InternalError(f"two things are called '{symbol.name}' after {after}")
-        seen.add(symbol.name)
+    names = [function.name for function in facts.functions]
+    names += [item.name for item in facts.declared.values() if item.kind != "builtin"]
+    twice = [name for name, count in Counter(names).items() if count > 1]
+    if twice:
+        raise InternalError(f"two things are called '{twice[0]}' after {after}")
