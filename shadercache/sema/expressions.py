@@ -110,7 +110,7 @@ class ExpressionChecker:
             found = self._literals[node.text] = literal(node.text)
         kind, value = found
         if value is None:
-            return self._context.error("SC232", "the integer needs more than 32 bits", node)
+            return self._context.error("SC227", "the integer needs more than 32 bits", node)
         self.constants.expressions.add(node)
         self.constants.values[node] = value
         return kind

@@ -17,7 +17,7 @@ from shadercache.ast.nodes import (
 )
 from shadercache.ast.walk import EXPRESSIONS, walk
 from shadercache.lang.builtins import Signature
-from shadercache.sema.facts import Symbol
+from shadercache.sema.facts import Callee, Symbol
 from shadercache.source import Source
 
 SHADER = """#version 330
@@ -129,7 +129,7 @@ def test_calls_lead_to_definitions_and_signatures() -> None:
     by_name = {
         f"{f.name}/{f.proto.params[0].type.name}": f for f in facts.functions if f.name != "main"
     }
-    found = {}
+    found: dict[str, list[Callee]] = {}
     for call in (n for n in walk(module) if isinstance(n, Call)):
         found.setdefault(call.name, []).append(facts.calls[call])
     assert found["late"] == [by_name["late/float"]]

@@ -62,7 +62,10 @@ def test_a_chain_of_100_000_additions() -> None:
 
 @pytest.mark.parametrize("depth", [20_000])
 def test_deep_expressions(depth: int) -> None:
-    right, unary, ternary, assigned = x(), x(), x(), x()
+    right: Expr = x()
+    unary: Expr = x()
+    ternary: Expr = x()
+    assigned: Expr = x()
     for _ in range(depth):
         right = Binary(NOWHERE, "+", x(), right)
         unary = Unary(NOWHERE, "-", unary)

@@ -169,5 +169,5 @@ void main() { float x = f(); }
 uint a = 0xFFFFFFFFu;
 int b = 0x7FFFFFFF;
 int c = 0xFFFFFFFF;
-//// 4.1.3 an integer literal of more than 32 bits | SC232
+//// 4.1.3 an integer literal of more than 32 bits | SC227
 uint a = 0x1FFFFFFFFu;
