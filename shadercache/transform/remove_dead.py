@@ -23,7 +23,7 @@ from dataclasses import dataclass, replace
 
 from shadercache.analysis.effects import Does, EffectTable
 from shadercache.ast import nodes as n
-from shadercache.ast.walk import children
+from shadercache.ast.walk import children, walk
 from shadercache.transform.reachable import keep_reachable, names_in
 
 Live = frozenset[str]
@@ -48,14 +48,19 @@ def _prune_functions(module: n.Module, outputs: Live) -> n.Module:
     decls: list[n.Decl] = []
     for decl in module.decls:
         if isinstance(decl, n.FunctionDef):
-            # Inside other functions any global that is read anywhere may still be needed.
-            at_exit = outputs if decl.name == "main" else outputs | read
+            # The caller may need what other functions leave in out parameters and in any global
+            # that is read anywhere.
+            at_exit = outputs if decl.name == "main" else outputs | read | _written_back(decl)
             body, _ = _Pruner(table, at_exit).block(decl.body, at_exit)
             decl = decl if body is decl.body else replace(decl, body=body)
         decls.append(decl)
     if all(new is old for new, old in zip(decls, module.decls, strict=True)):
         return module
     return replace(module, decls=tuple(decls))
+
+
+def _written_back(function: n.FunctionDef) -> Live:
+    return frozenset(item.name for item in function.proto.params if item.writes_back and item.name)
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,7 +121,7 @@ class _Pruner:
             case n.For() | n.While() | n.DoWhile():
                 return self.loop(stmt, live)
             case n.Switch():
-                return self.whole(stmt, live)
+                return self.whole(stmt, live, jumps)
             case n.Return():
                 reads = self.table.of(stmt.value).reads if stmt.value else frozenset[str]()
                 return stmt, self.at_exit | reads
@@ -200,16 +205,21 @@ class _Pruner:
             return stmt, around
         return replace(stmt, body=body or n.Block(stmt.body.span, ())), around
 
-    def whole(self, stmt: n.Switch, live: Live) -> tuple[n.Stmt | None, Live]:
+    def whole(self, stmt: n.Switch, live: Live, jumps: _Jumps) -> tuple[n.Stmt | None, Live]:
         effects = self.table.of(stmt)
-        if not effects.writes & live and not effects.does & (Does.DISCARD | Does.RETURN):
+        leaves = effects.does & (Does.DISCARD | Does.RETURN) or _continues(stmt)
+        if not effects.writes & live and not leaves:
             return None, live
-        # Any return inside leads to the exit.
-        return stmt, live | effects.reads | self.at_exit
+        # A return inside leads to the exit, a ``continue`` to the next round of the loop outside.
+        return stmt, live | effects.reads | self.at_exit | jumps.after_continue
 
     def _matters(self, expr: n.Expr, live: Live) -> bool:
         effects = self.table.of(expr)
         return bool(effects.writes & live) or bool(effects.does & Does.DISCARD)
+
+
+def _continues(stmt: n.Stmt) -> bool:
+    return any(isinstance(item, n.Jump) and item.word == "continue" for item in walk(stmt))
 
 
 def _is_empty(stmt: n.Stmt) -> bool:

@@ -201,3 +201,23 @@ def test_a_module_with_nothing_dead_is_returned_itself() -> None:
     text = "#version 330\nout vec4 color;\nvoid main() { color = vec4(1.0); }"
     module = parse(Source("test.frag", text))
     assert remove_dead(module, ("color",)) is module
+
+
+def test_what_a_function_leaves_in_its_out_parameters_is_needed() -> None:
+    text = pruned(
+        """void scale(inout vec2 v) { v = v.yx * u_a; }
+        void split(float x, out float y, out float z) { y = x; z = x * u_b; }
+        void main() { vec2 v = v_a.xy; scale(v); float y; float z; split(v.x, y, z);
+                      color = vec4(v, y, z); }"""
+    )
+    for part in ("v = v.yx * u_a;", "y = x;", "z = x * u_b;"):
+        assert part in text
+
+
+def test_a_continue_inside_a_switch_leads_to_the_next_round() -> None:
+    found = main_of(
+        "float x = u_a; float s = 0.0; for (int i = 0; i < 3; i++) {"
+        " x = u_b; switch (i) { case 1: continue; } s += 1.0; x = 2.0; }"
+        " color = vec4(x + s);"
+    )
+    assert "x = u_b;" in found and "switch (i) {" in found and "continue;" in found
