@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
 from shadercache.analysis.candidates import Candidate, Candidates
 from shadercache.analysis.effects import Does, EffectTable
@@ -18,8 +19,9 @@ from shadercache.emit.assemble import (
     with_locations,
     without_main,
 )
+from shadercache.emit.keep_globals import call_keeping
 from shadercache.emit.runtime import load_part, runtime_names
-from shadercache.sema.facts import Facts
+from shadercache.sema.facts import Facts, Symbol
 from shadercache.transform.drop_parameters import drop_parameters
 from shadercache.transform.names import FreshNames
 from shadercache.transform.remove_dead import remove_dead
@@ -51,6 +53,12 @@ class FragmentEmitter:
 
     def one(self) -> Shader:
         """One pass: look up, else compute; then shade."""
+        made = self._one(())
+        changed = self._left_changed(made)
+        return self._one(changed) if changed else made
+
+    def _one(self, kept: tuple[Symbol, ...]) -> Shader:
+        """``kept`` are the globals which the payload's code must not be seen to change."""
         names = self._names()
         fetched = [(use, f"fetch_{i}") for i, use in enumerate(self.fetches)]
         clones: list[Clones] = []
@@ -60,12 +68,26 @@ class FragmentEmitter:
                 self._clone(names, f"{name}_ahead", (*cuts, _cut(use, self._own(name), "goal")))
             )
             cuts.append(_cut(use, self._own(name), "use"))
-        ahead = call_all(self._own("fetch_ahead"), [group.entry for group in clones])
-        clones.append(self._clone(names, "compute", (*cuts, self._node_cut("goal"))))
+        keep = partial(call_keeping, kept=kept, prefix=self.program.prefix)
+        ahead, entries = self._own("fetch_ahead"), [group.entry for group in clones]
+        extra: list[n.Decl] = [keep(ahead, entries) if entries else call_all(ahead, ())]
+        compute = "compute_only" if kept else "compute"
+        clones.append(self._clone(names, compute, (*cuts, self._node_cut("goal"))))
+        if kept:
+            extra.append(keep(self._own("compute"), [self._own(compute)]))
         clones.append(self._clone(names, "shade", (self._node_cut("use"),)))
         types = self.program.facts.types
-        extra = [variable(str(types[use.place.expr]), self._own(name)) for use, name in fetched]
-        return self._finish("passes/one", clones, [*extra, ahead], both=True)
+        extra += [variable(str(types[use.place.expr]), self._own(name)) for use, name in fetched]
+        return self._finish("passes/one", clones, extra, both=True)
+
+    def _left_changed(self, made: Shader) -> tuple[Symbol, ...]:
+        """The user's globals that the payload's code of a one-pass shader changes."""
+        table = EffectTable(made.module)
+        ahead = ("fetch_ahead", "compute")
+        entries = [name for name in map(self._own, ahead) if name in table.functions]
+        written = frozenset[str]().union(*(table.summary(name).writes for name in entries))
+        declared = self.program.facts.declared.values()
+        return tuple(s for s in declared if s.kind == "global" and s.name in written)
 
     def hit(self) -> Shader:
         """Two passes, first. The discard comes last where the shading takes derivatives."""
@@ -100,14 +122,23 @@ class FragmentEmitter:
         wanted = {self._own("outcome"): 0}
         return self._build("passes/hit_mask", [], (), wanted)
 
-    def unfit_for_one_pass(self) -> SharedUse | None:
-        """An implicit fetch of the payload that cannot be made before the branch, if any."""
+    def unfit_for_one_pass(self) -> str | None:
+        """Why the payload cannot be computed in a branch before the shader proper, if so."""
+        declared = self.program.facts.declared.values()
+        if any(symbol.kind == "global" and not symbol.type.name for symbol in declared):
+            return (
+                "the shader has a global variable of a struct without a name, which cannot be "
+                "kept while the payload is computed"
+            )
         for use in self.fetches:
             plain = use.instance.use is Use.PLAIN and use.place.use is Use.PLAIN
             moves = use.instance.order_matters or use.place.step.order_matters
             left = use.instance.after_exit or use.place.step.after_exit
             if not plain or moves or left:
-                return use
+                return (
+                    "the payload fetches a texture with implicit level of detail at a place "
+                    "from which the fetch cannot be moved before the branch"
+                )
         return None
 
     def _own(self, name: str) -> str:

@@ -107,10 +107,7 @@ def emit_programs(
     for number in algorithms:
         unfit = emitter.unfit_for_one_pass() if number == 1 else None
         if unfit is not None:
-            made.refused[number] = (
-                "the payload fetches a texture with implicit level of detail at a place "
-                "from which the fetch cannot be moved before the branch"
-            )
+            made.refused[number] = unfit
             continue
         made.variants[number] = tuple(
             write.add(item, build(emitter)) for item, build in _PASSES[number]

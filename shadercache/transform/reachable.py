@@ -27,8 +27,9 @@ def declared_names(decl: n.Decl) -> tuple[str, ...]:
         case n.FunctionDef() | n.FunctionProto():
             return (decl.name,)
         case n.VarDecl():
-            struct = (decl.type.struct.name,) if decl.type.struct else ()
-            return (*struct, *(item.name for item in decl.declarators))
+            struct = decl.type.struct
+            named = (struct.name,) if struct and struct.name else ()
+            return (*named, *(item.name for item in decl.declarators))
         case n.BlockDecl():
             if decl.instance is not None:
                 return (decl.instance,)

@@ -267,3 +267,30 @@ def test_corpus_programs_hold_nothing_unused(scene: str) -> None:
     offered = [node for node in analysis.nodes if node.offered]
     for node in offered[:: max(1, len(offered) // 12)]:
         check_programs(rewrite(analysis, node))
+
+
+def test_one_pass_computes_the_payload_without_changing_the_globals() -> None:
+    analysis = analysed(
+        "float before = height * u_time; raise(v_uv.x); vec3 p = sin(v_position);"
+        "o_color = vec4(p * before, height);",
+        "float height = 1.0; void raise(float x) { height = x; }",
+    )
+    emission = rewrite(analysis, find(analysis, "p"), algorithms=(1,), unprofitable=True)
+    check_programs(emission)
+    text = emission.files["1-pass.frag"]
+    body = text[text.index("void sc_compute() {") :].split("\n}", 1)[0]
+    assert [line.strip() for line in body.splitlines()[1:]] == [
+        "float sc_kept_1 = height;",
+        "sc_compute_only();",
+        "height = sc_kept_1;",
+    ]
+
+
+def test_a_global_without_a_type_name_forbids_one_pass() -> None:
+    analysis = analysed(
+        "box.x = v_uv.x; o_color = vec4(sin(v_position * v_position.yzx), box.x);",
+        "struct { float x; } box;",
+    )
+    manifest = rewrite(analysis, find(analysis, "sin(v_position * v_position.yzx)")).manifest
+    assert [item["algorithm"] for item in manifest["variants"]] == ["2-pass", "3-pass"]
+    assert "without a name" in manifest["refused"][0]["reason"]
