@@ -10,45 +10,49 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from shadercache.compiler import Analysis, Emission, analyse, rewrite
+    from shadercache.compiler import analyse, rewrite
     from shadercache.diagnostics import Diagnostic, DiagnosticError
     from shadercache.front.parse import parse
+    from shadercache.harness.measure import measure
+    from shadercache.harness.parallel import verify_in_parallel as verify
     from shadercache.options import Options
     from shadercache.source import Source
 
 __version__ = "0.1.0"
 
 __all__ = [
-    "Analysis",
     "Diagnostic",
     "DiagnosticError",
-    "Emission",
     "Options",
     "Source",
     "__version__",
     "analyse",
+    "measure",
     "parse",
     "rewrite",
+    "verify",
 ]
 
 _HOME = {
-    "Analysis": "compiler",
-    "Diagnostic": "diagnostics",
-    "DiagnosticError": "diagnostics",
-    "Emission": "compiler",
-    "Options": "options",
-    "Source": "source",
-    "analyse": "compiler",
-    "parse": "front.parse",
-    "rewrite": "compiler",
+    "Diagnostic": "shadercache.diagnostics:Diagnostic",
+    "DiagnosticError": "shadercache.diagnostics:DiagnosticError",
+    "Options": "shadercache.options:Options",
+    "Source": "shadercache.source:Source",
+    "analyse": "shadercache.compiler:analyse",
+    "measure": "shadercache.harness.measure:measure",
+    "parse": "shadercache.front.parse:parse",
+    "rewrite": "shadercache.compiler:rewrite",
+    "verify": "shadercache.harness.parallel:verify_in_parallel",
 }
+"""Public name: the module it lives in, and its name there."""
 
 
 def __getattr__(name: str) -> Any:
     """Import a public name on first use; raises AttributeError for names that do not exist."""
     if name not in _HOME:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    value = getattr(import_module(f"shadercache.{_HOME[name]}"), name)
+    module, attribute = _HOME[name].split(":")
+    value = getattr(import_module(module), attribute)
     globals()[name] = value
     return value
 
