@@ -77,7 +77,7 @@ vec3 blinn_phong(vec3 albedo, vec3 normal, vec3 view, float polish) {
     float rim = 1.0 - max(dot(normal, view), 0.0);
     vec3 sky = mix(vec3(0.13, 0.11, 0.10), vec3(0.30, 0.34, 0.42), 0.5 + 0.5 * normal.y);
     vec3 diffuse = albedo * (sky + vec3(0.95, 0.90, 0.80) * lambert);
-    return diffuse + polish * (highlight + 2.0 * rim * rim * rim * sky);
+    return diffuse + polish * (highlight + 3.0 * pow(rim, 5.0) * sky);
 }
 
 void main() {
@@ -85,5 +85,5 @@ void main() {
     vec3 view = normalize(u_eye - v_world);
     float polish = 0.4 * texture(u_detail, v_position.zy * 1.3).a;
     vec3 light = blinn_phong(marble(v_position), normal, view, polish);
-    o_color = vec4(sqrt(min(light, 1.0)), 1.0);  // a display gamma of 2
+    o_color = vec4(sqrt(min(light, 1.0)), 1.0);  // for a display of gamma 2
 }

@@ -143,7 +143,7 @@ def save(path: Path, mesh: Mesh) -> None:
     )
 
 
-def lattice(seed: int = 7) -> tuple[npt.NDArray[np.float16], npt.NDArray[np.float16]]:
+def lattice(seed: int = 7) -> tuple[npt.NDArray[np.float32], npt.NDArray[np.float16]]:
     """Permutation (64, 64, 1) and gradients (1, 64, 3) of the noise, as texels.
 
     The permutation holds the hash of (x, y), as the place of a texel of the gradients; adding z
@@ -159,7 +159,7 @@ def lattice(seed: int = 7) -> tuple[npt.NDArray[np.float16], npt.NDArray[np.floa
     ring = np.sqrt(1.0 - height**2)
     sphere = np.stack([ring * np.cos(turn), ring * np.sin(turn), height], axis=-1)
     gradients = 1.45 * sphere[random.permutation(LATTICE)]
-    return permutation.astype(np.float16)[..., None], gradients.astype(np.float16)[None]
+    return permutation.astype(np.float32)[..., None], gradients.astype(np.float16)[None]
 
 
 def detail(size: int = 128, seed: int = 11) -> npt.NDArray[np.uint8]:
