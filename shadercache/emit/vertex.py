@@ -40,10 +40,12 @@ class VertexEmitter:
     def for_fragment(self, fragment: Shader) -> Shader:
         """The vertex shader for a fragment shader: exactly the varyings which that one reads."""
         own = {self.prefix + "current", self.prefix + "previous"}
-        if not own.intersection(fragment.inputs):
-            module, wanted = self.module, set(fragment.inputs)
-        else:
-            module, wanted = self._extended(), set(fragment.inputs)
+        module = self._extended() if own.intersection(fragment.inputs) else self.module
+        wanted = set(fragment.inputs)
+        for decl in self.module.decls:
+            if isinstance(decl, n.BlockDecl) and decl.name in wanted:
+                # Blocks meet by their block name; statements know the instance or the members.
+                wanted.update(declared_names(decl))
         wanted |= {POSITION} | {name for name in _written(self.module) if name.startswith("gl_")}
         return interface(_invariant(remove_dead(module, wanted)))
 
@@ -79,7 +81,7 @@ class VertexEmitter:
     def _twins(self) -> list[n.Decl]:
         """The position's slice with everything in it renamed that is its own in each frame."""
         sliced = self._slice()
-        twinned = [decl for decl in sliced.decls if _is_twinned(decl)]
+        twinned = [_unplaced(decl) for decl in sliced.decls if _is_twinned(decl)]
         names = {POSITION: self.prefix + "previous"}
         for decl in twinned:
             names |= self._twin_names(decl)
@@ -120,9 +122,17 @@ def _is_twinned(decl: n.Decl) -> bool:
             shared = decl.qualifiers.has("in", "const") or _is_opaque_uniform(decl)
             return bool(decl.declarators) and not shared
         case n.BlockDecl():
-            return decl.qualifiers.has("uniform")
+            return decl.qualifiers.has("uniform", "out")
         case _:
             return False
+
+
+def _unplaced(decl: n.Decl) -> n.Decl:
+    """A variable or block without its place in the interface, which its twin cannot share."""
+    if not isinstance(decl, n.VarDecl | n.BlockDecl) or decl.qualifiers.layout is None:
+        return decl
+    layout = tuple(i for i in decl.qualifiers.layout if i.name not in ("location", "binding"))
+    return replace(decl, qualifiers=replace(decl.qualifiers, layout=layout or None))
 
 
 def _written(module: n.Module) -> set[str]:

@@ -294,3 +294,46 @@ def test_a_global_without_a_type_name_forbids_one_pass() -> None:
     manifest = rewrite(analysis, find(analysis, "sin(v_position * v_position.yzx)")).manifest
     assert [item["algorithm"] for item in manifest["variants"]] == ["2-pass", "3-pass"]
     assert "without a name" in manifest["refused"][0]["reason"]
+
+
+BLOCK_STAGES = (
+    """#version 330
+    in Surface { vec3 position; vec3 normal; } s; in Extra { vec3 tone; };
+    out vec4 o_color;
+    void main() { o_color = vec4(sin(s.position * s.normal) * cos(s.position) * tone, 1.0); }""",
+    """#version 330
+    uniform mat4 u_m; uniform float u_sway; in vec3 a_position;
+    out Surface { vec3 position; vec3 normal; } o; out Extra { vec3 tone; };
+    void main() {
+        o.position = a_position * u_sway; o.normal = a_position; tone = o.position;
+        gl_Position = u_m * vec4(o.position, 1.0);
+    }""",
+)
+
+
+def test_interface_blocks_meet_by_their_block_names() -> None:
+    """And the previous position's slice writes to a block of its own."""
+    fragment, vertex = BLOCK_STAGES
+    analysis = analyse(Source("test.frag", fragment), Source("test.vert", vertex))
+    node = find(analysis, "sin(s.position * s.normal) * cos(s.position)")
+    files = rewrite(analysis, node).files
+    original, reuse = files["original.vert"], files["3-pass.reuse.vert"]
+    assert "out Surface {" in original and "tone = o.position;" in original
+    assert "out Surface {" in reuse and "Extra" not in reuse
+    assert "out sc_previous_Surface {" in reuse
+    assert "sc_previous_o.position = a_position * sc_previous_u_sway;" in reuse
+
+
+def test_a_twin_does_not_share_the_place_of_its_original(analysis: Analysis) -> None:
+    vertex = """#version 430
+        layout(std140, binding = 1) uniform Camera { mat4 view; };
+        layout(location = 2) uniform float u_sway;
+        in vec3 a_position; out vec3 v_position; out vec3 v_normal; out vec2 v_uv;
+        void main() {
+            v_position = a_position; v_normal = a_position; v_uv = a_position.xy;
+            gl_Position = view * vec4(a_position * u_sway, 1.0);
+        }"""
+    again = analyse(analysis.fragment, Source("test.vert", vertex))
+    text = rewrite(again, find(again, NODES["albedo"])).files["3-pass.reuse.vert"]
+    assert "layout(std140) uniform sc_previous_Camera {" in text
+    assert "\nuniform float sc_previous_u_sway;" in text
