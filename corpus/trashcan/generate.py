@@ -69,7 +69,7 @@ def directions(size: int) -> Floats:
     return np.asarray(result / np.linalg.norm(result, axis=-1, keepdims=True))
 
 
-def environment(size: int = 64, rough: float = 0.11, rays: int = 128) -> npt.NDArray[np.float16]:
+def environment(size: int = 64, rough: float = 0.13, rays: int = 128) -> npt.NDArray[np.float16]:
     """Radiance (6, size, size, 4) of the yard as rough metal sees it.
 
     Every texel is the mean over ``rays`` directions that scatter around its own by ``rough``
@@ -122,7 +122,7 @@ def _houses(around: Floats, y: Floats) -> Floats:
     inside = _step(0.28 - np.abs(column - np.floor(column) - 0.5), 0.16)
     inside = inside * _step(0.34 - np.abs(row - np.floor(row) - 0.5), 0.16)
     lit = np.sin(np.floor(column) * 12.9 + np.floor(row) * 78.2) > -0.3
-    window = np.where(lit[..., None], np.array([2.5, 1.8, 1.0]), np.array([0.06, 0.08, 0.11]))
+    window = np.where(lit[..., None], np.array([2.4, 1.75, 1.0]), np.array([0.06, 0.08, 0.11]))
     return np.asarray(wall + (window - wall) * inside[..., None])
 
 
