@@ -11,9 +11,9 @@ Only functions that this compiler made are touched (their names are not overload
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from dataclasses import replace
-from typing import TypeVar
+from typing import TypeAlias, TypeVar
 
 from shadercache.analysis.effects import EffectTable
 from shadercache.ast import nodes as n
@@ -23,35 +23,53 @@ from shadercache.transform.replace import replace_expressions
 
 _T = TypeVar("_T")
 
+Dropped: TypeAlias = Mapping[str, set[int]]
+"""Places of the parameters that go, by function."""
+
 
 def drop_parameters(module: n.Module, functions: Collection[str]) -> n.Module:
-    """The module without unread parameters of the given functions (the same one if none)."""
-    unread = {
-        decl.name: _unread(decl)
-        for decl in module.decls
-        if isinstance(decl, n.FunctionDef) and decl.name in functions
-    }
-    impure = _impure_arguments(module, {name for name, places in unread.items() if places})
-    dropped = {name: places - impure.get(name, set()) for name, places in unread.items()}
-    dropped = {name: places for name, places in dropped.items() if places}
+    """The module without unread parameters of the given functions (the same one if none).
+
+    Functions are taken in order of definition, callees first, so that a parameter which was only
+    handed down goes together with the one it was handed to.
+    """
+    impure = _impure_arguments(module, functions)
+    dropped: dict[str, set[int]] = {}
+    decls: list[tuple[n.Decl, int]] = []
+    for decl in module.decls:
+        known = len(dropped)
+        if isinstance(decl, n.FunctionDef):
+            decl = _without_arguments(decl, dropped)
+            places = _unread(decl) - impure.get(decl.name, set())
+            if places and decl.name in functions:
+                dropped[decl.name] = places
+                decl = replace(decl, proto=_without_params(decl.proto, places))
+        decls.append((decl, known))
     if not dropped:
         return module
+    finished = (_finished(decl, dropped, known) for decl, known in decls)
+    return replace(module, decls=tuple(finished))
+
+
+def _finished(decl: n.Decl, dropped: Dropped, known: int) -> n.Decl:
+    """Prototypes, and calls before the definition: only the first ``known`` are done yet."""
+    if isinstance(decl, n.FunctionProto) and decl.name in dropped:
+        return _without_params(decl, dropped[decl.name])
+    if isinstance(decl, n.FunctionDef):
+        return _without_arguments(decl, dict(list(dropped.items())[known:]))
+    return decl
+
+
+def _without_arguments(function: n.FunctionDef, dropped: Dropped) -> n.FunctionDef:
+    if dropped.keys().isdisjoint(names_in(function.body)):
+        return function
 
     def without(original: n.Expr, rebuilt: n.Expr) -> n.Expr:
         if isinstance(rebuilt, n.Call) and rebuilt.name in dropped:
             return replace(rebuilt, args=_keep(rebuilt.args, dropped[rebuilt.name]))
         return rebuilt
 
-    decls: list[n.Decl] = []
-    for decl in module.decls:
-        if isinstance(decl, n.FunctionDef):
-            decl = replace(decl, body=replace_expressions(decl.body, without))
-            if decl.name in dropped:
-                decl = replace(decl, proto=_without_params(decl.proto, dropped[decl.name]))
-        elif isinstance(decl, n.FunctionProto) and decl.name in dropped:
-            decl = _without_params(decl, dropped[decl.name])
-        decls.append(decl)
-    return replace(module, decls=tuple(decls))
+    return replace(function, body=replace_expressions(function.body, without))
 
 
 def _unread(function: n.FunctionDef) -> set[int]:
@@ -63,7 +81,7 @@ def _unread(function: n.FunctionDef) -> set[int]:
     }
 
 
-def _impure_arguments(module: n.Module, functions: set[str]) -> dict[str, set[int]]:
+def _impure_arguments(module: n.Module, functions: Collection[str]) -> dict[str, set[int]]:
     """For each function the argument places that have a side effect in some call."""
     table = EffectTable(module)
     found: dict[str, set[int]] = {}

@@ -10,36 +10,51 @@ compute exactly what is written, and must agree to the bit (DESIGN section 4, la
 
 ``precise`` needs GLSL 4.00. It goes on locals, global variables, outputs and out parameters; a
 returned value and an argument of a user's function become locals first, since ``precise`` does not
-reach into expressions that are not assigned to a precise variable.
+reach into expressions that are not assigned to a precise variable. So do the operands of linear
+algebra, which drivers (Mesa) take apart into temporaries that are not precise.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from typing import TypeAlias, cast
 
 from shadercache.analysis.effects import EffectTable
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import children
-from shadercache.lang.types import builtin_type
+from shadercache.lang.types import Type, builtin_type
+from shadercache.sema.check import check
 from shadercache.sema.facts import Stage
-from shadercache.source import NOWHERE
+from shadercache.source import NOWHERE, Source
+from shadercache.transform.reachable import names_in
 from shadercache.transform.replace import replace_expressions
 
 PRECISE_VERSION = 400
+
+Types: TypeAlias = Mapping[n.Expr, Type]
 
 
 def make_precise(module: n.Module, prefix: str, stage: Stage = "fragment") -> n.Module:
     """The module at ``#version 400`` or higher with precise values and invariant varyings."""
     table = EffectTable(module)
+    types = _types(module) if stage == "fragment" else {}
     varying = "out" if stage == "vertex" else "in"
-    decls = tuple(_varying(_decl(decl, prefix, table), varying) for decl in module.decls)
+    decls = tuple(_varying(_decl(decl, prefix, table, types), varying) for decl in module.decls)
     return replace(module, version=max(module.version, PRECISE_VERSION), decls=decls)
 
 
-def _decl(decl: n.Decl, prefix: str, table: EffectTable) -> n.Decl:
+def _types(module: n.Module) -> Types:
+    """The types of all expressions where the module works with matrices, which it rarely does."""
+    if not any("mat" in name for name in names_in(module)):
+        return {}
+    return check(module, Source("proof", "")).types
+
+
+def _decl(decl: n.Decl, prefix: str, table: EffectTable, types: Types) -> n.Decl:
     match decl:
         case n.FunctionDef():
-            body = _Function(decl, prefix, table.functions, table).block(decl.body)
+            body = _Function(decl, prefix, table.functions, table, types).block(decl.body)
             return replace(decl, proto=_proto(decl.proto), body=body)
         case n.FunctionProto():
             return _proto(decl)
@@ -98,6 +113,8 @@ class _Function:
     prefix: str
     functions: dict[str, n.FunctionDef]
     table: EffectTable
+    types: Types
+    """Of all expressions, or empty where there are no matrices."""
     count: int = 0
     ahead: list[n.Stmt] = field(default_factory=list)
     """Statements that must come before the one at hand."""
@@ -150,18 +167,50 @@ class _Function:
 
     def expression(self, expr: n.Expr) -> n.Expr:
         """Turn the arguments of the user's functions into precise locals, where order allows."""
-        if any(self.table.of(child).writes for child in children(expr)):
+        if any(self._order_matters(child) for child in children(expr)):
             return expr
-        calls = {item for item in _unconditional(expr) if isinstance(item, n.Call)}
+        always = set(_unconditional(expr))
 
         def named(original: n.Expr, rebuilt: n.Expr) -> n.Expr:
-            callee = self.functions.get(rebuilt.name) if isinstance(rebuilt, n.Call) else None
-            if original not in calls or callee is None or not isinstance(rebuilt, n.Call):
+            if original not in always:
                 return rebuilt
-            pairs = zip(callee.proto.params, rebuilt.args, strict=True)
-            return replace(rebuilt, args=tuple(self.argument(*pair) for pair in pairs))
+            if isinstance(rebuilt, n.Call) and rebuilt.name in self.functions:
+                params = self.functions[rebuilt.name].proto.params
+                pairs = zip(params, rebuilt.args, strict=True)
+                return replace(rebuilt, args=tuple(self.argument(*pair) for pair in pairs))
+            return self.algebra(original, rebuilt) if self.types else rebuilt
 
         return replace_expressions(expr, named)
+
+    def algebra(self, original: n.Expr, rebuilt: n.Expr) -> n.Expr:
+        """Turn the operands of an operation on matrices into precise locals."""
+        if not any(self._is_matrix(part) for part in (original, *children(original))):
+            return rebuilt
+        match original, rebuilt:
+            case n.Call(), n.Call():
+                pairs = zip(original.args, rebuilt.args, strict=True)
+                return replace(rebuilt, args=tuple(self.operand(*pair) for pair in pairs))
+            case n.Binary(), n.Binary():
+                left = self.operand(original.left, rebuilt.left)
+                return replace(
+                    rebuilt, left=left, right=self.operand(original.right, rebuilt.right)
+                )
+            case n.Assign(), n.Assign(op="*="):
+                return replace(rebuilt, value=self.operand(original.value, rebuilt.value))
+        return rebuilt
+
+    def operand(self, original: n.Expr, rebuilt: n.Expr) -> n.Expr:
+        kind = self.types[original]
+        simple = isinstance(rebuilt, n.Name | n.Literal) or kind.is_array or not kind.is_float
+        return rebuilt if simple else self.local(n.TypeSpec(NOWHERE, kind.name), (), rebuilt)
+
+    def _is_matrix(self, node: n.Node) -> bool:
+        kind = self.types.get(cast("n.Expr", node))
+        return kind is not None and kind.is_matrix
+
+    def _order_matters(self, part: n.Node) -> bool:
+        """Storing the payload (a variable of our own, read nowhere near) is no side effect."""
+        return any(not name.startswith(self.prefix) for name in self.table.of(part).writes)
 
     def argument(self, param: n.Param, arg: n.Expr) -> n.Expr:
         simple = isinstance(arg, n.Name | n.Literal)

@@ -146,6 +146,19 @@ def test_drop_parameters() -> None:
     assert drop_parameters(module, ()) is module
 
 
+def test_drop_parameters_that_are_only_handed_down() -> None:
+    module = module_of(
+        """float g(float x, float y);
+        float early(float x) { return g(x, 2.0); }
+        float f(float x) { return 1.0; }
+        float g(float x, float y) { return f(x) + y; }
+        void main() { color = vec4(g(u_a, 3.0) + early(u_a)); }"""
+    )
+    text = print_module(drop_parameters(module, {"f", "g"}))
+    assert "float g(float y);" in text and "return f() + y;" in text
+    assert "g(3.0)" in text and "return g(2.0);" in text
+
+
 def test_make_precise() -> None:
     module = make_precise(
         module_of(
@@ -164,6 +177,38 @@ def test_make_precise() -> None:
     assert any("u_a * 2.0 + 1.0;" in line and line.startswith("precise") for line in text)
     assert "invariant in vec3 v_a;" in text and "uniform float u_a;" in text
     verify_module(module)
+
+
+def test_make_precise_does_not_take_the_stored_payload_for_a_side_effect() -> None:
+    module = make_precise(
+        module_of(
+            """float sc_payload;
+            float f(float x) { return x; }
+            float sc_f(float x) { sc_payload = x; return x; }
+            void main() { color = vec4(f(sc_f(u_a * 2.0) * 3.0)); }"""
+        ),
+        "sc_",
+    )
+    text = lines(module)
+    assert "precise float sc_exact_1 = u_a * 2.0;" in text
+    assert "precise float sc_exact_2 = sc_f(sc_exact_1) * 3.0;" in text
+
+
+def test_make_precise_names_the_operands_of_matrix_products() -> None:
+    module = make_precise(
+        module_of(
+            """uniform mat3 u_m;
+            void main() { mat3 m = u_m * 2.0; vec3 a = m * (v_a * 2.0) + 3.0 * v_a;
+                          a *= inverse(m + u_m); color = vec4(a, 1.0); }"""
+        ),
+        "sc_",
+    )
+    text = lines(module)
+    assert "precise vec3 sc_exact_1 = v_a * 2.0;" in text
+    assert "precise vec3 a = m * sc_exact_1 + 3.0 * v_a;" in text
+    assert "precise mat3 sc_exact_2 = m + u_m;" in text
+    assert "precise mat3 sc_exact_3 = inverse(sc_exact_2);" in text
+    assert "a *= sc_exact_3;" in text
 
 
 def test_make_precise_leaves_conditional_arguments_where_they_are() -> None:
