@@ -50,6 +50,8 @@ class Format(StrEnum):
 
 def run() -> None:
     """Entry point of the console script."""
+    if sys.stdout is None:  # started with its output closed (">&-")
+        sys.stdout = open(os.devnull, "w")  # noqa: SIM115
     if hasattr(sys.stdout, "reconfigure"):
         # A name that the terminal's encoding lacks must not end in a traceback.
         sys.stdout.reconfigure(errors="backslashreplace")

@@ -24,7 +24,9 @@ def command(
     target: Annotated[str, typer.Argument(metavar="SCENE", help="Scene file, folder or name.")],
     node: Annotated[str, typer.Option(metavar="ID", help="Node id, or a name from the scene.")],
     passes: Annotated[int, typer.Option(min=1, max=3, help="Passes of the variant.")] = 2,
-    frame: Annotated[int, typer.Option(min=1, help="Frame whose pictures are written.")] = 63,
+    frame: Annotated[
+        int, typer.Option(min=1, max=65_535, help="Frame whose pictures are written.")
+    ] = 63,
     period: Annotated[int, typer.Option(min=1, max=65_535, help="Refresh period.")] = 32,
     block: Annotated[int, typer.Option(min=2, help="Block edge, pixels, even.")] = 4,
     size: Annotated[str, typer.Option(metavar="W[xH]", help="Picture size.")] = "1024",

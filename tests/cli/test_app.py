@@ -129,3 +129,9 @@ def test_a_full_disk_behind_stdout_is_a_diagnostic(fragment: Path) -> None:
         )
     assert done.returncode == 2
     assert done.stderr == b"error: No space left on device [SC004]\n"
+
+
+def test_a_closed_output_is_no_reason_for_a_traceback(fragment: Path) -> None:
+    line = f'"{sys.executable}" -m shadercache nodes "{fragment}" >&-'
+    done = subprocess.run(["sh", "-c", line], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
