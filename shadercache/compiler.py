@@ -30,6 +30,7 @@ from shadercache.analysis.candidates import Candidate, Candidates, find_candidat
 from shadercache.analysis.effects import EffectTable
 from shadercache.analysis.restrictions import check_stages, find_color
 from shadercache.ast import nodes as n
+from shadercache.ast.walk import walk
 from shadercache.diagnostics import Diagnostic, InputError, UsageError, input_error
 from shadercache.emit import program_set
 from shadercache.emit.fragment import FragmentProgram
@@ -41,9 +42,10 @@ from shadercache.options import ALGORITHMS, Mode, Options
 from shadercache.sema.check import check
 from shadercache.sema.facts import Facts, Stage
 from shadercache.source import Source
+from shadercache.transform.make_precise import PRECISE_VERSION
 from shadercache.transform.names import fresh_prefix
 from shadercache.transform.split import split_declarations
-from shadercache.transform.unique_names import make_names_unique
+from shadercache.transform.unique_names import later_keywords, make_names_unique
 
 RECURSION_LIMIT = 20_000
 """Statements are walked recursively; Python's own limit is meant for C stacks of old."""
@@ -139,10 +141,12 @@ def rewrite(
 
     A node that is refused only as cheaper than a fetch is rewritten where ``unprofitable`` is set.
     Raises :class:`InputError` with the refusal's code for any other refused node, SC402 without a
-    vertex shader, SC407 where an algorithm that was asked for alone cannot be used for the node.
+    vertex shader, SC407 where an algorithm that was asked for alone cannot be used for the node,
+    SC408 where a name that has to stay is a keyword in proof mode.
     """
     analysis.require(node, unprofitable)
     options = options or Options()
+    _check_names(analysis, options.mode)
     programs = program_set.emit_programs(
         analysis.program, _vertex(analysis), node, options, algorithms
     )
@@ -155,8 +159,29 @@ def rewrite(
 def emit_original(analysis: Analysis, mode: Mode = "plain") -> Emission:
     """The user's own shaders, printed from the tree: the reference of laws 1 to 3."""
     options = Options(mode)
+    _check_names(analysis, mode)
     programs = program_set.emit_original(analysis.program, _vertex(analysis), options)
     return Emission(programs.files, original_manifest(programs, options))
+
+
+def _check_names(analysis: Analysis, mode: Mode) -> None:
+    """Proof mode raises the version: do the names that an engine or a struct knows stay legal?"""
+    stages = (
+        (analysis.program.module, analysis.fragment),
+        (analysis.vertex_module, analysis.vertex),
+    )
+    problems: list[Diagnostic] = []
+    for module, source in stages if mode == "proof" else ():
+        later = later_keywords(module) if module is not None else frozenset()
+        for node in walk(module) if module is not None and later else ():
+            name = getattr(node, "name", "")
+            if name in later and isinstance(node, n.Declarator | n.BlockDecl | n.StructDef):
+                message = (
+                    f"proof mode needs #version {PRECISE_VERSION}, where '{name}' is a keyword"
+                )
+                problems.append(Diagnostic("SC408", message, source, node.span))
+    if problems:
+        raise InputError(problems)
 
 
 def _unfit(analysis: Analysis, node: Candidate, programs: program_set.ProgramSet) -> Diagnostic:

@@ -1,8 +1,9 @@
 """Give every identifier one meaning in its module, so that later passes can work by name.
 
 Locals and parameters that share a name with anything global, with a function, or with another
-local of their function are renamed; so are overloads of functions. Everything an engine sees
-(uniforms, varyings, outputs, blocks) keeps its name::
+local of their function are renamed; so are overloads of functions, and locals and functions with
+names that the GLSL of proof mode makes keywords (``sample``). Everything an engine sees (uniforms,
+varyings, outputs, blocks) keeps its name::
 
     float a; float f(float x) { ... }           float a; float f(float x) { ... }
     float f(vec2 x) {                      =>   float f_1(vec2 x) {
@@ -17,7 +18,9 @@ from collections.abc import Iterator
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 from shadercache.lang.builtins import functions as builtin_functions
+from shadercache.lang.words import keywords, reserved_words
 from shadercache.sema.facts import Facts
+from shadercache.transform.make_precise import PRECISE_VERSION
 from shadercache.transform.names import FreshNames
 from shadercache.transform.reachable import declared_names
 from shadercache.transform.rename import Renamer
@@ -33,6 +36,13 @@ def make_names_unique(module: n.Module, facts: Facts) -> n.Module:
     return Renamer(finder.new.get).rewrite(module) if finder.new else module
 
 
+def later_keywords(module: n.Module) -> frozenset[str]:
+    """Names that the module's version allows and :data:`PRECISE_VERSION` does not."""
+    if module.version >= PRECISE_VERSION:
+        return frozenset()
+    return keywords(PRECISE_VERSION) | reserved_words(PRECISE_VERSION)
+
+
 class _Finder:
     """Finds out which nodes get which new name."""
 
@@ -41,6 +51,7 @@ class _Finder:
         everything = {name for node in walk(module) if (name := getattr(node, "name", None))}
         self.names = FreshNames(everything)
         self.new: dict[n.Node, str] = {}
+        self.later = later_keywords(module)
 
     def find(self) -> None:
         self._functions()
@@ -56,7 +67,7 @@ class _Finder:
         renamed: dict[n.FunctionDef, str] = {}
         for function in self.facts.functions:
             name = function.name
-            if name in seen or builtin_functions(name, self.module.version):
+            if name in seen | self.later or builtin_functions(name, self.module.version):
                 renamed[function] = self.names.make(name)
             seen.add(name)
         if not renamed:
@@ -82,7 +93,7 @@ class _Finder:
         return tuple((p.type.name, len(p.type.dims) + len(p.dims)) for p in proto.params)
 
     def _locals(self, function: n.FunctionDef, taken: set[str]) -> None:
-        seen = set(taken)
+        seen = taken | self.later
         renamed: dict[object, str] = {}
         for node in walk(function):
             if isinstance(node, n.Param | n.Declarator) and node.name:

@@ -337,3 +337,18 @@ def test_a_twin_does_not_share_the_place_of_its_original(analysis: Analysis) -> 
     text = rewrite(again, find(again, NODES["albedo"])).files["3-pass.reuse.vert"]
     assert "layout(std140) uniform sc_previous_Camera {" in text
     assert "\nuniform float sc_previous_u_sway;" in text
+
+
+def test_names_that_become_keywords_in_proof_mode() -> None:
+    analysis = analysed(
+        "float patch = v_uv.x; o_color = vec4(sample(v_position, patch), 1.0);",
+        "vec3 sample(vec3 p, float dmat2) { return sin(p * dmat2) * cos(p); }",
+    )
+    emission = rewrite(analysis, find(analysis, "sin(p * dmat2) * cos(p)"), Options(mode="proof"))
+    check_programs(emission)
+    kept = analysed("o_color = vec4(sin(v_position) * sample, 1.0);", "uniform float sample;")
+    node = find(kept, "sin(v_position)")
+    check_programs(rewrite(kept, node, unprofitable=True))
+    with pytest.raises(InputError) as error:
+        rewrite(kept, node, Options(mode="proof"), unprofitable=True)
+    assert error.value.diagnostics[0].code == "SC408"
