@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.compiler import Analysis, emit_original, rewrite
-from shadercache.diagnostics import input_error
+from shadercache.diagnostics import InputError, input_error
 from shadercache.harness.bundle import Bundle
 from shadercache.harness.context import Gpu
 from shadercache.harness.mesh import Mesh, load_mesh
@@ -72,7 +72,8 @@ class Difference:
 class Verdict:
     """The laws for one node. Keys of the dictionaries are algorithms (``2-pass``).
 
-    ``refused`` holds the algorithms that the compiler does not offer for the node, and why.
+    ``refused`` holds the algorithms that the compiler does not offer for the node, and why;
+    ``failure`` says why a variant could not be drawn at all, where one could not.
     """
 
     node: str
@@ -84,12 +85,14 @@ class Verdict:
     agreeing: dict[str, Difference] = field(default_factory=dict)
     plain: dict[str, Difference] = field(default_factory=dict)
     refused: dict[str, str] = field(default_factory=dict)
+    failure: str = ""
 
     @property
     def broken(self) -> list[str]:
-        """The laws that do not hold, as ``law 2 (1-pass)``."""
+        """The laws that do not hold, as ``law 2 (1-pass)``; with a failure, that none does."""
         laws = (("law 2", self.always), ("law 3", self.resting), ("law 4", self.agreeing))
-        return [
+        failed = ["cannot be drawn"] if self.failure else []
+        return failed + [
             f"{law} ({name})"
             for law, found in laws
             for name, difference in found.items()
@@ -151,10 +154,21 @@ class Verifier:
         return found
 
     def check(self, node: Candidate, plain: bool = True) -> Verdict:
-        """Laws 2 to 4 for one node in proof mode, and what plain mode changes if ``plain``."""
+        """Laws 2 to 4 for one node in proof mode, and what plain mode changes if ``plain``.
+
+        A variant that the driver turns down breaks the laws; it does not end the verifying.
+        """
         if not self.covered[0].any():
             raise input_error("SC612", "the object covers no pixel, so no law can be checked")
+        self.analysis.require(node, unprofitable=True)
         verdict = Verdict(node.id, node.path, node.text, node.offered)
+        try:
+            self._check_modes(node, verdict, plain)
+        except InputError as error:
+            verdict.failure = str(error)
+        return verdict
+
+    def _check_modes(self, node: Candidate, verdict: Verdict, plain: bool) -> None:
         bundle = self._rewritten(node, "proof")
         for entry in bundle.manifest["refused"]:
             verdict.refused[entry["algorithm"]] = entry["reason"]
@@ -163,7 +177,6 @@ class Verifier:
             shipped = self._rewritten(node, "plain")
             for name in shipped.algorithms:
                 verdict.plain[name] = self._always(shipped, name, "plain")
-        return verdict
 
     def check_bundle(self, bundle: Bundle, verdict: Verdict) -> None:
         """Laws 2 to 4 for a proof-mode bundle, into ``verdict``."""
