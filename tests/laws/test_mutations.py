@@ -1,0 +1,249 @@
+"""A law's test must be able to fail: programs broken on purpose, and which law notices (DESIGN §4).
+
+What moves a discard ahead of the derivatives is not among them: llvmpipe computes derivatives
+behind a discard all the same. The order is checked in the emitted text, by the tests of emit/.
+"""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import closing
+from dataclasses import dataclass
+
+import pytest
+from laws.ground_truth import (
+    VERTEX,
+    TrueFrame,
+    body_mesh,
+    body_scene,
+    bundle_of,
+    true_frames,
+)
+from laws.look_ups import LawFive
+
+from shadercache.compiler import analyse, rewrite
+from shadercache.emit.runtime import SPREAD
+from shadercache.harness.bundle import Bundle
+from shadercache.harness.context import Gpu
+from shadercache.harness.stage import Stage
+from shadercache.harness.verify import Verdict, Verifier
+from shadercache.options import Options
+from shadercache.source import Source
+
+pytestmark = pytest.mark.xdist_group("law5")
+
+ALL = ("1-pass", "2-pass", "3-pass")
+
+FRAGMENT = """#version 330
+in vec3 v_position;
+in vec3 v_normal;
+out vec4 o_color;
+void main() {
+    vec3 bands = sin(9.0 * v_position) * cos(5.0 * v_position.yzx);
+    o_color = vec4(0.5 + 0.5 * bands * normalize(v_normal).z, 1.0);
+}
+"""
+
+
+@dataclass(frozen=True)
+class Replace:
+    """Puts ``new`` for ``old`` wherever it stands in files whose name has ``where`` in it."""
+
+    old: str
+    new: str
+    where: str = ""
+
+    def bundle(self, bundle: Bundle) -> Bundle:
+        """The broken bundle. The text must be there, or the test would be no test."""
+        assert any(self.old in text for name, text in bundle.files.items() if self.where in name)
+        files = {
+            name: self(text) if self.where in name else text for name, text in bundle.files.items()
+        }
+        return Bundle(bundle.manifest, files)
+
+    def __call__(self, text: str) -> str:
+        return text.replace(self.old, self.new)
+
+
+TWINS_SWAPPED = Replace("sc_previous_u_modelViewProjection * vec4", "u_modelViewProjection * vec4")
+HITS_DISABLED = Replace("    return 1;\n", "    return 4;\n")
+REFRESH_INVERTED = Replace(
+    "return phase == 0 || phase == sc_period;", "return !(phase == 0 || phase == sc_period);"
+)
+NOTHING_STORED = Replace("vec4(sc_payload, 1.0", "vec4(vec3(0.0), 1.0")
+
+
+@pytest.fixture(scope="module")
+def verifier(gpu: Gpu) -> Iterator[Verifier]:
+    """The trash can's shape under a shader that compiles fast."""
+    analysis = analyse(Source("bands.frag", FRAGMENT), Source("bands.vert", VERTEX))
+    scene, mesh = body_scene("trashcan", 3.0), body_mesh("trashcan")
+    with closing(Verifier(gpu, scene, analysis, mesh=mesh)) as made:
+        yield made
+
+
+@pytest.fixture(scope="module")
+def proof(verifier: Verifier) -> Bundle:
+    nodes = [node for node in verifier.analysis.nodes if node.legal and "sin" in node.text]
+    emission = rewrite(verifier.analysis, nodes[0], Options("proof", "rgba32f"), unprofitable=True)
+    return Bundle(emission.manifest, emission.files)
+
+
+def broken(verifier: Verifier, bundle: Bundle) -> set[str]:
+    verdict = Verdict(bundle.node("id"), bundle.node("path"), bundle.node("text"), True)
+    verifier.check_bundle(bundle, verdict)
+    return set(verdict.broken)
+
+
+def every(law: int) -> set[str]:
+    return {f"law {law} ({algorithm})" for algorithm in ALL}
+
+
+def test_laws_2_to_4_hold_unchanged(verifier: Verifier, proof: Bundle) -> None:
+    assert broken(verifier, proof) == set()
+
+
+NOTICED = {
+    "refresh test inverted": (REFRESH_INVERTED, every(2)),
+    "payload store dropped": (NOTHING_STORED, every(3) | {"law 2 (3-pass)"}),
+    "payload store dropped in two passes only": (
+        Replace(NOTHING_STORED.old, NOTHING_STORED.new, "2-pass.miss"),
+        {"law 3 (2-pass)", "law 4 (2-pass)"},
+    ),
+    "payload not carried on by hits": (
+        Replace(NOTHING_STORED.old, NOTHING_STORED.new, "2-pass.hit"),
+        {"law 3 (2-pass)", "law 4 (2-pass)"},
+    ),
+    "channels in another order": (Replace("= texel.xyz", "= texel.zyx"), every(3)),
+    "misses shaded from the cache": (
+        Replace("if (sc_look_up(texel) != 1) {", "if (sc_look_up(texel) == 0) {", "2-pass.hit"),
+        {"law 2 (2-pass)", "law 4 (2-pass)"},
+    ),
+    "hits shaded by the original in three passes": (
+        Replace("if (sc_look_up(texel) != 1) {", "if (sc_look_up(texel) != 0) {", "3-pass.reuse"),
+        {"law 4 (3-pass)"},
+    ),
+}
+
+
+@pytest.mark.parametrize(("mutation", "laws"), NOTICED.values(), ids=NOTICED.keys())
+def test_laws_2_to_4_notice(
+    verifier: Verifier, proof: Bundle, mutation: Replace, laws: set[str]
+) -> None:
+    found = broken(verifier, mutation.bundle(proof))
+    assert laws <= found, f"noticed only by {sorted(found)}"
+
+
+def test_laws_2_to_4_notice_a_wrong_manifest(verifier: Verifier, proof: Bundle) -> None:
+    def change(edit: Callable[[Mapping[str, dict[str, object]]], None]) -> set[str]:
+        manifest = copy.deepcopy(dict(proof.manifest))
+        passes = {
+            f"{variant['algorithm']} {item['name']}": item
+            for variant in manifest["variants"]
+            for item in variant["passes"]
+        }
+        edit(passes)
+        return broken(verifier, Bundle(manifest, proof.files))
+
+    depth = {"test": "less", "write": True}
+    assert "law 2 (3-pass)" in change(lambda passes: passes["3-pass shade"].update(depth=depth))
+    found = change(lambda passes: passes["2-pass miss"].update(on_reset=False))
+    assert {"law 2 (2-pass)", "law 3 (2-pass)"} <= found
+
+
+def test_a_variant_that_does_not_compile_is_reported(
+    verifier: Verifier, proof: Bundle, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    worse = Replace("sc_payload;", "sc_payload", "3-pass.payload").bundle(proof)
+    monkeypatch.setattr(verifier, "_rewritten", lambda node, mode: worse)
+    verdict = verifier.check(verifier.analysis.node(proof.node("id")))
+    assert verdict.broken == ["cannot be drawn"]
+    assert "3-pass.payload.frag" in verdict.failure
+    assert set(verdict.always) == {"1-pass", "2-pass"}, "what came before stands"
+
+
+@pytest.mark.parametrize("mutation", [TWINS_SWAPPED, HITS_DISABLED], ids=["twins", "no hits"])
+def test_laws_2_to_4_cannot_notice(verifier: Verifier, proof: Bundle, mutation: Replace) -> None:
+    """That is why there is law 5."""
+    assert broken(verifier, mutation.bundle(proof)) == set()
+
+
+MOTION = "sc_previous.xy / sc_previous.w - sc_current.xy / sc_current.w;"
+BACKWARDS = "sc_current.xy / sc_current.w - sc_previous.xy / sc_previous.w;"
+
+LAW_5 = {
+    "previous twins swapped": (TWINS_SWAPPED, ("too far away", "hit rate")),
+    "hits disabled": (HITS_DISABLED, ("hit rate",)),
+    "refresh test inverted": (REFRESH_INVERTED, ("out of turn", "hit rate")),
+    "payload store dropped": (NOTHING_STORED, ("too far away",)),
+    "clip test removed": (Replace("        return 3;\n", ""), ("not visible",)),
+    "depth test removed": (
+        Replace("        return 4;\n", ""),
+        ("too far away", "not visible", "other side"),
+    ),
+    "depth of another frame stored": (Replace("1.0 / sc_current.w", "1.0"), ("hit rate",)),
+    "motion doubled": (Replace(MOTION, f"2.0 * ({MOTION[:-1]});"), ("hit rate",)),
+    "motion reversed": (Replace(MOTION, BACKWARDS), ("hit rate",)),
+    "half a pixel off": (
+        Replace(MOTION, f"{MOTION[:-1]} + 1.0 / vec2(textureSize(sc_cache, 0));"),
+        ("too far away",),
+    ),
+    "one residue refreshed twice": (
+        Replace("* uint(sc_period) >>", "* uint(sc_period + 1) >>"),
+        ("out of turn",),
+    ),
+    "larger blocks": (Replace("float(sc_block)", "float(2 * sc_block)"), ("out of turn",)),
+}
+
+
+@pytest.fixture(scope="module")
+def turning(gpu: Gpu) -> Iterator[tuple[Stage, list[TrueFrame]]]:
+    """The dragon turns fast, hides parts of itself, and reaches beyond the frame."""
+    scene = body_scene("dragon", 8.0, zoom=2.0)
+    with Stage(gpu, scene, (192, 192), "rgba32f", body_mesh("dragon")) as stage:
+        yield stage, true_frames(stage, range(6))
+
+
+def test_law_5_holds_unchanged(turning: tuple[Stage, list[TrueFrame]]) -> None:
+    for carried in (False, True):
+        found = LawFive(*turning, carried=carried).findings()
+        assert not found.broken, str(found)
+
+
+@pytest.mark.parametrize(("mutation", "noticed"), LAW_5.values(), ids=LAW_5.keys())
+def test_law_5_notices(
+    turning: tuple[Stage, list[TrueFrame]], mutation: Replace, noticed: tuple[str, ...]
+) -> None:
+    mutation.bundle(bundle_of("v_position", "rgba32f"))
+    found = LawFive(*turning, carried=True, mutation=mutation).findings()
+    for words in noticed:
+        assert any(words in sentence for sentence in found.broken), str(found)
+
+
+@pytest.fixture(scope="module")
+def passing(gpu: Gpu) -> Iterator[tuple[Stage, list[TrueFrame]]]:
+    """A sphere passes in front of the dragon."""
+    scene, mesh = body_scene("dragon", 5.0, zoom=2.0), body_mesh("dragon", sphere=True)
+    with Stage(gpu, scene, (192, 192), "rgba32f", mesh) as stage:
+        yield stage, true_frames(stage, range(4))
+
+
+OTHER_BODY = {
+    "depth test removed": Replace("        return 4;\n", ""),
+    "depths of single texels not tested": Replace(f"{SPREAD} * sc_epsilon", "1e9"),
+}
+
+
+def test_law_5_holds_with_two_bodies(passing: tuple[Stage, list[TrueFrame]]) -> None:
+    found = LawFive(*passing).findings()
+    assert not found.broken, str(found)
+
+
+@pytest.mark.parametrize("mutation", OTHER_BODY.values(), ids=OTHER_BODY.keys())
+def test_law_5_notices_another_body(
+    passing: tuple[Stage, list[TrueFrame]], mutation: Replace
+) -> None:
+    mutation.bundle(bundle_of("v_body", "rgba32f"))
+    found = LawFive(*passing, mutation=mutation).findings()
+    assert any("another body" in sentence for sentence in found.broken), str(found)

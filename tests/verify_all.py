@@ -1,0 +1,260 @@
+"""Verify every legal node of the corpus by every algorithm, and keep the results.
+
+``python -m tests.verify_all [-j N] [--scene NAME] [--resume]`` writes
+``bench/results/<machine>/verify-<scene>.json``, from time to time while it works and whole each
+time; what an interrupted run found, ``--resume`` keeps. Exit status 1 if a law is broken.
+"""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import json
+import os
+import re
+import sys
+import time
+from collections.abc import Sequence
+from contextlib import closing
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import shadercache
+from shadercache.analysis.candidates import Candidate
+from shadercache.cli.progress import progress
+from shadercache.compiler import analyse
+from shadercache.diagnostics import DiagnosticError
+from shadercache.harness.context import open_context
+from shadercache.harness.files import write_bytes
+from shadercache.harness.parallel import read_shaders, verify_in_parallel
+from shadercache.harness.results import environment
+from shadercache.harness.scene import Scene, load_scene
+from shadercache.harness.verify import MAX_TIES, Difference, Verdict, Verifier
+from shadercache.paths import data_path
+
+SCHEMA_VERSION = 1
+SCENES = ("dragon", "trashcan")
+RESULTS = Path(__file__).resolve().parent.parent / "bench" / "results"
+
+SAVE_SECONDS = 20.0
+"""Pause between two writings of the file: what a run can lose."""
+
+Row = dict[str, Any]
+
+
+@dataclass
+class Report:
+    """What is known of a scene. ``rows`` maps node ids to rows; ``head`` is what they rest on."""
+
+    path: Path
+    head: dict[str, Any]
+    legal: Sequence[Candidate]
+    rows: dict[str, Row] = field(default_factory=dict)
+    saved: float = 0.0
+
+    @property
+    def left(self) -> list[str]:
+        """The ids of nodes without a row."""
+        return [node.id for node in self.legal if node.id not in self.rows]
+
+    @property
+    def broken(self) -> list[str]:
+        """What is broken: node ids, and ``law 1``."""
+        found = [] if self.head["law_1"] == "exact" else ["law 1"]
+        return found + [node for node, row in self.rows.items() if "broken" in row]
+
+    def add(self, verdict: Verdict) -> None:
+        """Take a verdict; write the file if the last time was long ago."""
+        self.rows[verdict.node] = row_of(verdict)
+        if time.monotonic() - self.saved > SAVE_SECONDS:
+            self.save()
+
+    def save(self) -> None:
+        """Write the file, rows in the order of the shader's nodes, one to a line."""
+        ordered = [self.rows[node.id] for node in self.legal if node.id in self.rows]
+        head = json.dumps(self.head | {"counts": self.counts()}, indent=1).removesuffix("\n}")
+        rows = ",\n".join(f"  {json.dumps(row, ensure_ascii=False)}" for row in ordered)
+        write_bytes(self.path, f'{head},\n "nodes": [\n{rows}\n ]\n}}\n'.encode())
+        self.saved = time.monotonic()
+
+    def counts(self) -> dict[str, int]:
+        """How many nodes are legal, verified, exact, ... so far."""
+        rows = self.rows.values()
+        return {
+            "legal": len(self.legal),
+            "offered": sum(node.offered for node in self.legal),
+            "verified": len(rows),
+            "exact in proof mode": sum("broken" not in row for row in rows),
+            "broken": sum("broken" in row for row in rows),
+            "without 1-pass": sum("without" in row for row in rows),
+            "plain mode changes bits": sum("plain" in row for row in rows),
+        }
+
+
+def row_of(verdict: Verdict) -> Row:
+    """A node's row; what is as it should be is left out.
+
+    ``plain``: largest difference that plain mode makes under law 2, its 99.9th percentile, and the
+    share of changed pixels, each the worst of the algorithms.
+    """
+    row: Row = {"id": verdict.node, "path": verdict.path}
+    if not verdict.profitable:
+        row["unprofitable"] = True
+    if verdict.refused:
+        row["without"] = sorted(verdict.refused)
+    if verdict.broken:
+        row["text"] = verdict.text
+        row["broken"] = {law: _figures(found) for law, found in _differences(verdict).items()}
+    if verdict.failure:
+        row["failure"] = verdict.failure
+    worst = Difference()
+    for found in verdict.plain.values():
+        worst = worst.worst(found)
+    if not worst.exact:
+        row["plain"] = _figures(worst)
+    return row
+
+
+def _differences(verdict: Verdict) -> dict[str, Difference]:
+    laws = {"law 2": verdict.always, "law 3": verdict.resting, "law 4": verdict.agreeing}
+    return {
+        f"{law} ({algorithm})": found
+        for law, by_algorithm in laws.items()
+        for algorithm, found in by_algorithm.items()
+        if not found.exact
+    }
+
+
+def _figures(found: Difference) -> list[float | None]:
+    """Three digits of each figure; JSON has no infinity, so that is null."""
+    figures = (found.maximum, found.p999, found.changed)
+    return [float(f"{value:.3g}") if value < float("inf") else None for value in figures]
+
+
+def fingerprint(scene: Scene) -> str:
+    """Changes when anything that a verdict depends on changes: our code, the scene's files."""
+    package = Path(shadercache.__file__).parent
+    code = (path for path in package.rglob("*") if path.suffix in (".py", ".glsl", ".frag", ".txt"))
+    mesh = scene.verify_mesh or scene.mesh
+    textures = (texture.path for texture in scene.textures.values())
+    files = [*code, *data_path("grammars").glob("*"), scene.path, scene.fragment, scene.vertex]
+    digest = hashlib.sha256()
+    for path in sorted({*files, mesh, *textures}):
+        digest.update(path.name.encode() + b"\0" + path.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def machine_name(about: dict[str, Any]) -> str:
+    """``$MACHINE``, or the renderer and the number of cores, such as ``llvmpipe-2-cores``."""
+    renderer = about["gl"]["renderer"].partition("(")[0]
+    slug = re.sub(r"[^a-z0-9]+", "-", f"{renderer} {about['cores']} cores".lower()).strip("-")
+    return os.environ.get("MACHINE") or slug
+
+
+def prepare(path: Path, output: Path | None, resume: bool) -> Report:
+    """Check law 1, count depth ties, and take over what an earlier run found if ``resume``."""
+    scene = load_scene(path)
+    analysis = analyse(*read_shaders(scene))
+    with open_context() as gpu:
+        about = environment(gpu)
+        with closing(Verifier(gpu, scene, analysis)) as verifier:
+            law_1, ties = verifier.round_trip(), verifier.ties
+    head = {
+        "schema_version": SCHEMA_VERSION,
+        "scene": scene.name,
+        "fingerprint": f"{fingerprint(scene)} {about['gl']['version']} {about['gl']['renderer']}",
+        "environment": about,
+        "law_1": "exact" if law_1.exact else _figures(law_1),
+        "depth_ties": ties,
+    }
+    folder = output or RESULTS / machine_name(about)
+    legal = [node for node in analysis.nodes if node.legal]
+    report = Report(folder / f"verify-{scene.name}.json", head, legal)
+    if resume:
+        report.rows = earlier_rows(report)
+    return report
+
+
+def earlier_rows(report: Report) -> dict[str, Row]:
+    """The rows of the report's file, if it was made by this code on this driver."""
+    try:
+        stored = json.loads(report.path.read_text(encoding="utf-8"))
+        if stored["fingerprint"] == report.head["fingerprint"]:
+            known = {node.id for node in report.legal}
+            return {row["id"]: row for row in stored["nodes"] if row["id"] in known}
+    except (OSError, ValueError, KeyError, TypeError):
+        pass
+    _say(f"{report.path} holds nothing that could be taken over: starting anew")
+    return {}
+
+
+def verify(path: Path, report: Report, jobs: int, limit: int | None) -> None:
+    """Verify what is left of a scene (``limit`` nodes of it at most), and write the file."""
+    left = report.left[:limit]
+    report.saved = time.monotonic()
+    try:
+        with progress(f"verifying {report.head['scene']}", len(left)) as advance:
+
+            def told(verdict: Verdict) -> None:
+                report.add(verdict)
+                advance(1)
+                if verdict.broken:
+                    _say(f"{verdict.node} ({verdict.path}): {', '.join(verdict.broken)}")
+
+            verify_in_parallel(path, left, max(1, min(jobs, len(left))), told=told)
+    finally:
+        report.save()
+
+
+def summary(report: Report) -> str:
+    """One paragraph for the terminal."""
+    counts = report.counts()
+    lines = [
+        f"{report.head['scene']}: {counts['exact in proof mode']} of {counts['verified']} nodes "
+        f"exact in proof mode ({counts['legal']} legal, {counts['offered']} offered)",
+        f"  law 1: {report.head['law_1']}; plain mode changes bits of "
+        f"{counts['plain mode changes bits']}; {counts['without 1-pass']} cannot be cached in one "
+        f"pass",
+        f"  {report.path}",
+    ]
+    if report.head["depth_ties"] > MAX_TIES:
+        lines.append(f"  {report.head['depth_ties']:.2%} of the pixels are depth ties, left out")
+    if report.left:
+        lines.append(f"  {len(report.left)} nodes are left; --resume goes on")
+    lines += [f"  BROKEN: {name}" for name in report.broken]
+    return "\n".join(lines)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run; returns the exit status."""
+    parser = argparse.ArgumentParser(prog="./dev verify-all", description=__doc__)
+    parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count() or 1, metavar="N")
+    parser.add_argument("--scene", action="append", choices=SCENES, help="only this one")
+    parser.add_argument("--resume", action="store_true", help="keep what an earlier run found")
+    parser.add_argument("--limit", type=int, metavar="N", help="at most N nodes of each scene")
+    parser.add_argument("-o", "--output", type=Path, metavar="DIR", help="for the result files")
+    options = parser.parse_args(arguments)
+    broken = False
+    try:
+        for name in options.scene or SCENES:
+            path = data_path("corpus", name, "scene.toml")
+            report = prepare(path, options.output, options.resume)
+            verify(path, report, options.jobs, options.limit)
+            print(summary(report), flush=True)
+            broken = broken or bool(report.broken)
+    except DiagnosticError as error:
+        _say(str(error))
+        return error.exit_code
+    except KeyboardInterrupt:
+        _say("interrupted; --resume goes on from here")
+        return 130
+    return int(broken)
+
+
+def _say(message: str) -> None:
+    print(message, file=sys.stderr, flush=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
