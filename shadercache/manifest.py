@@ -73,7 +73,7 @@ def build_manifest(
             "format": options.cache_format,
             "buffers": 2,
             "clear": list(CLEAR),
-            "filter": "linear",
+            "filter": "nearest",
             "wrap": "clamp-to-edge",
             "channels": {"payload": channels, "depth": "w"},
             "depth_encoding": "1/w",

@@ -6,8 +6,7 @@ uniform sampler2D u_gradients;    // 64 x 1: a gradient for each hash
 uniform sampler2D u_detail;       // rgb: raggedness of the veins, alpha: polish
 
 uniform vec3 u_eye;    // world space
-uniform vec3 u_light;  // world space, towards the lamp, unit length
-uniform vec3 u_fill;   // the same for the fill light
+uniform vec3 u_light;  // world space, towards the light, unit length
 
 in vec3 v_position;  // object space
 in vec3 v_normal;    // world space
@@ -30,9 +29,7 @@ vec3 slopes(vec3 gradient, vec3 way) {
 // Noise along one upright edge of a lattice cell: what its two corners give, blended.
 // `at` is where the tables keep the lower corner, `way` leads from that corner to the point.
 vec3 edge(vec3 at, vec3 way, float blend) {
-    // Hashed twice: one permutation of so few cells shows as diagonals.
-    float column = textureLod(u_permutation, at.xy, 0.0).r;
-    float hash = textureLod(u_permutation, vec2(column, at.x), 0.0).r + at.z;
+    float hash = textureLod(u_permutation, at.xy, 0.0).r + at.z;
     vec3 lower = textureLod(u_gradients, vec2(hash, 0.5), 0.0).xyz;
     vec3 upper = textureLod(u_gradients, vec2(hash + CELL, 0.5), 0.0).xyz;
     return mix(slopes(lower, way), slopes(upper, way - vec3(0.0, 0.0, 1.0)), blend);
@@ -72,27 +69,21 @@ vec3 marble(vec3 p) {
     return mix(stone, vec3(0.13, 0.17, 0.16), 0.9 * vein);
 }
 
-// One light on the stone: what it scatters, and the highlight on its polish.
-vec3 blinn_phong(vec3 albedo, vec3 normal, vec3 view, vec3 light, float polish) {
-    vec3 halfway = normalize(light + view);
-    float lambert = max(dot(normal, light), 0.0);
+// Light from the sky and the lamp on the stone, and what its polish mirrors of both.
+vec3 blinn_phong(vec3 albedo, vec3 normal, vec3 view, float polish) {
+    vec3 halfway = normalize(u_light + view);
+    float lambert = max(dot(normal, u_light), 0.0);
     float highlight = pow(max(dot(normal, halfway), 0.0), 48.0);
-    return albedo * lambert + polish * highlight;
-}
-
-// Lamp, fill light and sky together; the polish mirrors the sky at grazing angles.
-vec3 shade(vec3 albedo, vec3 normal, vec3 view, float polish) {
-    vec3 lamp = vec3(0.95, 0.90, 0.80) * blinn_phong(albedo, normal, view, u_light, polish);
-    vec3 fill = vec3(0.16, 0.20, 0.28) * blinn_phong(albedo, normal, view, u_fill, polish);
     float rim = 1.0 - max(dot(normal, view), 0.0);
-    vec3 sky = mix(vec3(0.13, 0.11, 0.10), vec3(0.28, 0.32, 0.40), 0.5 + 0.5 * normal.y);
-    return lamp + fill + (albedo + 3.0 * polish * pow(rim, 5.0)) * sky;
+    vec3 sky = mix(vec3(0.13, 0.11, 0.10), vec3(0.30, 0.34, 0.42), 0.5 + 0.5 * normal.y);
+    vec3 diffuse = albedo * (sky + vec3(0.95, 0.90, 0.80) * lambert);
+    return diffuse + polish * (highlight + 3.0 * pow(rim, 5.0) * sky);
 }
 
 void main() {
     vec3 normal = normalize(v_normal);
     vec3 view = normalize(u_eye - v_world);
     float polish = 0.4 * texture(u_detail, v_position.zy * 1.3).a;
-    vec3 light = shade(marble(v_position), normal, view, polish);
+    vec3 light = blinn_phong(marble(v_position), normal, view, polish);
     o_color = vec4(sqrt(min(light, 1.0)), 1.0);  // for a display of gamma 2
 }

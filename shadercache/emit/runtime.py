@@ -19,6 +19,9 @@ OUTCOMES = {"hit": 1, "refresh": 2, "outside": 3, "depth": 4}
 
 FOLDER = Path(__file__).with_name("glsl")
 
+SPREAD = 16.0
+"""How many epsilons a single texel of the filter may be off in depth (docs/NUMERICS.md)."""
+
 _CHANNELS = ("x", "xy", "xyz")
 
 
@@ -29,6 +32,7 @@ def load_part(name: str, components: int, prefix: str) -> tuple[n.Decl, ...]:
     macros = {
         "PAYLOAD": kind,
         "CHANNELS": _CHANNELS[components - 1],
+        "SC_SPREAD": str(SPREAD),
         "PADDING": ", 0.0" * (3 - components),
         **{f"SC_{key.upper()}": str(value) for key, value in OUTCOMES.items()},
     }
