@@ -57,6 +57,7 @@ def build_manifest(
 ) -> dict[str, Any]:
     """The manifest of a program set."""
     assert programs.original is not None and programs.debug is not None
+    assert programs.payload is not None
     channels = _CHANNELS[(node.type.components or 1) - 1]
     relies = list(RELIES_ON)
     if programs.unchanging:
@@ -89,6 +90,7 @@ def build_manifest(
             {"algorithm": f"{number}-pass", "reason": reason}
             for number, reason in programs.refused.items()
         ],
+        "payload": _pass(programs.payload),
         "debug": _pass(programs.debug) | {"values": OUTCOMES},
         "frame": list(FRAME),
         "reset": list(RESET),
@@ -186,6 +188,6 @@ def _uniforms(prefix: str, options: Options) -> list[dict[str, Any]]:
             "accepted difference between the cached and the expected depth",
             "relative to 1/w",
             range="> 0",
-            default=options.tolerance,
+            default=options.epsilon,
         ),
     ]

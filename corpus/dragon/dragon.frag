@@ -1,5 +1,6 @@
 #version 330
-// A dragon of polished marble: veins from five octaves of gradient noise, lit after Blinn and Phong.
+// A dragon of polished marble: veins from five octaves of gradient noise, lit by a lamp, a dimmer one
+// and the sky, after Blinn and Phong.
 
 uniform sampler2D u_permutation;  // 64 x 64: a hash of each upright column of the noise lattice
 uniform sampler2D u_gradients;    // 64 x 1: a gradient for each hash
@@ -13,6 +14,7 @@ in vec3 v_normal;    // world space
 in vec3 v_world;     // world space
 
 const float CELL = 1.0 / 64.0;  // one lattice cell in the tables, which repeat after 64
+const vec3 FILL = vec3(-0.80, 0.36, 0.48);  // world space, towards the dimmer lamp, unit length
 
 layout(location = 0) out vec4 o_color;
 
@@ -35,8 +37,10 @@ vec3 edge(vec3 at, vec3 way, float blend) {
     return mix(slopes(lower, way), slopes(upper, way - vec3(0.0, 0.0, 1.0)), blend);
 }
 
-// Three independent gradient noises (Perlin 2002), each about -1 to 1.
+// Three independent gradient noises (Perlin 2002), each about -1 to 1. Their space is bent a little,
+// or the lattice would show in the stone.
 vec3 noise(vec3 p) {
+    p += 0.1 * sin(3.0 * p.yzx);
     vec3 cell = floor(p);
     vec3 at = CELL * (cell + 0.5);
     vec3 way = p - cell;
@@ -65,19 +69,22 @@ vec3 marble(vec3 p) {
     vec3 turbulence = fbm(p * 2.3 + ragged);
     float strata = sin(dot(p, vec3(4.0, 6.6, 3.1)) + 3.1 * turbulence.x);
     float vein = exp2(-6.5 * strata * strata) * clamp(0.9 + 2.2 * turbulence.y, 0.0, 1.0);
+    float rust = smoothstep(0.15, 0.5, turbulence.z * turbulence.x + 0.2 * strata);
     vec3 stone = mix(vec3(0.66, 0.60, 0.50), vec3(0.45, 0.45, 0.43), 0.5 + turbulence.z);
+    stone = mix(stone, vec3(0.58, 0.38, 0.20), 0.5 * rust);
     return mix(stone, vec3(0.13, 0.17, 0.16), 0.9 * vein);
 }
 
-// Light from the sky and the lamp on the stone, and what its polish mirrors of both.
+// Light from the sky and the lamps on the stone, and what its polish mirrors of them.
 vec3 blinn_phong(vec3 albedo, vec3 normal, vec3 view, float polish) {
-    vec3 halfway = normalize(u_light + view);
-    float lambert = max(dot(normal, u_light), 0.0);
-    float highlight = pow(max(dot(normal, halfway), 0.0), 48.0);
+    float highlight = pow(max(dot(normal, normalize(u_light + view)), 0.0), 48.0);
+    float glow = pow(max(dot(normal, normalize(FILL + view)), 0.0), 12.0);
+    vec3 lamps = vec3(0.95, 0.90, 0.80) * max(dot(normal, u_light), 0.0)
+        + vec3(0.12, 0.16, 0.22) * max(dot(normal, FILL), 0.0);
     float rim = 1.0 - max(dot(normal, view), 0.0);
     vec3 sky = mix(vec3(0.13, 0.11, 0.10), vec3(0.30, 0.34, 0.42), 0.5 + 0.5 * normal.y);
-    vec3 diffuse = albedo * (sky + vec3(0.95, 0.90, 0.80) * lambert);
-    return diffuse + polish * (highlight + 3.0 * pow(rim, 5.0) * sky);
+    return albedo * (sky + lamps)
+        + polish * (highlight + 0.2 * glow + 3.0 * pow(rim, 5.0) * sky);
 }
 
 void main() {

@@ -17,7 +17,7 @@ from shadercache.cli.measuring import (
 )
 from shadercache.cli.pictures import write_pictures
 from shadercache.cli.scenes import choose_nodes, find_scene
-from shadercache.options import CacheFormat, Options
+from shadercache.options import DEFAULT_EPSILON, CacheFormat, Options
 
 
 def command(
@@ -34,8 +34,8 @@ def command(
         CacheFormat, typer.Option("--format", help="Texel format of the cache.")
     ] = "rgba16f",
     epsilon: Annotated[
-        float | None, typer.Option(min=0.0, help="Depth tolerance, relative to 1/w.")
-    ] = None,
+        float, typer.Option(min=0.0, help="Depth tolerance, relative to 1/w.")
+    ] = DEFAULT_EPSILON,
     mesh: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Draw this mesh (.npz) instead.")
     ] = None,

@@ -117,6 +117,11 @@ class FragmentEmitter:
         clones = [self._clone(self._names(), "shade", (self._node_cut("use"),))]
         return self._finish("passes/shade", clones, store=False)
 
+    def payload_alone(self) -> Shader:
+        """The payload in place of the colour, for the cost of the payload (P of P/T)."""
+        clones = [self._clone(self._names(), "compute", (self._node_cut("goal"),))]
+        return self._build("passes/payload_alone", clones, (), {self._own("value"): 0})
+
     def hit_mask(self) -> Shader:
         """What the look-up says, for the eyes and for the hit rate."""
         wanted = {self._own("outcome"): 0}

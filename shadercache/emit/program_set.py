@@ -44,6 +44,7 @@ class ProgramSet:
     variants: dict[int, tuple[Pass, ...]] = field(default_factory=dict)
     original: Pass | None = None
     debug: Pass | None = None
+    payload: Pass | None = None
     refused: dict[int, str] = field(default_factory=dict)
     previous: dict[str, str] = field(default_factory=dict)
     unchanging: tuple[str, ...] = ()
@@ -52,6 +53,7 @@ class ProgramSet:
 
 
 _ORIGINAL = Pass("original", "original", (COLOR,), "less", (), True)
+_PAYLOAD = Pass("payload-alone", "payload-alone", (COLOR,), "less", (), True)
 _HIT_MASK = Pass("hit-mask", "hit-mask", (MASK,), "less", (PREVIOUS,), False)
 
 _PASSES: dict[int, tuple[tuple[Pass, Callable[[FragmentEmitter], Shader]], ...]] = {
@@ -104,6 +106,7 @@ def emit_programs(
     write = _Writer(made, vertex, options, f"node {node.id}")
     made.original = write.add(_ORIGINAL, original(program))
     made.debug = write.add(_HIT_MASK, emitter.hit_mask())
+    made.payload = write.add(_PAYLOAD, emitter.payload_alone())
     for number in algorithms:
         unfit = emitter.unfit_for_one_pass() if number == 1 else None
         if unfit is not None:

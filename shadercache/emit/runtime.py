@@ -19,7 +19,7 @@ OUTCOMES = {"hit": 1, "refresh": 2, "outside": 3, "depth": 4}
 
 FOLDER = Path(__file__).with_name("glsl")
 
-SPREAD = 16.0
+SPREAD = 24.0
 """How many epsilons a single texel of the filter may be off in depth (docs/NUMERICS.md)."""
 
 _CHANNELS = ("x", "xy", "xyz")

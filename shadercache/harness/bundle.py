@@ -87,6 +87,11 @@ class Bundle:
         return self._pass(_need(self.manifest, "original"))
 
     @cached_property
+    def payload(self) -> PassSpec:
+        """The payload alone, drawn like the original: what computing it costs."""
+        return self._pass(_need(self.manifest, "payload"))
+
+    @cached_property
     def debug(self) -> PassSpec:
         """The program that tells hits from misses."""
         return self._pass(_need(self.manifest, "debug"))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from ctypes import CFUNCTYPE
 from dataclasses import dataclass
 from types import TracebackType
 from typing import Any
@@ -28,12 +30,14 @@ class Gpu:
     renderer: str
     vendor: str
     version: str
+    submit: Callable[[], None]
+    """Hand over what was drawn, without waiting for it (``glFlush``). A renderer on the CPU fills
+    the pixels of one pass while the vertices of the next are processed; elsewhere it is no use."""
 
     @property
     def is_software(self) -> bool:
         """Whether the renderer runs on the CPU: timer queries mean nothing there."""
-        name = self.renderer.lower()
-        return any(word in name for word in _SOFTWARE)
+        return _is_software(self.renderer)
 
     def describe(self) -> dict[str, Any]:
         """Renderer, vendor, version and whether it is a software renderer, for result files."""
@@ -70,7 +74,23 @@ def open_context() -> Gpu:
     # Every engine samples cube maps across their edges today; GL keeps it off by default.
     ctx.enable_direct(_SEAMLESS_CUBE_MAPS)
     info = ctx.info
-    return Gpu(ctx, info["GL_RENDERER"], info["GL_VENDOR"], info["GL_VERSION"])
+    renderer = info["GL_RENDERER"]
+    submit = _find_flush(ctx) if _is_software(renderer) else _nothing
+    return Gpu(ctx, renderer, info["GL_VENDOR"], info["GL_VERSION"], submit)
+
+
+def _is_software(renderer: str) -> bool:
+    return any(word in renderer.lower() for word in _SOFTWARE)
+
+
+def _find_flush(ctx: moderngl.Context) -> Callable[[], None]:
+    """``glFlush``, for which moderngl has no name."""
+    address = ctx.mglo._context.load("glFlush")
+    return CFUNCTYPE(None)(address) if address else _nothing
+
+
+def _nothing() -> None:
+    """There is nothing to do."""
 
 
 def _first_that_opens(*settings: dict[str, Any]) -> moderngl.Context:

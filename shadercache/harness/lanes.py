@@ -18,6 +18,7 @@ from shadercache.harness.runner import (
     CoverageRunner,
     GeometryRunner,
     OriginalRunner,
+    PayloadRunner,
     RunOptions,
     VariantRunner,
 )
@@ -148,7 +149,7 @@ class VariantLane:
 
 
 class PartsLane:
-    """The payload alone and the hit alone, at the probed frames."""
+    """The payload alone, at every compared frame, and the hit alone, at the probed frames."""
 
     def __init__(self, stage: Stage, entry: Entry, options: MeasureOptions) -> None:
         """Raises as ``VariantRunner``."""
@@ -156,24 +157,25 @@ class PartsLane:
         self.hit: dict[int, float] = {}
         run = RunOptions(NEVER, options.block, options.epsilon, options.cache_format)
         have = entry.bundle.algorithms
-        self._payload, self._hit = (
-            VariantRunner(stage, entry.bundle, name, run) if name in have else None
-            for name in ("3-pass", "2-pass")
-        )
+        self._payload = PayloadRunner(stage, entry.bundle)
+        self._hit = VariantRunner(stage, entry.bundle, "2-pass", run) if "2-pass" in have else None
 
     def warm_up(self, frame: int, clock: Clock) -> None:
         """Draw both once, then forget what was timed."""
+        self.time_payload(clock, frame)
         self.probe(clock, frame)
         self.payload.clear()
         self.hit.clear()
 
+    def time_payload(self, clock: Clock, frame: int) -> None:
+        """Time the payload alone."""
+        self.payload[frame] = clock.time(partial(self._payload.draw, frame))
+
     def probe(self, clock: Clock, frame: int) -> None:
-        """Time the 3-pass payload pass on cleared targets, and the 2-pass hit pass at rest.
+        """Time the 2-pass hit pass at rest.
 
         The hit pass sees a cache that was filled at the same frame, so that every pixel is a hit.
         """
-        if self._payload is not None:
-            self.payload[frame] = clock.time(partial(self._payload.draw_pass, frame, "payload"))
         if self._hit is not None:
             self._hit.reset()
             self._hit.draw(frame)
@@ -181,9 +183,9 @@ class PartsLane:
 
     def release(self) -> None:
         """Give programs and caches back."""
-        for runner in (self._payload, self._hit):
-            if runner is not None:
-                runner.release()
+        self._payload.release()
+        if self._hit is not None:
+            self._hit.release()
 
     def result(
         self, reference: ReferenceLane, entry: Entry, lanes: list[VariantLane]

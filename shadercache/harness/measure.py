@@ -147,8 +147,10 @@ class _GroupRun:
                 lane.compare(self._reference)
             if shown:
                 self.shots.append(self._shot(lane))
-        if probed:
-            for parts in self._parts:
+        for parts in self._parts:
+            if compared:
+                parts.time_payload(self._clock, frame)
+            if probed:
                 parts.probe(self._clock, frame)
 
     def _shot(self, lane: VariantLane) -> Shot:

@@ -109,6 +109,14 @@ class GeometryRunner(PassRunner):
         super().__init__(stage, bundle.geometry)
 
 
+class PayloadRunner(PassRunner):
+    """Draws the payload alone in place of the colour: P of P/T."""
+
+    def __init__(self, stage: Stage, bundle: Bundle) -> None:
+        """Raises as ``BoundPass``."""
+        super().__init__(stage, bundle.payload)
+
+
 class CoverageRunner(PassRunner):
     """Tells which pixels the mesh covers, and where two fragments tie for the front."""
 
@@ -190,6 +198,7 @@ class VariantRunner(_Runner):
         self._begin()
         for bound in self._due():
             bound.draw(inputs, self._caches)
+            self.stage.gpu.submit()
         self._caches.swap()
         self._before = inputs.now
 
