@@ -149,7 +149,7 @@ class VariantLane:
 
 
 class PartsLane:
-    """The payload alone, at every compared frame, and the hit alone, at the probed frames."""
+    """The payload alone and the hit alone, each at its frames (``MeasureOptions``)."""
 
     def __init__(self, stage: Stage, entry: Entry, options: MeasureOptions) -> None:
         """Raises as ``VariantRunner``."""

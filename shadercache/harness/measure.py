@@ -148,7 +148,7 @@ class _GroupRun:
             if shown:
                 self.shots.append(self._shot(lane))
         for parts in self._parts:
-            if compared:
+            if self._options.times_payload(frame):
                 parts.time_payload(self._clock, frame)
             if probed:
                 parts.probe(self._clock, frame)

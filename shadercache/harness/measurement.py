@@ -58,9 +58,19 @@ class MeasureOptions:
 
     def is_probed(self, frame: int) -> bool:
         """Whether the costly extras are taken at a frame."""
+        return self._falls_on(frame, min(self.probe_every, self._compared // 8))
+
+    def times_payload(self, frame: int) -> bool:
+        """Whether the payload alone is timed at a frame: sixteen times, or at all that compare."""
+        return self._falls_on(frame, self._compared // 16)
+
+    @property
+    def _compared(self) -> int:
+        return self.frames - self.first_compared
+
+    def _falls_on(self, frame: int, every: int) -> bool:
         since = frame - self.first_compared
-        compared = self.frames - self.first_compared
-        return since >= 0 and since % max(1, min(self.probe_every, compared // 8)) == 0
+        return since >= 0 and since % max(1, every) == 0
 
 
 @dataclass(frozen=True, eq=False)

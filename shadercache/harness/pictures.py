@@ -66,7 +66,7 @@ def hit_picture(mask: NDArray[np.uint8], values: Mapping[str, int]) -> Picture:
 def png_bytes(shown: Picture) -> bytes:
     """The picture as a PNG file."""
     buffer = io.BytesIO()
-    Image.fromarray(shown).save(buffer, "PNG")
+    Image.fromarray(shown).save(buffer, "PNG", compress_level=4)  # 6: twice the time, 4 % smaller
     return buffer.getvalue()
 
 

@@ -109,7 +109,7 @@ class Targets:
         """The mask target, rounded to whole numbers, (h, w), row 0 at the bottom."""
         width, height = self.size
         values = np.frombuffer(self.mask.read(), np.float32).reshape(height, width)
-        return np.rint(values).astype(np.uint8)
+        return (values + 0.5).astype(np.uint8)
 
     def release(self) -> None:
         """Free every GL object, lent caches included."""

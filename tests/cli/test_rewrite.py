@@ -22,7 +22,7 @@ def test_all_variants_with_their_manifest(
     assert (outcome.status, outcome.err) == (0, "")
     manifest = json.loads((out / "manifest.json").read_text())
     assert [item["algorithm"] for item in manifest["variants"]] == ["1-pass", "2-pass", "3-pass"]
-    drawn = [manifest["original"], manifest["debug"]]
+    drawn = [manifest["original"], manifest["payload"], manifest["debug"]]
     drawn += [item for variant in manifest["variants"] for item in variant["passes"]]
     files = {item[stage] for item in drawn for stage in ("vertex", "fragment")}
     assert listing(out) == sorted(files | {"manifest.json"})

@@ -74,6 +74,7 @@ def test_the_numbers_of_a_variant(measurement: Measurement) -> None:
         for node in group.nodes:
             assert node.ratio is not None and node.payload is not None and node.hit is not None
             assert len(node.hit.samples) == 4
+            assert len(node.payload.samples) == OPTIONS.frames - OPTIONS.first_compared
             for variant in node.variants:
                 assert len(variant.timing.samples) == OPTIONS.frames - 1
                 assert variant.timing.minimum > 0

@@ -47,7 +47,7 @@ int sc_look_up(out vec4 texel) {
         return 3;
     }
     vec4 each = abs(vec4(a.w, b.w, c.w, d.w) * sc_previous.w - 1.0);
-    if (!(abs(texel.w * sc_previous.w - 1.0) <= sc_epsilon && all(lessThanEqual(each, vec4(16.0 * sc_epsilon))))) {
+    if (!(abs(texel.w * sc_previous.w - 1.0) <= sc_epsilon && all(lessThanEqual(each, vec4(24.0 * sc_epsilon))))) {
         return 4;
     }
     return 1;
