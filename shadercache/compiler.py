@@ -59,6 +59,7 @@ class Analysis:
     vertex: Source | None
     candidates: Candidates
     program: FragmentProgram
+    vertex_parsed: n.Module | None
     vertex_module: n.Module | None
 
     @property
@@ -121,12 +122,13 @@ def analyse(fragment: Source, vertex: Source | None = None) -> Analysis:
     color = find_color(module, fragment)
     printed = _printed(parsed, module)
     candidates = find_candidates(module, facts, fragment, printed, EffectTable(module))
-    program = FragmentProgram(module, facts, candidates, color, prefix)
-    vertex_module = None
+    program = FragmentProgram(parsed, module, facts, candidates, color, prefix)
+    vertex_parsed = vertex_module = None
     if vertex is not None:
-        vertex_module, _ = _normalise(parse(vertex), vertex, "vertex")
+        vertex_parsed = parse(vertex)
+        vertex_module, _ = _normalise(vertex_parsed, vertex, "vertex")
         check_stages(module, fragment, vertex_module, vertex)
-    return Analysis(fragment, vertex, candidates, program, vertex_module)
+    return Analysis(fragment, vertex, candidates, program, vertex_parsed, vertex_module)
 
 
 def rewrite(
@@ -157,7 +159,10 @@ def rewrite(
 
 
 def emit_original(analysis: Analysis, mode: Mode = "plain") -> Emission:
-    """The user's own shaders, printed from the tree: the reference of laws 1 to 3."""
+    """The user's own shaders, printed from the tree: what variants are compared with.
+
+    In plain mode nothing is changed but the layout; proof mode also makes every value precise.
+    """
     options = Options(mode)
     _check_names(analysis, mode)
     programs = program_set.emit_original(analysis.program, _vertex(analysis), options)
@@ -191,9 +196,9 @@ def _unfit(analysis: Analysis, node: Candidate, programs: program_set.ProgramSet
 
 
 def _vertex(analysis: Analysis) -> VertexEmitter:
-    if analysis.vertex_module is None:
+    if analysis.vertex_module is None or analysis.vertex_parsed is None:
         raise input_error("SC402", "a vertex shader is needed to rewrite a shader", "give --vert")
-    return VertexEmitter(analysis.vertex_module, analysis.program.prefix)
+    return VertexEmitter(analysis.vertex_parsed, analysis.vertex_module, analysis.program.prefix)
 
 
 def _vertex_source(analysis: Analysis) -> Source:

@@ -30,8 +30,12 @@ from shadercache.transform.specialise import Clones, Cut, CutKind, insert_clones
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FragmentProgram:
-    """The user's fragment shader, checked and with unique names, and how to extend it."""
+    """The user's fragment shader, checked and with unique names, and how to extend it.
 
+    ``parsed`` is the same as the user wrote it.
+    """
+
+    parsed: n.Module
     module: n.Module
     facts: Facts
     candidates: Candidates
@@ -192,8 +196,8 @@ class FragmentEmitter:
         return interface(with_locations(module, locations))
 
 
-def original(program: FragmentProgram) -> Shader:
-    """The user's shader with unique names and without what it does not need."""
+def exact_original(program: FragmentProgram) -> Shader:
+    """The user's shader with unique names and without what it does not need, for proof mode."""
     module = remove_dead(program.module, (program.color,))
     return interface(with_locations(module, {program.color: 0}))
 

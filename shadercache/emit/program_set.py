@@ -10,8 +10,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 from shadercache.analysis.candidates import Candidate
-from shadercache.emit.assemble import Shader
-from shadercache.emit.fragment import FragmentEmitter, FragmentProgram, original
+from shadercache.emit.assemble import Shader, interface
+from shadercache.emit.fragment import FragmentEmitter, FragmentProgram, exact_original
 from shadercache.emit.printer import print_module
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.options import Options
@@ -104,7 +104,7 @@ def emit_programs(
         color=program.color,
     )
     write = _Writer(made, vertex, options, f"node {node.id}")
-    made.original = write.add(_ORIGINAL, original(program))
+    made.original = write.original(program)
     made.debug = write.add(_HIT_MASK, emitter.hit_mask())
     made.payload = write.add(_PAYLOAD, emitter.payload_alone())
     for number in algorithms:
@@ -121,7 +121,7 @@ def emit_programs(
 def emit_original(program: FragmentProgram, vertex: VertexEmitter, options: Options) -> ProgramSet:
     """The user's shaders themselves, printed: what variants are compared with."""
     made = ProgramSet(prefix=program.prefix, color=program.color)
-    made.original = _Writer(made, vertex, options, "unchanged").add(_ORIGINAL, original(program))
+    made.original = _Writer(made, vertex, options, "unchanged").original(program)
     return made
 
 
@@ -134,9 +134,19 @@ class _Writer:
     options: Options
     about: str
 
+    def original(self, program: FragmentProgram) -> Pass:
+        """The user's own shaders: word for word, or ready for proof mode."""
+        if self.options.mode == "plain":
+            return self._write(
+                _ORIGINAL, interface(program.parsed), interface(self.vertex.parsed)
+            )
+        return self.add(_ORIGINAL, exact_original(program))
+
     def add(self, item: Pass, fragment: Shader) -> Pass:
-        """Print both stages of a pass; return the pass with its interface filled in."""
-        vertex = self.vertex.for_fragment(fragment)
+        """Print a pass and the vertex shader for it; return it with its interface filled in."""
+        return self._write(item, fragment, self.vertex.for_fragment(fragment))
+
+    def _write(self, item: Pass, fragment: Shader, vertex: Shader) -> Pass:
         self.made.files[f"{item.file}.frag"] = self._text(item, fragment, "fragment")
         self.made.files[f"{item.file}.vert"] = self._text(item, vertex, "vertex")
         uniforms = tuple(dict.fromkeys((*vertex.uniforms, *fragment.uniforms)))

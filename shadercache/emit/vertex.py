@@ -32,8 +32,9 @@ POSITION = "gl_Position"
 
 @dataclass(frozen=True, slots=True, eq=False)
 class VertexEmitter:
-    """Makes vertex shaders from the user's (checked, with unique names)."""
+    """Makes vertex shaders from the user's (checked, with unique names; ``parsed``: as written)."""
 
+    parsed: n.Module
     module: n.Module
     prefix: str
 

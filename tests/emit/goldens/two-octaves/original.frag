@@ -3,10 +3,11 @@
 
 uniform sampler2D u_map;
 uniform vec3 u_tint;
+uniform float u_time;
 in vec3 v_position;
 in vec3 v_normal;
 in vec2 v_uv;
-layout(location = 0) out vec4 o_color;
+out vec4 o_color;
 
 float noise(vec3 p) {
     return sin(p.x * 12.9) * sin(p.y * 78.2) * sin(p.z * 37.7);

@@ -1,7 +1,6 @@
 #version 330
 // shadercache: original, node stone.1-ae098caa
 
-invariant gl_Position;
 in vec3 a_position;
 in vec3 a_normal;
 uniform mat4 u_modelViewProjection;
