@@ -137,9 +137,7 @@ class _Writer:
     def original(self, program: FragmentProgram) -> Pass:
         """The user's own shaders: word for word, or ready for proof mode."""
         if self.options.mode == "plain":
-            return self._write(
-                _ORIGINAL, interface(program.parsed), interface(self.vertex.parsed)
-            )
+            return self._write(_ORIGINAL, interface(program.parsed), interface(self.vertex.parsed))
         return self.add(_ORIGINAL, exact_original(program))
 
     def add(self, item: Pass, fragment: Shader) -> Pass:
