@@ -90,6 +90,10 @@ class DiagnosticError(Exception):
         self.diagnostics = tuple(diagnostics)
         super().__init__("\n".join(item.render() for item in self.diagnostics))
 
+    def __reduce__(self) -> tuple[type[DiagnosticError], tuple[tuple[Diagnostic, ...]]]:
+        """What another process needs to raise it again: the diagnostics, not their text."""
+        return type(self), (self.diagnostics,)
+
 
 class InputError(DiagnosticError):
     """The input is rejected or a law is broken (exit code 1)."""

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import difflib
+import os
 from collections.abc import Callable, Iterator
+from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,8 +16,19 @@ if TYPE_CHECKING:
 
 ROOT = Path(__file__).resolve().parent.parent
 UPDATE = "--update-goldens"
+SEED = "SHADERCACHE_SEED"
 
 Golden = Callable[[str | Path, str], None]
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Settle the day's seed once, so that all worker processes have the same."""
+    os.environ.setdefault(SEED, str(date.today().toordinal()))
+
+
+def pytest_report_header(config: pytest.Config) -> str:
+    """The seed that picks the day's nodes and random shaders."""
+    return f"seed of the day: {SEED}={os.environ[SEED]}"
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

@@ -11,7 +11,6 @@ import argparse
 import hashlib
 import json
 import os
-import re
 import sys
 import time
 from collections.abc import Sequence
@@ -28,7 +27,7 @@ from shadercache.diagnostics import DiagnosticError
 from shadercache.harness.context import open_context
 from shadercache.harness.files import write_bytes
 from shadercache.harness.parallel import read_shaders, verify_in_parallel
-from shadercache.harness.results import environment
+from shadercache.harness.results import environment, machine_name
 from shadercache.harness.scene import Scene, load_scene
 from shadercache.harness.verify import MAX_TIES, Difference, Verdict, Verifier
 from shadercache.paths import data_path
@@ -143,13 +142,6 @@ def fingerprint(scene: Scene) -> str:
     for path in sorted({*files, mesh, *textures}):
         digest.update(path.name.encode() + b"\0" + path.read_bytes())
     return digest.hexdigest()[:16]
-
-
-def machine_name(about: dict[str, Any]) -> str:
-    """``$MACHINE``, or the renderer and the number of cores, such as ``llvmpipe-2-cores``."""
-    renderer = about["gl"]["renderer"].partition("(")[0]
-    slug = re.sub(r"[^a-z0-9]+", "-", f"{renderer} {about['cores']} cores".lower()).strip("-")
-    return os.environ.get("MACHINE") or slug
 
 
 def prepare(path: Path, output: Path | None, resume: bool) -> Report:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from shadercache.cli.io import folder
 from shadercache.cli.measuring import (
     parse_blocks,
     parse_passes,
@@ -46,7 +47,10 @@ def command(
         Path | None, typer.Option(metavar="FILE", help="Draw this mesh (.npz) instead.")
     ] = None,
     out: Annotated[
-        Path, typer.Option("-o", "--output", metavar="DIR", help="For JSON, CSV and plots.")
+        Path,
+        typer.Option(
+            "-o", "--output", metavar="DIR", parser=folder, help="For JSON, CSV and plots."
+        ),
     ] = Path("out/bench"),
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON, not a table.")] = False,
 ) -> None:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from shadercache.cli.io import folder
 from shadercache.cli.measuring import parse_size, result_table, step_progress, summary
 from shadercache.cli.pictures import write_pictures
 from shadercache.cli.scenes import choose_nodes, find_scene
@@ -33,7 +34,8 @@ def command(
         Path | None, typer.Option(metavar="FILE", help="A mesh (.npz) for the dragon's scene.")
     ] = None,
     out: Annotated[
-        Path, typer.Option("-o", "--output", metavar="DIR", help="Folder for results.")
+        Path,
+        typer.Option("-o", "--output", metavar="DIR", parser=folder, help="Folder for results."),
     ] = Path("out/demo"),
 ) -> None:
     """Rewrite both scenes' shaders at three nodes each, run every variant beside the original.

@@ -17,6 +17,17 @@ from shadercache.source import Source, Span
 MANIFEST = "manifest.json"
 
 
+def folder(text: str | Path) -> Path:
+    """The folder that an option names. An empty name would quietly mean the current one.
+
+    Raises:
+        UsageError: SC002, the name is empty.
+    """
+    if not str(text):
+        raise usage_error("SC002", "cannot write: the name of the folder is empty")
+    return Path(text)
+
+
 def read_source(path: str) -> Source:
     """The text of a shader file, or of stdin for ``-``, named as the user named it.
 

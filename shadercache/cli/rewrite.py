@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from shadercache.cli.io import MANIFEST, atomic_folder, read_pair
+from shadercache.cli.io import MANIFEST, atomic_folder, folder, read_pair
 from shadercache.options import ALGORITHMS, CacheFormat, Mode, Options
 
 if TYPE_CHECKING:
@@ -18,7 +18,10 @@ if TYPE_CHECKING:
 def command(
     fragment: Annotated[str, typer.Argument(metavar="FRAG", help="Fragment shader; - is stdin.")],
     node: Annotated[str, typer.Option(metavar="ID", help="The node to cache, from 'nodes'.")],
-    out: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="Folder to write.")],
+    out: Annotated[
+        Path,
+        typer.Option("-o", "--output", metavar="DIR", parser=folder, help="Folder to write."),
+    ],
     vert: Annotated[
         str | None,
         typer.Option(metavar="FILE", help="Vertex shader; if left out, FRAG with .vert."),

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from shadercache.cli.io import folder
 from shadercache.cli.measuring import (
     parse_blocks,
     parse_periods,
@@ -43,7 +44,10 @@ def command(
         bool, typer.Option("--unprofitable", help="Also a node that costs less than a fetch.")
     ] = False,
     out: Annotated[
-        Path, typer.Option("-o", "--output", metavar="DIR", help="Folder for the pictures.")
+        Path,
+        typer.Option(
+            "-o", "--output", metavar="DIR", parser=folder, help="Folder for the pictures."
+        ),
     ] = Path("out/run"),
 ) -> None:
     """Run a variant from a reset up to a frame; write original, cached, 10x difference, hit map."""

@@ -79,7 +79,7 @@ def _decode(
     path: Path, key: str, name: str, raw: Mapping[str, NDArray[np.generic]]
 ) -> NDArray[np.float32]:
     array = raw[key]
-    if array.dtype.kind not in "fiu" or array.ndim not in (1, 2):
+    if array.dtype.kind not in "fiu" or array.ndim not in (1, 2) or not array.size:
         raise _bad_shape(path, key, f"{array.dtype} {array.shape}")
     values = array.astype(np.float64).reshape(len(array), -1)
     if key.endswith("_u16"):

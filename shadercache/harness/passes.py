@@ -8,7 +8,9 @@ from dataclasses import dataclass
 import moderngl
 import numpy as np
 
+from shadercache.ast import nodes as n
 from shadercache.diagnostics import Diagnostic, InputError
+from shadercache.front.parse import parse
 from shadercache.harness.bundle import PassSpec
 from shadercache.harness.cache import CachePair
 from shadercache.harness.camera import Values
@@ -152,6 +154,8 @@ class BoundPass:
     def _bind_value(self, uniform: Uniform, twin: str | None, values: Values) -> list[Diagnostic]:
         name = uniform.name if twin is None else twin
         if name not in values:
+            if _has_initialiser(self._spec, uniform.name):
+                return []
             hint = f"in the scene, under [uniforms], add: {name} = ..."
             return [self._problem("SC520", f"needs the uniform {name}", hint)]
         try:
@@ -164,6 +168,17 @@ class BoundPass:
     def _problem(self, code: str, what: str, hint: str | None = None) -> Diagnostic:
         place = Source(str(self._stage.scene.path), "")
         return Diagnostic(code, f"{self._spec.fragment.name} {what}", place, hint=hint)
+
+
+def _has_initialiser(spec: PassSpec, name: str) -> bool:
+    """Whether the shaders themselves give a uniform its value (``uniform float gain = 2.0;``)."""
+    return any(
+        item.name == name and item.init is not None
+        for source in (spec.vertex, spec.fragment)
+        for decl in parse(source).decls
+        if isinstance(decl, n.VarDecl) and decl.qualifiers.has("uniform")
+        for item in decl.declarators
+    )
 
 
 def _cache_texture(role: str, caches: CachePair | None) -> moderngl.Texture:

@@ -12,6 +12,7 @@ import json
 import math
 import os
 import platform
+import re
 from collections.abc import Mapping
 from dataclasses import asdict
 from datetime import UTC, datetime
@@ -53,7 +54,7 @@ def environment(gpu: Gpu) -> dict[str, Any]:
         "gl": gpu.describe(),
         "cpu": _processor(),
         "cores": os.cpu_count(),
-        "system": platform.platform(),
+        "system": _system(),
         "python": platform.python_version(),
     }
 
@@ -148,6 +149,25 @@ def _plain(value: Any) -> Any:
     if isinstance(value, list | tuple):
         return [_plain(item) for item in value]
     return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def machine_name(where: Mapping[str, Any]) -> str:
+    """``$MACHINE``, or the renderer and the number of cores, such as ``llvmpipe-2-cores``.
+
+    Args:
+        where: what ``environment`` returns.
+    """
+    renderer = where["gl"]["renderer"].partition("(")[0]
+    slug = re.sub(r"[^a-z0-9]+", "-", f"{renderer} {where['cores']} cores".lower()).strip("-")
+    return os.environ.get("MACHINE") or slug
+
+
+def _system() -> str:
+    """The distribution; the kernel's own name often gives away whose machine it is."""
+    try:
+        return f"{platform.freedesktop_os_release()['PRETTY_NAME']}, {platform.machine()}"
+    except (OSError, KeyError):
+        return f"{platform.system()}, {platform.machine()}"
 
 
 def _processor() -> str:

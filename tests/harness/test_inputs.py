@@ -84,6 +84,12 @@ def test_what_the_scene_lacks(stage: Stage) -> None:
     assert found == ["SC521"] and "a_uv" in words
 
 
+def test_a_uniform_that_brings_its_own_value(stage: Stage) -> None:
+    fragment = "uniform float u_gain = 0.75; out vec4 o; void main() { o = vec4(u_gain); }"
+    with PassRunner(stage, spec(fragment)) as runner:
+        assert runner.image(0).max() == 0.75
+
+
 def test_what_the_harness_cannot_give(stage: Stage) -> None:
     out = "out vec4 o; void main() { "
     for fragment in (

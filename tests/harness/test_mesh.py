@@ -63,6 +63,7 @@ def test_quantised_arrays(tmp_path: Path) -> None:
         ({"position": POSITION, "index": INDEX + 2}, "SC513", "vertex 5, but 4"),
         ({"position_u16": POSITION.astype("u2"), "index": INDEX}, "SC511", "bounds"),
         ({"position": np.array(["a"]), "index": INDEX}, "SC512", "'position'"),
+        ({"position": POSITION[:0], "index": INDEX}, "SC512", "(0, 3)"),
     ],
 )
 def test_broken_meshes(
