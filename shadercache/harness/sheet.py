@@ -80,8 +80,17 @@ def _draw_row(
         image = Image.fromarray(picture).resize(size, how)
         sheet.paste(image, (_MARGIN + column * (size[0] + _GAP), y))
     below = y + size[1] + _GAP // 2
-    draw.text((_MARGIN, below), row.heading, _INK, _font(_TEXT))
+    room = sheet.width - 2 * _MARGIN
+    draw.text((_MARGIN, below), _fitting(draw, row.heading, room), _INK, _font(_TEXT))
     draw.text((_MARGIN, below + _TEXT + 4), row.caption, _FAINT, _font(_TEXT))
+
+
+def _fitting(draw: ImageDraw.ImageDraw, text: str, room: float) -> str:
+    """The text, or its first words with dots where it is wider than ``room`` pixels."""
+    kept = text
+    while kept and draw.textlength(kept if kept == text else f"{kept} ...", _font(_TEXT)) > room:
+        kept = kept.rpartition(" ")[0]
+    return kept if kept == text else f"{kept} ..."
 
 
 def _draw_legend(draw: ImageDraw.ImageDraw, y: int) -> None:

@@ -157,6 +157,9 @@ def test_pictures_stand_upright() -> None:
 
 def test_the_contact_sheet(measurement: Measurement) -> None:
     sheet_rows = [SheetRow(shot, shot.label, "numbers") for shot in measurement.shots[:2]]
+    long = [SheetRow(measurement.shots[0], "word " * 500, "numbers")]
+    margin = contact_sheet("Title", long, cell=100)[:, -20:]
+    assert (margin == margin[0, 0]).all(), "a long heading ends before the margin"
     one = contact_sheet("Title", sheet_rows[:1], cell=100)
     two = contact_sheet("Title", sheet_rows, cell=100)
     assert two.shape[0] > one.shape[0] + 75 and two.shape[1] == one.shape[1] > 400
