@@ -158,7 +158,7 @@ def test_pictures_stand_upright() -> None:
 def test_the_contact_sheet(measurement: Measurement) -> None:
     sheet_rows = [SheetRow(shot, shot.label, "numbers") for shot in measurement.shots[:2]]
     long = [SheetRow(measurement.shots[0], "word " * 500, "numbers")]
-    margin = contact_sheet("Title", long, cell=100)[:, -20:]
+    margin = contact_sheet("Title", long, cell=400)[:, -20:]
     assert (margin == margin[0, 0]).all(), "a long heading ends before the margin"
     one = contact_sheet("Title", sheet_rows[:1], cell=100)
     two = contact_sheet("Title", sheet_rows, cell=100)
