@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from ctypes import CFUNCTYPE
 from dataclasses import dataclass
-from types import TracebackType
 from typing import Any
 
 import moderngl
 
 from shadercache.diagnostics import Diagnostic, GraphicsError
+from shadercache.harness.owner import Owner
 
 APT_LINE = "apt-get install -y --no-install-recommends libegl1 libgl1"
 """Brings a software OpenGL to Debian 12/13 and Ubuntu 24.04 (glcontext loads both libraries)."""
@@ -20,7 +20,7 @@ _SEAMLESS_CUBE_MAPS = 0x884F  # GL_TEXTURE_CUBE_MAP_SEAMLESS; moderngl has no na
 
 
 @dataclass(frozen=True, eq=False)
-class Gpu:
+class Gpu(Owner):
     """One OpenGL context and the names the driver gives itself.
 
     Two of them in one process need ``with gpu.ctx:`` around every use; one per process is enough.
@@ -51,17 +51,6 @@ class Gpu:
     def release(self) -> None:
         """Destroy the context with all that lives in it."""
         self.ctx.release()
-
-    def __enter__(self) -> Gpu:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.release()
 
 
 def open_context() -> Gpu:

@@ -5,11 +5,9 @@ Arrays that are read back have row 0 at the bottom, as in OpenGL.
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
+from abc import abstractmethod
 from collections.abc import Iterable
 from dataclasses import dataclass
-from types import TracebackType
-from typing import Self
 
 import moderngl
 import numpy as np
@@ -18,6 +16,7 @@ from numpy.typing import NDArray
 from shadercache.diagnostics import DiagnosticError
 from shadercache.harness.bundle import Bundle, PassSpec
 from shadercache.harness.camera import Values
+from shadercache.harness.owner import Owner
 from shadercache.harness.passes import NO_NAMES, BoundPass, FrameInputs, Naming
 from shadercache.harness.stage import Stage
 
@@ -40,7 +39,7 @@ class RunOptions:
     moving: bool = True
 
 
-class _Runner(ABC):
+class _Runner(Owner):
     """What all runners share: a stage, and the right to its colour target after a draw."""
 
     def __init__(self, stage: Stage) -> None:
@@ -66,17 +65,6 @@ class _Runner(ABC):
         for bound in self._bound:
             bound.release()
         self._bound.clear()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.release()
 
 
 class PassRunner(_Runner):

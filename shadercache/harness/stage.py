@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from types import TracebackType
 
 import moderngl
 import numpy as np
@@ -12,6 +11,7 @@ from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.harness.camera import Values, scene_values
 from shadercache.harness.context import Gpu
 from shadercache.harness.mesh import Mesh, load_mesh
+from shadercache.harness.owner import Owner
 from shadercache.harness.programs import Program, Programs
 from shadercache.harness.scene import Scene
 from shadercache.harness.targets import Targets
@@ -21,7 +21,7 @@ from shadercache.source import Source
 _KEPT_FRAMES = 512  # a few kilobytes each; more than any sweep's path
 
 
-class Stage:
+class Stage(Owner):
     """Mesh, textures, programs and render targets of one scene at one size."""
 
     def __init__(
@@ -135,14 +135,3 @@ class Stage:
 
     def _place(self) -> Source:
         return Source(str(self.scene.path), "")
-
-    def __enter__(self) -> Stage:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.release()
