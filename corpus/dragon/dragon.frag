@@ -54,8 +54,9 @@ vec3 noise(vec3 p) {
     return mix(near, far, blend.y);
 }
 
-// Five octaves, each twice as fine and half as strong as the one before.
+// Five octaves, each twice as fine and half as strong as the one before, in folded layers.
 vec3 fbm(vec3 p) {
+    p += 0.2 * sin(1.7 * p.zxy);
     return noise(p)
         + 0.5 * noise(p * 2.02)
         + 0.25 * noise(p * 4.05)
@@ -92,5 +93,5 @@ void main() {
     vec3 view = normalize(u_eye - v_world);
     float polish = 0.4 * texture(u_detail, v_position.zy * 1.3).a;
     vec3 light = blinn_phong(marble(v_position), normal, view, polish);
-    o_color = vec4(sqrt(min(light, 1.0)), 1.0);  // for a display of gamma 2
+    o_color = vec4(sqrt(1.0 - exp2(-2.0 * light)), 1.0);  // exposed, for a display of gamma 2
 }
