@@ -18,7 +18,7 @@ from shadercache.diagnostics import Diagnostic
 from shadercache.front.build_declarations import FullType, Head
 from shadercache.front.lexis import is_word
 from shadercache.front.tokens import Token, TokenStream
-from shadercache.lang.words import STATEMENT_WORDS, keywords
+from shadercache.lang.words import STATEMENT_WORDS, keyword_since, keywords
 from shadercache.source import Source, Span
 
 _PAIRS = {"(": ")", "[": "]", "{": "}"}
@@ -144,7 +144,7 @@ def _later_keyword(mistake: _Mistake) -> Diagnostic | None:
     """A word that only a later version knows, as in ``precise float x;``."""
     for text, span in ((mistake.text, mistake.span), (mistake.before, mistake.before_span)):
         if is_word(text) and text in keywords(460) and text not in keywords(mistake.version):
-            since = min(v for v in (400, 420, 430) if text in keywords(v))
+            since = keyword_since(text)
             message = f"'{text}' has no meaning in GLSL {mistake.version}"
             return mistake.at(span, message, f"it needs #version {since} or later", "SC106")
     return None

@@ -32,7 +32,8 @@ def parse(source: Source) -> Module:
     from shadercache.front.grammar import load_parser
     from shadercache.front.tokens import TokenStream
 
-    stream = TokenStream(source, prepared.version, prepared.lexemes)
+    es = prepared.profile == "es"
+    stream = TokenStream(source, prepared.version, prepared.lexemes, es)
     with _one_at_a_time:
         lark, builder = load_parser()
         builder.begin(stream)

@@ -90,9 +90,10 @@ class Scopes:
 class TokenStream:
     """What is parsed: the lexemes of one file, and the scopes that the parser keeps for it."""
 
-    def __init__(self, source: Source, version: int, lexemes: Lexemes) -> None:
+    def __init__(self, source: Source, version: int, lexemes: Lexemes, es: bool = False) -> None:
         self.source = source
         self.version = version
+        self.es = es
         self.lexemes = lexemes
         self.scopes = Scopes()
         self.index = -1
@@ -114,13 +115,13 @@ class TokenLexer(Lexer):
             for term in lexer_conf.terminals
             if term.pattern is not None and term.pattern.type == "str"
         }
-        self._kinds: dict[int, dict[str, str]] = {}
+        self._kinds: dict[tuple[int, bool], dict[str, str]] = {}
 
     def lex(self, lexer_state: LexerState, parser_state: ParserState[int]) -> Iterator[Any]:
         """The tokens of a stream, each made when the parser asks for it."""
         stream: Any = lexer_state.text
         scopes = stream.scopes
-        kinds = self._kinds_of(stream.version).copy()
+        kinds = self._kinds_of(stream.version, stream.es).copy()
         check_at = MAX_OPERATORS
         stack = parser_state.state_stack
         states = parser_state.parse_conf.states
@@ -141,10 +142,10 @@ class TokenLexer(Lexer):
             scopes.pending = token
             yield token
 
-    def _kinds_of(self, version: int) -> dict[str, str]:
-        kinds = self._kinds.get(version)
+    def _kinds_of(self, version: int, es: bool) -> dict[str, str]:
+        kinds = self._kinds.get((version, es))
         if kinds is None:
-            kinds = self._kinds[version] = {**_word_kinds(version), **self._fixed}
+            kinds = self._kinds[version, es] = {**_word_kinds(version, es), **self._fixed}
         return kinds
 
 
@@ -166,12 +167,12 @@ def _check_operators(values: list[Any], stream: TokenStream) -> None:
 
 
 @cache
-def _word_kinds(version: int) -> dict[str, str]:
+def _word_kinds(version: int, es: bool) -> dict[str, str]:
     """The terminals of the words and operators that the grammar does not spell out."""
     return {
-        **dict.fromkeys(words.reserved_words(version), "RESERVED"),
-        **dict.fromkeys(words.type_names(version), "BASIC_TYPE"),
-        **dict.fromkeys(words.qualifier_words(version), "QUALIFIER"),
+        **dict.fromkeys(words.reserved_words(version, es), "RESERVED"),
+        **dict.fromkeys(words.type_names(version, es), "BASIC_TYPE"),
+        **dict.fromkeys(words.qualifier_words(version, es), "QUALIFIER"),
         **dict.fromkeys(words.TRUTH_WORDS, "LITERAL"),
         **dict.fromkeys(words.PRECEDENCE, "BINARY"),
         **dict.fromkeys(words.ASSIGN_OPS, "ASSIGN"),
