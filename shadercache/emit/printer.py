@@ -77,11 +77,10 @@ def print_module(module: Module) -> str:
     for decl in module.decls:
         out = _Output(comments=comments)
         _print_lines(decl, "", out)
-        long = len(out.lines) > 1
-        if apart or long:
+        if apart or len(out.lines) > 1:
             lines.append("")
         lines += out.lines
-        apart = long
+        apart = out.lines[-1].startswith("}")
     footer = comments.before(module.span.end)
     if footer:
         lines += ["", *footer]

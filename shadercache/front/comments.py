@@ -53,9 +53,13 @@ def find_comments(source: Source, lexemes: Lexemes) -> tuple[Comment, ...]:
     matches = [match for match in _COMMENT.finditer(text) if _counts(file, match.start())]
     header = _header(file, matches)
     return tuple(
-        Comment(Span(*match.span()), _tidy(match[0]), *_anchor(file, match, match.end() <= header))
+        Comment(_span(match), _tidy(match[0]), *_anchor(file, match, match.end() <= header))
         for match in matches
     )
+
+
+def _span(match: re.Match[str]) -> Span:
+    return Span(match.start(), match.start() + len(match[0].rstrip()))
 
 
 def _read(text: str, lexemes: Lexemes) -> _File:

@@ -79,7 +79,7 @@ void main() {
     sum += float(exact(1.0lf, dvec3[2](dvec3(1.0), dvec3(2.0)), rows));
     if (sum < 0.0)
         demote;
-    while (bool more = {sum < 0.0})
+    while (bool more = sum < 0.0)
         sum++;
     imageStore(u_out, ivec2(gl_FragCoord.xy), vec4(sum));
     gl_FragDepth = gl_FragCoord.z;
