@@ -15,7 +15,7 @@ SCALARS = ("float", "int", "uint", "bool", "double")
 _PREFIX = {"float": "", "int": "i", "uint": "u", "bool": "b", "double": "d"}
 
 _SHADOW_SHAPES = ("1D", "2D", "Cube", "2DRect", "1DArray", "2DArray", "CubeArray")
-_SAMPLER_SHAPES = (*_SHADOW_SHAPES, "3D", "Buffer", "2DMS", "2DMSArray")
+_SHAPES_OF_ALL = (*_SHADOW_SHAPES, "3D", "Buffer", "2DMS", "2DMSArray")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -181,7 +181,7 @@ def matrix(base: str, cols: int, rows: int) -> Type:
 
 
 def builtin_type(name: str) -> Type | None:
-    """The built-in type called ``name`` (GLSL 3.30 and 4.00), or ``None``."""
+    """The built-in type called ``name`` (of any version), or ``None``."""
     return _BY_NAME.get(name)
 
 
@@ -201,8 +201,14 @@ def _numeric_types() -> dict[str, Type]:
 
 
 def _opaque_types() -> dict[str, Type]:
-    names = [prefix + "sampler" + shape for prefix in ("", "i", "u") for shape in _SAMPLER_SHAPES]
+    names = [
+        f"{prefix}{sort}{shape}"
+        for sort in ("sampler", "image")
+        for prefix in ("", "i", "u")
+        for shape in _SHAPES_OF_ALL
+    ]
     names += ["sampler" + shape + "Shadow" for shape in _SHADOW_SHAPES]
+    names += ["atomic_uint", "samplerExternalOES"]
     return {name: Type(name) for name in names}
 
 

@@ -287,7 +287,7 @@ class ExpressionChecker:
         if whole.is_unsized and whole.dims[0] is None:
             message = f"{whole} has no size yet: only a constant may index it"
             self._context.error("SC214", message, node.index)
-        elif whole.holds_opaque and self._context.function_version < 400:
+        elif whole.holds_opaque and not self._context.indexes_samplers:
             message = "before GLSL 4.00 only a constant may index an array of samplers"
             self._context.error("SC214", message, node.index)
 
