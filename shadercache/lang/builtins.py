@@ -13,11 +13,11 @@ from pathlib import Path
 
 from shadercache.lang.generics import expanded
 from shadercache.lang.types import Type, array_of, builtin_type, struct_type
+from shadercache.lang.words import type_names
 
 _FILE = Path(__file__).with_name("builtins.txt")
 
 _NEVER = 9999
-_FIRST_DOUBLE = ("since=400", "es=-", "ext=ARB_gpu_shader_fp64")
 NO_EXTENSIONS: frozenset[str] = frozenset()
 
 
@@ -118,10 +118,12 @@ def functions(
     ``profile`` is ``"es"`` for GLSL ES (1.00 too); ``extensions`` are the names of those that
     ``#extension`` turned on.
     """
+    kinds = type_names(version, profile == "es", extensions)
     return _distinct(
         signature
         for signature, where in _all_signatures(name)
         if where.holds(version, profile, stage, extensions)
+        and all(param.type.name in kinds for param in signature.params)
     )
 
 
@@ -239,11 +241,7 @@ def _signatures(name: str, line: _Line) -> Iterator[tuple[Signature, _Availabili
     result, _, rest = head.partition(" ")
     params = rest.partition("(")[2]
     for variant in expanded(f"{result}, {params}" if params else result):
-        # A line of its own for doubles has words that suit them.
         words = (*line.words, "fragment") if variant.fragment else line.words
-        if variant.double:
-            late = any(word in line.words for word in ("since=430", "since=450"))
-            words = (*words, "ext=ARB_gpu_shader_fp64") if late else (*_FIRST_DOUBLE, *words)
         yield _signature(name, variant.types, words), _availability(words)
 
 

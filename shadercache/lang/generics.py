@@ -10,11 +10,14 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-_GENERIC = re.compile(r"gen[IUBD]?Type|d?mat(?:CR|RC)|[iubd]?vec[NCR]")
+_GENERIC = re.compile(r"gen(?:[IU]64|[IUBD])?Type|d?mat(?:CR|RC)|(?:[iu]64|[iubd])?vec[NCR]")
 _KINDS = re.compile(r"\bg(?=vec4|sampler|image|Image)")
 _PLACED_IMAGE = re.compile(r"([iu]?)Image\b")
-_GEN_NAMES = {"genType": "", "genIType": "i", "genUType": "u", "genBType": "b", "genDType": "d"}
-_SCALARS = {"": "float", "i": "int", "u": "uint", "b": "bool", "d": "double"}
+_SCALARS = {
+    **{"": "float", "i": "int", "u": "uint", "b": "bool", "d": "double"},
+    **{"i64": "int64_t", "u64": "uint64_t"},
+}
+_GEN_NAMES = {f"gen{prefix.upper()}Type": prefix for prefix in _SCALARS}
 _SIZES = ("2", "3", "4")
 
 # What follows an image of each shape in the functions of images (section 8.12 of 4.60).
@@ -37,13 +40,11 @@ _IMAGE_PLACES = {
 class Variant:
     """One overload: its result type and parameters.
 
-    ``double``: it is there because ``genFDType`` stands for doubles too, or it is about doubles
-    alone; ``fragment``: it has a ``bias``, which only fragment shaders know.
+    ``fragment``: it has a ``bias``, which only fragment shaders know.
     """
 
     types: tuple[str, ...]
-    double: bool
-    fragment: bool
+    fragment: bool = False
 
 
 def expanded(text: str) -> Iterator[Variant]:
@@ -111,11 +112,10 @@ def _placed(text: str) -> Iterator[str]:
 def _optional(text: str) -> Iterator[Variant]:
     """Expand a last ``bias?`` or ``comp?``."""
     types = tuple(text.split(", "))
-    double = any(re.search(r"\b(?:double|dvec|dmat)", kind) for kind in types)
     if not types[-1].endswith("?"):
-        yield Variant(types, double, False)
+        yield Variant(types)
         return
     *kept, last = types
-    yield Variant(tuple(kept), double, False)
+    yield Variant(tuple(kept))
     bias = last == "bias?"
-    yield Variant((*kept, "float" if bias else "const int"), double, bias)
+    yield Variant((*kept, "float" if bias else "const int"), bias)

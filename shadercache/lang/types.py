@@ -10,9 +10,11 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from math import prod
 
-SCALARS = ("float", "int", "uint", "bool", "double")
-
-_PREFIX = {"float": "", "int": "i", "uint": "u", "bool": "b", "double": "d"}
+_PREFIX = {
+    **{"float": "", "int": "i", "uint": "u", "bool": "b", "double": "d"},
+    **{"int64_t": "i64", "uint64_t": "u64"},
+}
+SCALARS = tuple(_PREFIX)
 
 _SHADOW_SHAPES = ("1D", "2D", "Cube", "2DRect", "1DArray", "2DArray", "CubeArray")
 _SHAPES_OF_ALL = (*_SHADOW_SHAPES, "3D", "Buffer", "2DMS", "2DMSArray")
@@ -55,7 +57,7 @@ class Type:
 
     @property
     def is_scalar(self) -> bool:
-        """``float``, ``int``, ``uint``, ``bool`` or ``double``."""
+        """``float``, ``int``, ``uint``, ``bool``, ``double`` or an integer of 64 bits."""
         return self.base is not None and self.rows == 1 and self.cols == 1 and not self.dims
 
     @property
@@ -221,3 +223,5 @@ INT = _BY_NAME["int"]
 UINT = _BY_NAME["uint"]
 BOOL = _BY_NAME["bool"]
 DOUBLE = _BY_NAME["double"]
+INT64 = _BY_NAME["int64_t"]
+UINT64 = _BY_NAME["uint64_t"]
