@@ -22,11 +22,10 @@ from dataclasses import dataclass, field
 from shadercache.ast.nodes import Directive
 from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.front.lexis import Lexemes, clean, is_word, spellings
-from shadercache.lang import words
 from shadercache.source import Source, Span
 
-VERSIONS = (*words.VERSIONS, *words.ES_VERSIONS)
-PROFILES = ("core", "compatibility", "es")
+VERSIONS = (330, 400, 410, 420, 430, 440, 450, 460)
+PROFILES = ("core", "compatibility")
 
 MAX_EXPANSION = 1_000_000
 """Words that may be read in the macros of one file; a few nested macros can ask for billions."""
@@ -77,9 +76,19 @@ def preprocess(source: Source) -> Preprocessed:
         _read_directive(state, match)
         at = match.end()
     _read_code(state, text, at, len(text))
-    if state.errors:
+    if state.version is None and not any(error.code == "SC100" for error in state.errors):
+        _refuse_missing_version(state, text)
+    if state.errors or state.version is None:
         raise InputError(sorted(state.errors, key=lambda error: error.span or Span(0, 0)))
-    return Preprocessed(state.version or 110, state.profile, tuple(state.directives), state.lexemes)
+    return Preprocessed(state.version, state.profile, tuple(state.directives), state.lexemes)
+
+
+def _refuse_missing_version(state: _State, text: str) -> None:
+    start = len(text) - len(text.lstrip())
+    end = text.find("\n", start)
+    message = "without #version the file is GLSL 1.10; version 330 or 400 to 460 is needed"
+    span = Span(start, end if end >= 0 else len(text))
+    state.refuse("SC100", message, span, hint="begin the file with #version 330")
 
 
 # --- directives -----------------------------------------------------------------------------------
@@ -130,7 +139,7 @@ def _read_version(state: _State, line: _Line) -> None:
         hint = "the versions 330 and 400 to 460 are, with 'core', 'compatibility' or no profile"
         state.refuse("SC100", message, line.span, hint)
         return
-    state.version, state.profile = number, "es" if number == 100 else profile
+    state.version, state.profile = number, profile
 
 
 def _keep(state: _State, line: _Line) -> None:

@@ -108,6 +108,13 @@ class Type:
         return self.base is None and self is not VOID
 
     @property
+    def holds_array(self) -> bool:
+        """Is it an array, or a struct with an array inside?"""
+        if self.struct is not None and not self.dims:
+            return any(kind.holds_array for kind in self.struct.fields.values())
+        return bool(self.dims)
+
+    @property
     def is_unsized(self) -> bool:
         """Is it an array with an unknown size?"""
         return None in self.dims

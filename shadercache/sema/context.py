@@ -28,6 +28,9 @@ from shadercache.source import Source
 ERROR = Type("<error>")
 """Type of an expression that was already complained about: whoever uses it stays silent."""
 
+NEVER = 9999
+"""A version that there will not be."""
+
 _HINTS = 20
 
 _INTERFACE_VERSIONS = {
@@ -76,11 +79,31 @@ class Context:
         lifts = not self.es and not extensions.isdisjoint(_CONVERTING)
         self.conversions = Conversions(max(self.version, 400 if lifts else 0), self.es)
 
+    def at_least(self, desktop: int, es: int) -> bool:
+        """Is it this version of GLSL, or this one of GLSL ES, or a later one?"""
+        return self.version >= (es if self.es else desktop)
+
+    @property
+    def arrays_are_values(self) -> bool:
+        """Can arrays be assigned, compared, returned, constructed and asked for their length?"""
+        return self.at_least(120, 300) or "GL_3DL_array_objects" in self.extensions
+
+    @property
+    def has_integer_operators(self) -> bool:
+        """Are there ``%``, ``&``, ``<<`` and the like (1.30 section 5.9)?"""
+        return self.at_least(130, 300) or "GL_EXT_gpu_shader4" in self.extensions
+
+    @property
+    def bindless(self) -> bool:
+        """Are samplers and images values like any other (ARB_bindless_texture)?"""
+        return "GL_ARB_bindless_texture" in self.extensions
+
     @property
     def indexes_samplers(self) -> bool:
         """May an array of samplers be indexed with what is not constant (4.00 section 4.1.7)?"""
-        since = 320 if self.es else 400
-        return self.version >= since or not self.extensions.isdisjoint(_INDEXING)
+        # Before 1.30 any index will do, and GLSL ES 1.00 leaves it to the driver (appendix A.5).
+        old = self.version < (300 if self.es else 130)
+        return old or self.at_least(400, 320) or not self.extensions.isdisjoint(_INDEXING)
 
     def error(self, code: str, message: str, node: Node, hint: str | None = None) -> Type:
         """Report a mistake at ``node``; returns the type that silences what depends on it."""

@@ -2,8 +2,8 @@
 
 A value is a ``bool``, ``int`` or ``float``, or a tuple: of the components of a vector, the columns
 of a matrix, the elements of an array, the fields of a struct. ``None`` stands for a value that is
-not known. Integers wrap at their size, floats are rounded to 32 bits; a driver may round the last bit
-of a built-in function otherwise.
+not known. Integers wrap at their size, floats are rounded to 32 bits; a driver may round the last
+bit of a built-in function otherwise.
 """
 
 from __future__ import annotations
