@@ -161,6 +161,7 @@ _STATEMENTS = (
     _row("statement", "layout", 140, 300,
          ext="ARB_explicit_attrib_location ARB_shading_language_420pack "
              "ARB_uniform_buffer_object ARB_fragment_coord_conventions"),
+    _row("statement", "demote", _NEVER, _NEVER, ext="EXT_demote_to_helper_invocation"),
 )  # fmt: skip
 
 _RESERVED = (

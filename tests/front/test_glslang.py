@@ -98,8 +98,9 @@ def reference(texts: list[str], folder: Path) -> list[bool]:
     """Does glslang take each of these shaders?"""
     names = []
     for number, text in enumerate(texts):
-        (folder / f"{number}.frag").write_text(text)
-        names.append(f"{number}.frag")
+        stage = "vert" if "gl_Position" in text else "frag"
+        (folder / f"{number}.{stage}").write_text(text)
+        names.append(f"{number}.{stage}")
     run = subprocess.run(
         ["glslangValidator", *names],
         cwd=folder,
