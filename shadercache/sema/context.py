@@ -20,6 +20,7 @@ from shadercache.diagnostics import Diagnostic, Severity
 from shadercache.lang import builtins
 from shadercache.lang.builtins import BuiltinVariable, Signature
 from shadercache.lang.types import StructType, Type
+from shadercache.lang.words import type_names
 from shadercache.sema.conversions import Conversions
 from shadercache.sema.facts import Declares, Stage, Symbol
 from shadercache.sema.scopes import Overload, Scopes
@@ -92,6 +93,10 @@ class Context:
     def has_integer_operators(self) -> bool:
         """Are there ``%``, ``&``, ``<<`` and the like (1.30 section 5.9)?"""
         return self.at_least(130, 300) or "GL_EXT_gpu_shader4" in self.extensions
+
+    def has_type(self, kind: Type) -> bool:
+        """Is the built-in type one of this version?"""
+        return kind.name in type_names(self.version, self.es, self.extensions)
 
     @property
     def bindless(self) -> bool:

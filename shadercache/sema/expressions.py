@@ -28,7 +28,7 @@ from shadercache.ast.nodes import (
     TypeSpec,
     Unary,
 )
-from shadercache.lang.types import BOOL, INT, UINT, Type, array_of, vector
+from shadercache.lang.types import BOOL, INT, INT64, UINT, UINT64, Type, array_of, vector
 from shadercache.sema.calls import CallChecker
 from shadercache.sema.constants import SWIZZLES, Constants
 from shadercache.sema.constructors import construct_problem
@@ -110,7 +110,10 @@ class ExpressionChecker:
             found = self._literals[node.text] = literal(node.text)
         kind, value = found
         if value is None:
-            return self._context.error("SC227", "the integer needs more than 32 bits", node)
+            return self._context.error("SC227", "the integer needs more bits than it has", node)
+        if kind in (INT64, UINT64) and not self._context.has_type(kind):
+            message = "integers of 64 bits need GL_ARB_gpu_shader_int64"
+            return self._context.error("SC227", message, node)
         self.constants.expressions.add(node)
         self.constants.values[node] = value
         return kind

@@ -17,6 +17,7 @@ from shadercache.lang import builtins
 from shadercache.lang.types import BOOL, VOID, Type
 from shadercache.sema.context import ERROR, NEVER, Context
 from shadercache.sema.facts import Kind, Symbol
+from shadercache.sema.initialisers import InitialiserChecker
 from shadercache.sema.layouts import LayoutChecker
 from shadercache.sema.qualifiers import global_problem, words_problem
 from shadercache.sema.scopes import FunctionSet
@@ -39,7 +40,7 @@ class VariableChecker:
     def __init__(self, context: Context, types: TypeResolver) -> None:
         self._context = context
         self._resolver = types
-        self._check = types.expressions.check
+        self._initialisers = InitialiserChecker(context, types.expressions)
         self._constants = types.expressions.constants
         self.layouts = LayoutChecker(context, types.expressions)
 
@@ -99,7 +100,8 @@ class VariableChecker:
 
     def _declare_one(self, decl: VarDecl, declarator: Declarator, base: Type, kind: Kind) -> Symbol:
         declared = self._resolver.with_dims(base, declarator.dims, declarator)
-        given = None if declarator.init is None else self._check(declarator.init)
+        init = declarator.init
+        given = None if init is None else self._initialisers.check(init, declared)
         if given is not None and given is not ERROR and declared is not ERROR:
             declared = self._initialised(declarator, declared, given, kind)
         if declared is not ERROR:
