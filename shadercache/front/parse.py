@@ -9,6 +9,7 @@ from shadercache.ast.nodes import Module
 from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.front.comments import find_comments
 from shadercache.front.lexis import Lexemes
+from shadercache.front.options import DEFAULTS, ReadOptions
 from shadercache.front.preprocess import preprocess
 from shadercache.source import Source, Span
 
@@ -20,13 +21,13 @@ _CLOSING = frozenset(")]}")
 _one_at_a_time = Lock()
 
 
-def parse(source: Source) -> Module:
+def parse(source: Source, options: ReadOptions = DEFAULTS) -> Module:
     """The syntax tree of a shader, with spans into ``source``.
 
     Raises :class:`InputError`: with all errors of the preprocessor, or with the first error of
     syntax.
     """
-    prepared = preprocess(source)
+    prepared = preprocess(source, options)
     _check_depth(source, prepared.lexemes)
     from lark.exceptions import UnexpectedToken
 

@@ -84,8 +84,8 @@ class Scopes:
     __slots__ = ("_frames", "pending", "types")
 
     def __init__(self) -> None:
-        self._frames: list[dict[str, bool]] = [{}]
-        self.types: set[str] = set()
+        self._frames: list[dict[str, bool]] = [dict.fromkeys(words.BUILTIN_STRUCTS, True)]
+        self.types: set[str] = set(words.BUILTIN_STRUCTS)
         self.pending: Token | None = None
 
     def open(self) -> int:

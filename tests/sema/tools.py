@@ -21,7 +21,7 @@ def checked(text: str, stage: Stage = "fragment") -> tuple[Module, Facts]:
     module = parse(source)
     if es:
         module = replace(module, version=300, profile="es")
-    return module, check(module, source, stage)
+    return module, check(module, source, stage, needs_main=True)
 
 
 def codes(text: str, stage: Stage = "fragment") -> list[str]:
