@@ -19,7 +19,7 @@ _ES_SINCE = {"uniform": 310, "interface": 310}
 _PACKINGS = frozenset(("shared", "packed", "std140", "std430"))
 _ORDERS = frozenset(("row_major", "column_major"))
 _ORIGINS = frozenset(("origin_upper_left", "pixel_center_integer"))
-_IMAGE_FORMATS = frozenset(
+IMAGE_FORMATS = frozenset(
     (
         *(f"{channels}{bits}{kind}" for channels in ("r", "rg", "rgba") for bits in (8, 16, 32)
           for kind in ("f", "i", "ui", "_snorm", "") if (kind, bits) not in (("f", 8), ("", 32))),
@@ -41,7 +41,7 @@ _SINCE: dict[str, tuple[int, int, *tuple[str, ...]]] = {
     **dict.fromkeys(_ORDERS, (0, 0)),
     "std430": (430, 310, "ARB_shader_storage_buffer_object"),
     **dict.fromkeys(_ORIGINS, (150, NEVER, "ARB_fragment_coord_conventions")),
-    **dict.fromkeys(_IMAGE_FORMATS, (420, 310, "ARB_shader_image_load_store")),
+    **dict.fromkeys(IMAGE_FORMATS, (420, 310, "ARB_shader_image_load_store")),
     "binding": (420, 310, "ARB_shading_language_420pack"),
     "offset": (420, 310, "ARB_enhanced_layouts", "ARB_shader_atomic_counters"),
     **dict.fromkeys(("component", "align", "xfb_buffer", "xfb_stride", "xfb_offset"), _ENHANCED),
@@ -99,8 +99,11 @@ class LayoutChecker:
             return f"'{word}' is no layout qualifier"
         desktop, es, *extensions = _SINCE[word]
         context = self._context
-        known = context.at_least(desktop, es)
-        if known or any(f"GL_{name}" in context.extensions for name in extensions):
+        if context.at_least(desktop, es):
+            return None
+        # What came with 4.20 and later builds on the interfaces of 1.50.
+        extended = context.at_least(150 if desktop > 420 else 0, 0)
+        if extended and any(f"GL_{name}" in context.extensions for name in extensions):
             return None
         return f"this version of GLSL has no layout qualifier '{word}'"
 
