@@ -47,6 +47,7 @@ class BlockChecker:
             if kind is not ERROR and kind.holds_opaque and not context.bindless:
                 message = f"the member '{name}' of a block cannot be {kind}"
                 context.error("SC221", message, block)
+        self._check_sizes(block, storage, fields)
         self._claim_name(block, storage)
         if block.instance is None:
             self._declare_members(block, storage, fields)
@@ -58,6 +59,13 @@ class BlockChecker:
             block.instance, kind, "block", block.qualifiers, block, True, writable, block
         )
         self._variables.enter(symbol, block)
+
+    def _check_sizes(self, block: BlockDecl, storage: Kind, fields: dict[str, Type]) -> None:
+        """GLSL ES has arrays without a size only at the end of a buffer (ES 3.10 section 4.1.9)."""
+        *others, last = fields.items()
+        for name, kind in others if storage == "buffer" else (*others, last):
+            if self._context.es and kind is not ERROR and kind.is_unsized:
+                self._context.error("SC215", f"'{name}' has no size", block)
 
     def _check_redeclared(self, block: BlockDecl) -> None:
         """``out gl_PerVertex { vec4 gl_Position; };`` (4.10 section 7.1): only what is there."""

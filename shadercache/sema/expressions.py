@@ -261,7 +261,7 @@ class ExpressionChecker:
             return ERROR
         key = (whole, node.name)
         if key not in self._members:
-            self._members[key] = member_type(whole, node.name, self._context.version)
+            self._members[key] = member_type(whole, node.name, self._context.qualifier_version)
         kind = self._members[key]
         if kind is None:
             return self._bad_member(node, whole)

@@ -12,6 +12,7 @@ from shadercache.sema.expressions import ExpressionChecker
 
 # First version of a location: (stage, storage) -> version; what is missing needs 4.10.
 _LOCATION_SINCE = {("vertex", "in"): 330, ("fragment", "out"): 330}
+_LOCATING = frozenset(("GL_ARB_explicit_attrib_location", "GL_ARB_enhanced_layouts"))
 _INTERFACE_SINCE = 410
 _UNIFORM_SINCE = 430
 _ES_SINCE = {"uniform": 310, "interface": 310}
@@ -84,13 +85,15 @@ class LayoutChecker:
         """
         values: dict[str, int] = {}
         for item in qualifiers.layout or ():
-            problem = self._unknown(item.name) or _misplaced(item.name, names, member, default)
+            # Only GLSL ES tells small letters from capitals here (section 4.4 of 4.60).
+            word = item.name if self._context.es else item.name.lower()
+            problem = self._unknown(word) or _misplaced(word, names, member, default)
             if problem is not None:
-                hint = did_you_mean(item.name, _SINCE) if item.name not in _SINCE else None
+                hint = did_you_mean(word, _SINCE) if word not in _SINCE else None
                 self._context.error("SC223", problem, item, hint)
-            number = None if item.value is None else self._number(item.name, item.value)
+            number = None if item.value is None else self._number(word, item.value)
             if number is not None:
-                values[item.name] = number
+                values[word] = number
         return values
 
     def _unknown(self, word: str) -> str | None:
@@ -140,6 +143,10 @@ class LayoutChecker:
             self._take(node, name, kind, storage, values)
 
     def _since(self, storage: str) -> int:
+        if not _LOCATING.isdisjoint(self._context.extensions):
+            known = (self._context.stage, storage) in _LOCATION_SINCE
+            if known or "GL_ARB_enhanced_layouts" in self._context.extensions:
+                return 0
         if storage == "uniform":
             return _ES_SINCE["uniform"] if self._context.es else _UNIFORM_SINCE
         known = _LOCATION_SINCE.get((self._context.stage, storage))

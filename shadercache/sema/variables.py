@@ -106,6 +106,8 @@ class VariableChecker:
             declared = self._initialised(declarator, declared, given, kind)
         if declared is not ERROR:
             self._check_storage(decl, declarator, declared, kind)
+            if self._context.es and declared.is_unsized:
+                self._context.error("SC215", f"'{declarator.name}' has no size", declarator)
         symbol = Symbol(
             declarator.name,
             declared,
@@ -194,6 +196,8 @@ class VariableChecker:
             return f"'{name}' of type {kind}: '{storage}' variables hold floats only here"
         if _holds(kind, ("bool",)):
             return f"'{name}' of type {kind} cannot be '{storage}'"
+        if outer and storage == "in" and kind.dims and not context.at_least(150, NEVER):
+            return f"'{name}' is an array: it cannot be an attribute in this version"
         if outer and kind.struct is not None:
             return f"'{name}' is a struct: it cannot be '{storage}' here"
         if outer and storage == "out" and kind.cols > 1:
