@@ -12,7 +12,7 @@ from shadercache.sema.expressions import ExpressionChecker
 
 # First version of a location: (stage, storage) -> version; what is missing needs 4.10.
 _LOCATION_SINCE = {("vertex", "in"): 330, ("fragment", "out"): 330}
-_LOCATING = frozenset(("GL_ARB_explicit_attrib_location", "GL_ARB_enhanced_layouts"))
+_LOCATING = "GL_ARB_explicit_attrib_location"
 _INTERFACE_SINCE = 410
 _UNIFORM_SINCE = 430
 _ES_SINCE = {"uniform": 310, "interface": 310}
@@ -143,13 +143,12 @@ class LayoutChecker:
             self._take(node, name, kind, storage, values)
 
     def _since(self, storage: str) -> int:
-        if not _LOCATING.isdisjoint(self._context.extensions):
-            known = (self._context.stage, storage) in _LOCATION_SINCE
-            if known or "GL_ARB_enhanced_layouts" in self._context.extensions:
-                return 0
+        known = _LOCATION_SINCE.get((self._context.stage, storage))
+        extensions = self._context.extensions
+        if "GL_ARB_enhanced_layouts" in extensions or (known and _LOCATING in extensions):
+            return 0
         if storage == "uniform":
             return _ES_SINCE["uniform"] if self._context.es else _UNIFORM_SINCE
-        known = _LOCATION_SINCE.get((self._context.stage, storage))
         if self._context.es:
             return 300 if known else _ES_SINCE["interface"]
         return known or _INTERFACE_SINCE
