@@ -124,6 +124,7 @@ def functions(
         signature
         for signature, where in _all_signatures(name)
         if where.holds(version, profile, stage, extensions)
+        and signature.result.name in kinds
         and all(param.type.name in kinds for param in signature.params)
     )
 

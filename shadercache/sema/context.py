@@ -50,7 +50,7 @@ class Context:
     module: Module
     source: Source
     stage: Stage
-    scopes: Scopes = field(default_factory=Scopes)
+    scopes: Scopes = field(init=False)
     types: dict[Expr, Type] = field(default_factory=dict)
     symbols: dict[Name, Symbol] = field(default_factory=dict)
     declared: dict[Declares, Symbol] = field(default_factory=dict)
@@ -75,6 +75,8 @@ class Context:
         extensions = self.extensions = enabled_extensions(self.module)
         if "GL_ARB_compatibility" in extensions and not self.es:
             self.profile = "compatibility"
+        # 1.10 keeps the names of functions and of variables apart, and so do its compilers.
+        self.scopes = Scopes(separate=self.version == 110)
         self.interface_version = _lifted(self.version, extensions, _INTERFACE_VERSIONS)
         self.qualifier_version = _lifted(self.version, extensions, _QUALIFIER_VERSIONS)
         lifts = not self.es and not extensions.isdisjoint(_CONVERTING)

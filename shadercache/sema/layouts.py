@@ -12,6 +12,7 @@ from shadercache.sema.expressions import ExpressionChecker
 
 # First version of a location: (stage, storage) -> version; what is missing needs 4.10.
 _LOCATION_SINCE = {("vertex", "in"): 330, ("fragment", "out"): 330}
+_LOCATING = "GL_ARB_explicit_attrib_location"
 _INTERFACE_SINCE = 410
 _UNIFORM_SINCE = 430
 _ES_SINCE = {"uniform": 310, "interface": 310}
@@ -19,7 +20,7 @@ _ES_SINCE = {"uniform": 310, "interface": 310}
 _PACKINGS = frozenset(("shared", "packed", "std140", "std430"))
 _ORDERS = frozenset(("row_major", "column_major"))
 _ORIGINS = frozenset(("origin_upper_left", "pixel_center_integer"))
-_IMAGE_FORMATS = frozenset(
+IMAGE_FORMATS = frozenset(
     (
         *(f"{channels}{bits}{kind}" for channels in ("r", "rg", "rgba") for bits in (8, 16, 32)
           for kind in ("f", "i", "ui", "_snorm", "") if (kind, bits) not in (("f", 8), ("", 32))),
@@ -41,7 +42,7 @@ _SINCE: dict[str, tuple[int, int, *tuple[str, ...]]] = {
     **dict.fromkeys(_ORDERS, (0, 0)),
     "std430": (430, 310, "ARB_shader_storage_buffer_object"),
     **dict.fromkeys(_ORIGINS, (150, NEVER, "ARB_fragment_coord_conventions")),
-    **dict.fromkeys(_IMAGE_FORMATS, (420, 310, "ARB_shader_image_load_store")),
+    **dict.fromkeys(IMAGE_FORMATS, (420, 310, "ARB_shader_image_load_store")),
     "binding": (420, 310, "ARB_shading_language_420pack"),
     "offset": (420, 310, "ARB_enhanced_layouts", "ARB_shader_atomic_counters"),
     **dict.fromkeys(("component", "align", "xfb_buffer", "xfb_stride", "xfb_offset"), _ENHANCED),
@@ -84,13 +85,15 @@ class LayoutChecker:
         """
         values: dict[str, int] = {}
         for item in qualifiers.layout or ():
-            problem = self._unknown(item.name) or _misplaced(item.name, names, member, default)
+            # Only GLSL ES tells small letters from capitals here (section 4.4 of 4.60).
+            word = item.name if self._context.es else item.name.lower()
+            problem = self._unknown(word) or _misplaced(word, names, member, default)
             if problem is not None:
-                hint = did_you_mean(item.name, _SINCE) if item.name not in _SINCE else None
+                hint = did_you_mean(word, _SINCE) if word not in _SINCE else None
                 self._context.error("SC223", problem, item, hint)
-            number = None if item.value is None else self._number(item.name, item.value)
+            number = None if item.value is None else self._number(word, item.value)
             if number is not None:
-                values[item.name] = number
+                values[word] = number
         return values
 
     def _unknown(self, word: str) -> str | None:
@@ -99,8 +102,11 @@ class LayoutChecker:
             return f"'{word}' is no layout qualifier"
         desktop, es, *extensions = _SINCE[word]
         context = self._context
-        known = context.at_least(desktop, es)
-        if known or any(f"GL_{name}" in context.extensions for name in extensions):
+        if context.at_least(desktop, es):
+            return None
+        # What came with 4.20 and later builds on the interfaces of 1.50.
+        extended = context.at_least(150 if desktop > 420 else 0, 0)
+        if extended and any(f"GL_{name}" in context.extensions for name in extensions):
             return None
         return f"this version of GLSL has no layout qualifier '{word}'"
 
@@ -137,9 +143,12 @@ class LayoutChecker:
             self._take(node, name, kind, storage, values)
 
     def _since(self, storage: str) -> int:
+        known = _LOCATION_SINCE.get((self._context.stage, storage))
+        extensions = self._context.extensions
+        if "GL_ARB_enhanced_layouts" in extensions or (known and _LOCATING in extensions):
+            return 0
         if storage == "uniform":
             return _ES_SINCE["uniform"] if self._context.es else _UNIFORM_SINCE
-        known = _LOCATION_SINCE.get((self._context.stage, storage))
         if self._context.es:
             return 300 if known else _ES_SINCE["interface"]
         return known or _INTERFACE_SINCE
