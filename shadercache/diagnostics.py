@@ -16,6 +16,8 @@ from typing import Any
 
 from shadercache.source import Source, Span
 
+_LINE_SHOWN = 200
+
 
 class Severity(StrEnum):
     """How bad it is. Only an error rejects the input."""
@@ -57,6 +59,9 @@ class Diagnostic:
     def _snippet(source: Source, span: Span) -> list[str]:
         line, column = source.position(span.start)
         text = source.part(span.start).line(line)
+        if len(text) > _LINE_SHOWN:  # A minified shader is one line.
+            first = max(0, min(column - 1 - _LINE_SHOWN // 2, len(text) - _LINE_SHOWN))
+            text, column = text[first : first + _LINE_SHOWN], column - first
         width = max(1, min(span.end - span.start, len(text) - column + 1))
         # Tabs are kept in the padding, so that the caret stands right at any tab width.
         pad = "".join("\t" if char == "\t" else " " for char in text[: column - 1])
