@@ -23,7 +23,9 @@ ROOT = Path(__file__).resolve().parent.parent
 @pytest.mark.parametrize("kind", [InputError, UsageError, GraphicsError])
 def test_an_error_survives_the_way_from_another_process(kind: type[DiagnosticError]) -> None:
     source = Source("a.frag", "void main() {}\n")
-    error = kind([Diagnostic("SC999", "no", source, Span(0, 4), hint="yes"), Diagnostic("SC998", "")])
+    error = kind(
+        [Diagnostic("SC999", "no", source, Span(0, 4), hint="yes"), Diagnostic("SC998", "")]
+    )
     again = pickle.loads(pickle.dumps(error))
     assert type(again) is kind
     assert [item.code for item in again.diagnostics] == ["SC999", "SC998"]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import signal
-import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -11,7 +10,7 @@ from multiprocessing import Pool
 from types import FrameType
 
 from bench.public_shaders.collection import Shader, Stage
-from shadercache.compiler import RECURSION_LIMIT
+from shadercache.ast.depth import allow_deep_trees
 from shadercache.diagnostics import Diagnostic, InputError, Severity
 from shadercache.emit.printer import print_module
 from shadercache.front.parse import parse
@@ -42,7 +41,7 @@ class Outcome:
 
 def read_all(shaders: Sequence[Shader], processes: int) -> list[Outcome]:
     """An outcome for each shader."""
-    with Pool(processes, initializer=sys.setrecursionlimit, initargs=(RECURSION_LIMIT,)) as pool:
+    with Pool(processes, allow_deep_trees) as pool:
         return pool.map(read, shaders, chunksize=8)
 
 

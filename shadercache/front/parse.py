@@ -7,7 +7,9 @@ from typing import Any
 
 from shadercache.ast.nodes import Module
 from shadercache.diagnostics import Diagnostic, InputError
+from shadercache.front.dialects import host_of
 from shadercache.front.lexis import Lexemes
+from shadercache.front.options import ReadOptions
 from shadercache.front.preprocess import preprocess
 from shadercache.source import Source, Span
 
@@ -17,22 +19,27 @@ MAX_BRACKETS = 1000
 _OPENING = frozenset("([{")
 _CLOSING = frozenset(")]}")
 _one_at_a_time = Lock()
+_DEFAULT = ReadOptions()
 
 
-def parse(source: Source) -> Module:
+def parse(source: Source, options: ReadOptions = _DEFAULT) -> Module:
     """The syntax tree of a shader, with spans into ``source``.
 
     Raises :class:`InputError`: with all errors of the preprocessor, or with the first error of
     syntax.
     """
-    prepared = preprocess(source)
-    _check_depth(source, prepared.lexemes)
+    host = host_of(source, options.dialect)
+    prepared = preprocess(source, host.version if host else None)
+    lexemes = prepared.lexemes
+    if host is not None:
+        lexemes = host.surround(lexemes, len(source.text))
+    _check_depth(source, lexemes)
     from lark.exceptions import UnexpectedToken
 
     from shadercache.front.grammar import load_parser
     from shadercache.front.tokens import TokenStream
 
-    stream = TokenStream(source, prepared.version, prepared.lexemes)
+    stream = TokenStream(source, prepared.version, lexemes)
     with _one_at_a_time:
         lark, builder = load_parser()
         builder.begin(stream)

@@ -63,8 +63,10 @@ class _State:
         self.errors.append(Diagnostic(code, message, self.source, span, hint))
 
 
-def preprocess(source: Source) -> Preprocessed:
+def preprocess(source: Source, default_version: int | None = None) -> Preprocessed:
     """Read the directives of a file and expand its macros.
+
+    ``default_version`` is that of a file without ``#version``.
 
     Raises :class:`InputError` with every error it finds.
     """
@@ -76,6 +78,8 @@ def preprocess(source: Source) -> Preprocessed:
         _read_directive(state, match)
         at = match.end()
     _read_code(state, text, at, len(text))
+    if state.version is None:
+        state.version = default_version
     if state.version is None and not any(error.code == "SC100" for error in state.errors):
         _refuse_missing_version(state, text)
     if state.errors or state.version is None:
