@@ -16,6 +16,9 @@ from typing import Any
 
 from shadercache.source import Source, Span
 
+MAX_SHOWN = 200
+"""Characters of a source line that a diagnostic shows."""
+
 
 class Severity(StrEnum):
     """How bad it is. Only an error rejects the input."""
@@ -56,7 +59,7 @@ class Diagnostic:
     @staticmethod
     def _snippet(source: Source, span: Span) -> list[str]:
         line, column = source.position(span.start)
-        text = source.line(line)
+        text, column = _window(source.line(line), column)
         width = max(1, min(span.end - span.start, len(text) - column + 1))
         # Tabs are kept in the padding, so that the caret stands right at any tab width.
         pad = "".join("\t" if char == "\t" else " " for char in text[: column - 1])
@@ -77,6 +80,16 @@ class Diagnostic:
             "code": self.code,
             "hint": self.hint,
         }
+
+
+def _window(text: str, column: int) -> tuple[str, int]:
+    """A line and a column in it; of a very long line only what stands around the column."""
+    if len(text) <= MAX_SHOWN:
+        return text, column
+    start = max(0, min(column - 1, len(text)) - MAX_SHOWN // 2)
+    before = "..." if start else ""
+    after = "..." if start + MAX_SHOWN < len(text) else ""
+    return f"{before}{text[start : start + MAX_SHOWN]}{after}", column - start + len(before)
 
 
 class DiagnosticError(Exception):

@@ -41,3 +41,16 @@ def test_every_code_is_documented() -> None:
     text = (ROOT / "docs" / "DIAGNOSTICS.md").read_text(encoding="utf-8")
     documented = re.findall(r"^\| (SC\d{3}) \|", text, re.MULTILINE)
     assert sorted(used) == sorted(documented)
+
+
+@pytest.mark.parametrize(("at", "dots"), [(0, "end"), (5_000, "both"), (9_999, "start")])
+def test_of_a_very_long_line_the_place_is_shown(at: int, dots: str) -> None:
+    text = "-" * at + "x" + "-" * (9_999 - at)
+    place, line, caret = (
+        Diagnostic("SC999", "no", Source("a", text), Span(at, at + 1)).render().split("\n")
+    )
+    assert place.startswith(f"a:1:{at + 1}: ")
+    assert len(line) < 250
+    assert line[caret.index("^")] == "x" and "~" not in caret
+    assert line.endswith("...") == (dots != "start")
+    assert line.startswith("    1 | ...") == (dots != "end")
