@@ -44,6 +44,7 @@ class Diagnostic:
         lines = [f"{self._place()}{self.severity}: {self.message} [{self.code}]"]
         if self.source is not None and self.span is not None:
             lines += self._snippet(self.source, self.span)
+            lines += self._included(self.source, self.span)
         if self.hint:
             lines.append(f"  hint: {self.hint}")
         return "\n".join(lines)
@@ -53,23 +54,33 @@ class Diagnostic:
             return ""
         if self.span is None:
             return f"{self.source.name}: "
-        line, column = self.source.position(self.span.start)
-        return f"{self.source.name}:{line}:{column}: "
+        return f"{_place(self.source, self.span.start)}: "
 
     @staticmethod
     def _snippet(source: Source, span: Span) -> list[str]:
         line, column = source.position(span.start)
-        text, column = _window(source.line(line), column)
+        text, column = _window(source.part(span.start).line(line), column)
         width = max(1, min(span.end - span.start, len(text) - column + 1))
         # Tabs are kept in the padding, so that the caret stands right at any tab width.
         pad = "".join("\t" if char == "\t" else " " for char in text[: column - 1])
         gutter = f"{line:5d} | "
         return [gutter + text, " " * (len(gutter) - 2) + "| " + pad + "^" + "~" * (width - 1)]
 
+    @staticmethod
+    def _included(source: Source, span: Span) -> list[str]:
+        """Where the file was included, if it was."""
+        lines = []
+        origin = source.part(span.start).origin
+        while origin is not None:
+            lines.append(f"  included at {_place(source, origin)}")
+            origin = source.part(origin).origin
+        return lines
+
     def to_json(self) -> dict[str, Any]:
         """A plain dictionary: file, line, column, severity, message, code, hint."""
         place: dict[str, Any] = {"file": self.source.name if self.source else None}
         if self.source is not None and self.span is not None:
+            place["file"] = self.source.part(self.span.start).name
             line, column = self.source.position(self.span.start)
             end_line, end_column = self.source.position(self.span.end)
             place |= {"line": line, "column": column}
@@ -90,6 +101,11 @@ def _window(text: str, column: int) -> tuple[str, int]:
     before = "..." if start else ""
     after = "..." if start + MAX_SHOWN < len(text) else ""
     return f"{before}{text[start : start + MAX_SHOWN]}{after}", column - start + len(before)
+
+
+def _place(source: Source, offset: int) -> str:
+    line, column = source.position(offset)
+    return f"{source.part(offset).name}:{line}:{column}"
 
 
 class DiagnosticError(Exception):

@@ -220,7 +220,7 @@ def _varyings(module: n.Module) -> set[str]:
 
 
 def _text(source: Source, expr: n.Expr) -> str:
-    return " ".join(source.text[expr.span.start : expr.span.end].split())
+    return " ".join(source.excerpt(expr.span).split())
 
 
 def _digest(*parts: str) -> str:

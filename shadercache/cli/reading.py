@@ -12,7 +12,7 @@ import typer
 from shadercache.diagnostics import usage_error
 from shadercache.front.options import MAX_TOKENS, Dialect, ReadOptions
 
-_NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
+_NAME = re.compile(r"[A-Za-z_]\w*(\([^()]*\))?", re.ASCII)
 
 StageName: TypeAlias = Literal["fragment", "vertex"]
 

@@ -15,22 +15,24 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 from functools import cache
-from importlib.resources import files
+from pathlib import Path
 
-from shadercache.front.lexis import Lexemes, clean, spellings
+from shadercache.front.lexis import Lexemes, clean, joins_comments, spellings
 from shadercache.front.options import Dialect
+from shadercache.front.version import Version, read_version
 from shadercache.source import Source
+
+FOLDER = Path(__file__).with_name("glsl")
 
 _MAIN = re.compile(r"\bvoid\s+(main|mainImage)\s*\(", re.ASCII)
 _USER = "// The user's file stands here.\n"
-_VERSION = re.compile(r"#version (\d+)\n")
 
 
 @dataclass(frozen=True, slots=True)
 class Host:
     """What a host puts around a file; ``version`` holds where the file names none."""
 
-    version: int
+    version: Version
     declarations: tuple[tuple[str, ...], ...]
     main: tuple[str, ...]
 
@@ -53,19 +55,19 @@ def host_of(source: Source, dialect: Dialect) -> Host | None:
     if dialect == "shadertoy":
         return _shadertoy()
     if dialect == "auto" and "mainImage" in source.text:
-        found = set(_MAIN.findall(clean(source, [])))
+        text = clean(source, joins_comments(source.text), [], source).text
+        found = set(_MAIN.findall(text))
         return _shadertoy() if found == {"mainImage"} else None
     return None
 
 
 @cache
 def _shadertoy() -> Host:
-    text = files("shadercache.front").joinpath("glsl", "shadertoy.glsl").read_text(encoding="utf-8")
+    text = (FOLDER / "shadertoy.glsl").read_text(encoding="utf-8")
     head, main = text.split(_USER)
-    version = _VERSION.match(head)
-    assert version is not None
-    lines = head[version.end() :].splitlines()
-    return Host(int(version[1]), tuple(spellings(line) for line in lines if line), spellings(main))
+    first, *lines = head.splitlines()
+    version = read_version(first.removeprefix("#version "))
+    return Host(version, tuple(spellings(line) for line in lines if line), spellings(main))
 
 
 def _uniforms(texts: list[str]) -> set[str]:

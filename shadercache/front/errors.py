@@ -77,7 +77,7 @@ class _Mistake:
 
     @property
     def same_line(self) -> bool:
-        return "\n" not in self.source.text[self.before_span.end : self.span.start]
+        return "\n" not in self.source.excerpt(Span(self.before_span.end, self.span.start))
 
 
 def explain(error: UnexpectedToken, stream: TokenStream) -> Diagnostic:

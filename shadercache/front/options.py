@@ -1,24 +1,24 @@
-"""What can be chosen about the reading of a shader."""
+"""How a shader is to be read."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal, TypeAlias
+from typing import Literal
 
-Dialect: TypeAlias = Literal["glsl", "shadertoy", "auto"]
+Dialect = Literal["glsl", "shadertoy", "auto"]
 
 MAX_TOKENS = 2_000_000
 
 
 @dataclass(frozen=True, slots=True)
 class ReadOptions:
-    """Options of the front end.
+    """What the text of a shader alone does not say.
 
-    ``defines``: macros, as name and replacement, that hold from the first line on. ``undefined``:
-    macros that the tool or ``defines`` would define, and that are not. ``include_folders``: where
-    ``#include`` may look. ``max_tokens``: tokens a file may have, macros expanded. ``dialect``: see
-    :mod:`shadercache.front.dialects`.
+    ``defines`` are macros (name, replacement) that exist before the first line; the name may have
+    parameters, as in ``("F(x)", "x + x")``. ``undefined`` takes away predefined macros, such as
+    those of extensions that the driver at hand lacks. ``#include`` finds files in
+    ``include_folders`` and nowhere else, but for the folder of the file that includes.
     """
 
     defines: tuple[tuple[str, str], ...] = ()
@@ -26,3 +26,6 @@ class ReadOptions:
     include_folders: tuple[Path, ...] = ()
     max_tokens: int = MAX_TOKENS
     dialect: Dialect = "glsl"
+
+
+DEFAULTS = ReadOptions()

@@ -9,8 +9,9 @@ from shadercache.ast.nodes import Module
 from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.front.dialects import host_of
 from shadercache.front.lexis import Lexemes
-from shadercache.front.options import ReadOptions
+from shadercache.front.options import DEFAULTS, ReadOptions
 from shadercache.front.preprocess import preprocess
+from shadercache.front.version import NO_VERSION
 from shadercache.source import Source, Span
 
 MAX_BRACKETS = 1000
@@ -19,17 +20,16 @@ MAX_BRACKETS = 1000
 _OPENING = frozenset("([{")
 _CLOSING = frozenset(")]}")
 _one_at_a_time = Lock()
-_DEFAULT = ReadOptions()
 
 
-def parse(source: Source, options: ReadOptions = _DEFAULT) -> Module:
+def parse(source: Source, options: ReadOptions = DEFAULTS) -> Module:
     """The syntax tree of a shader, with spans into ``source``.
 
     Raises :class:`InputError`: with all errors of the preprocessor, or with the first error of
     syntax.
     """
     host = host_of(source, options.dialect)
-    prepared = preprocess(source, host.version if host else None)
+    prepared = preprocess(source, options, host.version if host else NO_VERSION)
     lexemes = prepared.lexemes
     if host is not None:
         lexemes = host.surround(lexemes, len(source.text))

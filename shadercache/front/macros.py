@@ -1,0 +1,291 @@
+"""Macros: what ``#define`` makes of its line, and the expansion of their uses.
+
+Before::
+
+    #define SQUARE(x) ((x) * (x))
+    #define TWICE 2.0 * SQUARE
+    TWICE(a + b)
+
+After: ``2.0 * ((a + b) * (a + b))``. Arguments are expanded before they are put in, except beside
+``##``; what comes out is read again together with the text that follows, and a name that comes out
+of its own macro is never expanded again ("blue paint"). All of that is as in C (the specification
+refers to it); there is no ``#`` that makes strings.
+
+Source: The OpenGL Shading Language 4.60, section 3.3.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from shadercache.front.lexis import is_word, spellings
+from shadercache.front.mistakes import MistakeError, RunawayError
+
+MAX_NESTING = 100
+"""Calls of macros that may stand in one another's arguments."""
+
+_DEFINITION = re.compile(r"([A-Za-z_]\w*)(\([^)]*\)?)?(.*)", re.DOTALL | re.ASCII)
+_PASTE = "##"
+
+
+class _Painted(str):
+    """A name that came out of its own macro, and is none any more."""
+
+    __slots__ = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Macro:
+    """A macro; without parameters where ``parameters`` is ``None``.
+
+    ``spelling`` is the replacement as it was written, with single blanks: a macro may be defined
+    again in the same way, and blanks count, but not how many. ``expanded`` has the parameters
+    whose arguments are expanded before they are put in, because they stand away from ``##``.
+    """
+
+    name: str
+    parameters: tuple[str, ...] | None
+    body: tuple[str, ...]
+    spelling: str = ""
+    expanded: frozenset[str] = frozenset()
+
+    @property
+    def pastes(self) -> bool:
+        """Is there a ``##`` in it?"""
+        return _PASTE in self.body
+
+
+def define(text: str) -> Macro:
+    """The macro that ``#define text`` defines."""
+    match = _DEFINITION.fullmatch(text)
+    if match is None:
+        raise MistakeError("SC108", "#define needs the name of a macro")
+    name, parameters, rest = match.groups()
+    body = spellings(rest)
+    if body[:1] == (_PASTE,) or body[-1:] == (_PASTE,):
+        raise MistakeError("SC108", "'##' needs a word on both sides")
+    names = None if parameters is None else _parameters(parameters)
+    alone = (word for at, word in enumerate(body) if not _beside_paste(body, at))
+    expanded = frozenset(names or ()).intersection(alone)
+    return Macro(name, names, body, " ".join(rest.split()), expanded)
+
+
+def _beside_paste(body: tuple[str, ...], at: int) -> bool:
+    return body[at - 1 : at] == (_PASTE,) or body[at + 1 : at + 2] == (_PASTE,)
+
+
+def _parameters(text: str) -> tuple[str, ...]:
+    words = spellings(text)
+    names = words[1:-1:2]
+    if words[-1] != ")":
+        raise MistakeError("SC108", "the list of macro parameters has no ')'")
+    if words[2:-1:2] != (",",) * max(0, len(names) - 1) or not all(map(is_word, names)):
+        raise MistakeError("SC108", "the parameters of a macro are names with ',' between them")
+    if len(set(names)) < len(names):
+        raise MistakeError("SC108", "a macro has two parameters of the same name")
+    return names
+
+
+class _Frame:
+    """The expansion of a macro, and how far it is read."""
+
+    __slots__ = ("at", "name", "texts")
+
+    def __init__(self, name: str, texts: Sequence[str]) -> None:
+        self.name = name
+        self.texts = texts
+        self.at = 0
+
+
+class _Feed:
+    """Lexemes to be read, with the expansions that are read before them, innermost last.
+
+    A macro is hidden as long as its expansion is being read.
+    """
+
+    __slots__ = ("at", "frames", "hidden", "texts")
+
+    def __init__(self, texts: Sequence[str], at: int, hidden: set[str]) -> None:
+        self.texts = texts
+        self.at = at
+        self.hidden = hidden
+        self.frames: list[_Frame] = []
+
+    def push(self, name: str, texts: Sequence[str]) -> None:
+        self.frames.append(_Frame(name, texts))
+        self.hidden.add(name)
+
+    def drop_finished(self) -> None:
+        """Forget expansions that are read to their end."""
+        while self.frames and self.frames[-1].at == len(self.frames[-1].texts):
+            self.hidden.discard(self.frames.pop().name)
+
+    def peek(self) -> str | None:
+        """The next lexeme, which stays."""
+        self.drop_finished()
+        if self.frames:
+            frame = self.frames[-1]
+            return frame.texts[frame.at]
+        return self.texts[self.at] if self.at < len(self.texts) else None
+
+    def next(self) -> str | None:
+        """The next lexeme; painted where it names a macro that is hidden."""
+        text = self.peek()
+        if self.frames:
+            self.frames[-1].at += 1
+        else:
+            self.at += 1
+        return _Painted(text) if text is not None and text in self.hidden else text
+
+
+class Expander:
+    """The macros that are defined, and their expansion.
+
+    ``line`` gives the replacement of ``__LINE__``. The words that are read in macros are counted,
+    and not more than ``limit`` in all: a few nested macros can ask for billions.
+    """
+
+    def __init__(self, limit: int, line: Callable[[], str]) -> None:
+        self.macros: dict[str, Macro] = {}
+        self._limit = limit
+        self._left = limit
+        self._line = line
+        self._hidden: set[str] = set()
+        self._depth = 0
+
+    def expand_use(self, texts: Sequence[str], at: int) -> tuple[list[str], int]:
+        """The expansion of the macro named at ``texts[at]``, and the index behind its use.
+
+        A use takes more than the name if arguments follow, even those of the macro's last word.
+        """
+        feed = _Feed(texts, at + 1, self._hidden)
+        try:
+            if not self._enter(feed, self.macros[texts[at]]):
+                return [texts[at]], at + 1
+            return [str(text) for text in self._run(feed, whole=False)], feed.at
+        finally:
+            self._hidden.clear()
+            self._depth = 0
+
+    def expand_all(self, texts: Sequence[str]) -> list[str]:
+        """The expansion of a directive's words."""
+        try:
+            return [str(text) for text in self._run(_Feed(texts, 0, self._hidden), whole=True)]
+        finally:
+            self._hidden.clear()
+            self._depth = 0
+
+    def _run(self, feed: _Feed, whole: bool) -> list[str]:
+        """Expand to the end of the feed, or only what stands before its own lexemes."""
+        made: list[str] = []
+        while True:
+            feed.drop_finished()
+            if not (whole or feed.frames):
+                return made
+            text = feed.next()
+            if text is None:
+                return made
+            macro = self.macros.get(text)
+            if macro is None or type(text) is _Painted or not self._enter(feed, macro):
+                made.append(text)
+
+    def _enter(self, feed: _Feed, macro: Macro) -> bool:
+        """Have the expansion read next; ``False`` if this is a mere name without arguments."""
+        if macro.parameters is None:
+            if macro.name == "__LINE__":
+                self._push(feed, macro, (self._line(),))
+            else:
+                self._push(feed, macro, _put_in(macro, [], []) if macro.pastes else macro.body)
+            return True
+        if feed.peek() != "(":
+            return False
+        raw = self._arguments(feed, macro)
+        self._push(feed, macro, _put_in(macro, raw, self._expanded(macro, raw)))
+        return True
+
+    def _push(self, feed: _Feed, macro: Macro, texts: Sequence[str]) -> None:
+        self._count(len(texts))
+        feed.push(macro.name, texts)
+
+    def _count(self, words: int) -> None:
+        self._left -= words
+        if self._left < 0:
+            raise RunawayError("SC109", f"macros expand to more than {self._limit} words")
+
+    def _arguments(self, feed: _Feed, macro: Macro) -> list[list[str]]:
+        """Read the arguments of a call, brackets included."""
+        assert macro.parameters is not None
+        arguments: list[list[str]] = [[]]
+        feed.next()
+        depth = 1
+        while True:
+            text = feed.next()
+            if text is None:
+                message = f"the '(' of macro '{macro.name}' is never closed"
+                raise MistakeError("SC124", message, "no directive may stand among the arguments")
+            depth += (text == "(") - (text == ")")
+            if depth == 0:
+                break
+            if text == "," and depth == 1:
+                arguments.append([])
+            else:
+                arguments[-1].append(text)
+        if not macro.parameters and arguments == [[]]:
+            return []
+        if len(arguments) != len(macro.parameters):
+            raise _wrong_number(macro, len(arguments))
+        return arguments
+
+    def _expanded(self, macro: Macro, raw: list[list[str]]) -> list[list[str]]:
+        """The arguments as they are put in away from ``##``: expanded by themselves."""
+        self._depth += 1
+        if self._depth > MAX_NESTING:
+            raise RunawayError("SC109", f"more than {MAX_NESTING} calls of macros nest here")
+        made = []
+        for name, argument in zip(macro.parameters or (), raw, strict=True):
+            self._count(len(argument))
+            if name in macro.expanded and not self.macros.keys().isdisjoint(argument):
+                argument = self._run(_Feed(argument, 0, self._hidden), whole=True)
+            made.append(argument)
+        self._depth -= 1
+        return made
+
+
+def _wrong_number(macro: Macro, given: int) -> MistakeError:
+    wanted = len(macro.parameters or ())
+    plural = "" if wanted == 1 else "s"
+    message = f"macro '{macro.name}' has {wanted} parameter{plural}, but {given} are given"
+    return MistakeError("SC124", message)
+
+
+def _put_in(macro: Macro, raw: list[list[str]], plain: list[list[str]]) -> list[str]:
+    """The body with the arguments in it: ``plain``, but ``raw`` beside ``##``."""
+    places = {name: index for index, name in enumerate(macro.parameters or ())}
+    made: list[str] = []
+    glue = False
+    for at, text in enumerate(macro.body):
+        if text == _PASTE:
+            glue = True
+            continue
+        place = places.get(text)
+        if place is None:
+            piece = [text]
+        elif _beside_paste(macro.body, at):
+            # An empty word stands for an empty argument, so that `##` has something to take.
+            piece = raw[place] or [""]
+        else:
+            piece = plain[place]
+        if glue:
+            piece = [_pasted(made.pop(), piece[0]), *piece[1:]]
+            glue = False
+        made += piece
+    return [text for text in made if text] if macro.pastes else made
+
+
+def _pasted(left: str, right: str) -> str:
+    text = left + right
+    if len(spellings(text)) > 1:
+        raise MistakeError("SC124", f"'##' makes '{text}', which is not one word")
+    return text
