@@ -17,12 +17,20 @@ from shadercache.ast.nodes import FunctionProto
 from shadercache.diagnostics import Diagnostic
 from shadercache.front.build_declarations import FullType, Head
 from shadercache.front.lexis import is_word
-from shadercache.front.tokens import Token, TokenStream
-from shadercache.lang.words import STATEMENT_WORDS, keywords
+from shadercache.front.tokens import Language, Token, TokenStream
+from shadercache.lang.words import STATEMENT_WORDS, keyword_since, keywords
 from shadercache.source import Source, Span
 
 _PAIRS = {"(": ")", "[": "]", "{": "}"}
 _CLOSERS = {")": "RPAR", "]": "RSQB", "}": "RBRACE"}
+_INSTEAD = {
+    "attribute": "write 'in'",
+    "varying": "write 'out' in the vertex shader and 'in' in the fragment shader",
+    "unsigned": "write 'uint'",
+    "double": "write 'float'",
+    "switch": "write a chain of if and else",
+    **{f"{kind}vec{size}": f"write 'vec{size}'" for kind in "hf" for size in (2, 3, 4)},
+}
 _STATEMENT_ENDS = frozenset((";", "{", "}", ")", ":", ""))
 _JUMPS = {
     "RETURN": "return",
@@ -43,7 +51,7 @@ class _Mistake:
     """
 
     source: Source
-    version: int
+    language: Language
     text: str
     kind: str
     span: Span
@@ -104,7 +112,7 @@ def _gather(error: UnexpectedToken, stream: TokenStream) -> _Mistake:
             openings.pop()
     return _Mistake(
         source=stream.source,
-        version=stream.version,
+        language=stream.language,
         text=_spelling(stream, index),
         kind=error.token.type,
         span=_place(stream, index),
@@ -136,25 +144,37 @@ def _place(stream: TokenStream, index: int) -> Span:
 def _reserved(mistake: _Mistake) -> Diagnostic | None:
     if mistake.kind != "RESERVED":
         return None
-    message = f"'{mistake.text}' is a reserved word of GLSL {mistake.version}"
-    return mistake.here(message, "choose another name", "SC106")
+    if mistake.text == "subroutine":
+        hint = "call the function directly, or choose it with a switch on a uniform"
+        return mistake.here("subroutines are not supported", hint, "SC111")
+    message = f"'{mistake.text}' is a reserved word of {mistake.language}"
+    return mistake.here(message, _reserved_hint(mistake), "SC106")
+
+
+def _reserved_hint(mistake: _Mistake) -> str:
+    if "NAME" in mistake.right and "BASIC_TYPE" not in mistake.right:
+        return "choose another name"
+    instead = _INSTEAD.get(mistake.text)
+    return instead or _needs(mistake.text, mistake.language) or "choose another name"
+
+
+def _needs(word: str, language: Language) -> str | None:
+    """The hint which version a word needs; ``None`` where no later one has it."""
+    since = keyword_since(word, language.es)
+    if since is None or since <= language.version:
+        return None
+    return f"it needs #version {since}{' es' if language.es else ''} or later"
 
 
 def _later_keyword(mistake: _Mistake) -> Diagnostic | None:
-    """A word that only a later version knows, as in ``precise float x;``."""
+    """A word that only another version knows, as in ``precise float x;``."""
+    language = mistake.language
     for text, span in ((mistake.text, mistake.span), (mistake.before, mistake.before_span)):
-        if is_word(text) and text in keywords(460) and text not in keywords(mistake.version):
-            since = min(v for v in (400, 420, 430) if text in keywords(v))
-            message = f"'{text}' has no meaning in GLSL {mistake.version}"
-            return mistake.at(span, message, f"it needs #version {since} or later", "SC106")
+        if is_word(text) and text not in keywords(*language):
+            hint = _needs(text, language)
+            if hint is not None:
+                return mistake.at(span, f"'{text}' has no meaning in {language}", hint, "SC106")
     return None
-
-
-def _brace_initialiser(mistake: _Mistake) -> Diagnostic | None:
-    if mistake.text != "{" or mistake.before not in ("=", "{", ","):
-        return None
-    message = "initialiser lists in braces are not supported"
-    return mistake.here(message, "write a constructor, such as float[2](1.0, 2.0)", "SC110")
 
 
 def _stray_word(mistake: _Mistake) -> Diagnostic | None:
@@ -201,7 +221,7 @@ def _unknown_type(mistake: _Mistake) -> Diagnostic | None:
     if "NAME" not in mistake.right and "TYPE_NAME" in mistake.right:
         return mistake.here(f"'{mistake.text}' is not the name of a type", _outside_hint(mistake))
     starts = mistake.same_line and mistake.earlier in _STATEMENT_ENDS
-    if starts and is_word(mistake.before) and mistake.before not in keywords(mistake.version):
+    if starts and is_word(mistake.before) and mistake.before not in keywords(*mistake.language):
         message = f"'{mistake.before}' is not the name of a type"
         return mistake.at(mistake.before_span, message)
     return None
@@ -214,7 +234,7 @@ def _outside_hint(mistake: _Mistake) -> str | None:
 def _keyword_as_name(mistake: _Mistake) -> Diagnostic | None:
     """``float in = 1.0;``"""
     wanted = "NAME" in mistake.right and not mistake.operand_missing and mistake.same_line
-    if wanted and mistake.text in keywords(mistake.version):
+    if wanted and mistake.text in keywords(*mistake.language):
         return mistake.here(f"'{mistake.text}' is a keyword and cannot be a name", code="SC106")
     return None
 
@@ -306,7 +326,6 @@ def _missing_declaration(mistake: _Mistake) -> Diagnostic | None:
 _RECOGNISERS: tuple[Callable[[_Mistake], Diagnostic | None], ...] = (
     _reserved,
     _later_keyword,
-    _brace_initialiser,
     _stray_word,
     _wrong_closer,
     _never_closed,

@@ -7,6 +7,7 @@ from typing import Any
 
 from shadercache.ast.nodes import Module
 from shadercache.diagnostics import Diagnostic, InputError
+from shadercache.front.comments import find_comments
 from shadercache.front.dialects import host_of
 from shadercache.front.lexis import Lexemes
 from shadercache.front.options import DEFAULTS, ReadOptions
@@ -37,9 +38,11 @@ def parse(source: Source, options: ReadOptions = DEFAULTS) -> Module:
     from lark.exceptions import UnexpectedToken
 
     from shadercache.front.grammar import load_parser
-    from shadercache.front.tokens import TokenStream
+    from shadercache.front.tokens import Language, TokenStream, enabled_extensions
 
-    stream = TokenStream(source, prepared.version, lexemes)
+    extensions = enabled_extensions(directive.text for directive in prepared.directives)
+    language = Language(prepared.version, prepared.profile == "es", extensions)
+    stream = TokenStream(source, language, lexemes)
     with _one_at_a_time:
         lark, builder = load_parser()
         builder.begin(stream)
@@ -52,7 +55,8 @@ def parse(source: Source, options: ReadOptions = DEFAULTS) -> Module:
         finally:
             builder.end()
     span = Span(0, len(source.text))
-    return Module(span, prepared.version, prepared.profile, prepared.directives, decls)
+    comments = find_comments(source, prepared.lexemes)
+    return Module(span, prepared.version, prepared.profile, prepared.directives, decls, comments)
 
 
 def _check_depth(source: Source, lexemes: Lexemes) -> None:

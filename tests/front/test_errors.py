@@ -69,14 +69,14 @@ IN_FUNCTION = [
     ("a.;", "3:3 SC103 expected a name after '.'"),
     ("a.b();", "3:3 SC110 there is no method 'b'"),
     ("float in = 1.0;", "3:7 SC106 'in' is a keyword and cannot be a name"),
-    ("float half;", "3:7 SC106 'half' is a reserved word of GLSL 330 (choose another name)"),
+    ("float half;", "3:7 SC106 'half' is a reserved word of GLSL 3.30 (choose another name)"),
     (
         "precise float a;",
-        "3:1 SC106 'precise' has no meaning in GLSL 330 (it needs #version 400 or later)",
+        "3:1 SC106 'precise' has no meaning in GLSL 3.30 (it needs #version 400 or later)",
     ),
     (
         "float a[2] = {1.0, 2.0};",
-        "3:14 SC110 initialiser lists in braces are not supported"
+        "3:14 SC110 initialiser lists in braces need GLSL 4.20"
         " (write a constructor, such as float[2](1.0, 2.0))",
     ),
     ("uniform B { float a; } b;", "3:1 SC110 an interface block must not stand in a function"),
@@ -99,7 +99,6 @@ IN_FUNCTION = [
     ),
     ("a = \x01;", "3:5 SC101 unexpected character U+0001"),
     ("f(float);", "3:3 SC103 expected '(' after the type 'float'"),
-    ("float, a;", "3:6 SC103 expected a name before ','"),
 ]
 
 
@@ -138,7 +137,7 @@ OUTSIDE = [
     ("float a = ", "2:10 SC103 expected an expression after '='"),
     (
         "buffer B { float a; };",
-        "2:1 SC106 'buffer' has no meaning in GLSL 330 (it needs #version 430 or later)",
+        "2:1 SC106 'buffer' has no meaning in GLSL 3.30 (it needs #version 430 or later)",
     ),
 ]
 
@@ -155,7 +154,7 @@ def test_an_error_in_a_macro_is_told_where_it_is_used() -> None:
 
 def test_a_subroutine_is_refused() -> None:
     told_text = told("#version 400\nsubroutine float f();\n")
-    assert told_text.startswith("2:1 SC106 'subroutine' is a reserved word")
+    assert told_text.startswith("2:1 SC111 subroutines are not supported")
 
 
 def test_no_message_names_a_terminal_of_the_grammar() -> None:
