@@ -10,12 +10,14 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from math import prod
 
-SCALARS = ("float", "int", "uint", "bool", "double")
-
-_PREFIX = {"float": "", "int": "i", "uint": "u", "bool": "b", "double": "d"}
+_PREFIX = {
+    **{"float": "", "int": "i", "uint": "u", "bool": "b", "double": "d"},
+    **{"int64_t": "i64", "uint64_t": "u64"},
+}
+SCALARS = tuple(_PREFIX)
 
 _SHADOW_SHAPES = ("1D", "2D", "Cube", "2DRect", "1DArray", "2DArray", "CubeArray")
-_SAMPLER_SHAPES = (*_SHADOW_SHAPES, "3D", "Buffer", "2DMS", "2DMSArray")
+_SHAPES_OF_ALL = (*_SHADOW_SHAPES, "3D", "Buffer", "2DMS", "2DMSArray")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -55,7 +57,7 @@ class Type:
 
     @property
     def is_scalar(self) -> bool:
-        """``float``, ``int``, ``uint``, ``bool`` or ``double``."""
+        """``float``, ``int``, ``uint``, ``bool``, ``double`` or an integer of 64 bits."""
         return self.base is not None and self.rows == 1 and self.cols == 1 and not self.dims
 
     @property
@@ -104,6 +106,13 @@ class Type:
         if self.struct is not None:
             return any(kind.holds_opaque for kind in self.struct.fields.values())
         return self.base is None and self is not VOID
+
+    @property
+    def holds_array(self) -> bool:
+        """Is it an array, or a struct with an array inside?"""
+        if self.struct is not None and not self.dims:
+            return any(kind.holds_array for kind in self.struct.fields.values())
+        return bool(self.dims)
 
     @property
     def is_unsized(self) -> bool:
@@ -181,7 +190,7 @@ def matrix(base: str, cols: int, rows: int) -> Type:
 
 
 def builtin_type(name: str) -> Type | None:
-    """The built-in type called ``name`` (GLSL 3.30 and 4.00), or ``None``."""
+    """The built-in type called ``name`` (of any version), or ``None``."""
     return _BY_NAME.get(name)
 
 
@@ -201,8 +210,14 @@ def _numeric_types() -> dict[str, Type]:
 
 
 def _opaque_types() -> dict[str, Type]:
-    names = [prefix + "sampler" + shape for prefix in ("", "i", "u") for shape in _SAMPLER_SHAPES]
+    names = [
+        f"{prefix}{sort}{shape}"
+        for sort in ("sampler", "image")
+        for prefix in ("", "i", "u")
+        for shape in _SHAPES_OF_ALL
+    ]
     names += ["sampler" + shape + "Shadow" for shape in _SHADOW_SHAPES]
+    names += ["atomic_uint", "samplerExternalOES"]
     return {name: Type(name) for name in names}
 
 
@@ -215,3 +230,5 @@ INT = _BY_NAME["int"]
 UINT = _BY_NAME["uint"]
 BOOL = _BY_NAME["bool"]
 DOUBLE = _BY_NAME["double"]
+INT64 = _BY_NAME["int64_t"]
+UINT64 = _BY_NAME["uint64_t"]

@@ -76,6 +76,7 @@ _GPU5 = "EXT_gpu_shader5 OES_gpu_shader5 ARB_gpu_shader5 ANDROID_extension_pack_
 _CUBE_ARRAYS = "ARB_texture_cube_map_array EXT_texture_cube_map_array OES_texture_cube_map_array"
 _BUFFERS = "EXT_texture_buffer OES_texture_buffer ANDROID_extension_pack_es31a"
 _FP64 = "ARB_gpu_shader_fp64 ARB_vertex_attrib_64bit"
+_INT64 = "ARB_gpu_shader_int64 EXT_shader_explicit_arithmetic_types_int64"
 _RECTANGLES = "ARB_texture_rectangle"
 
 _TYPES = (
@@ -124,6 +125,9 @@ _TYPES = (
          ext=f"{_IMAGES} {_CUBE_ARRAYS} ANDROID_extension_pack_es31a"),
     _row("type", _with_int_kinds("image2DMS image2DMSArray"), 420, _NEVER,
          reserved=(_NEVER, 310), ext=_IMAGES),
+    _row("type", "int64_t uint64_t", _NEVER, _NEVER, ext=_INT64),
+    _row("type", (f"{sign}64vec{size}" for sign in "iu" for size in (2, 3, 4)),
+         _NEVER, _NEVER, ext=_INT64),
     _row("type", "samplerExternalOES", _NEVER, _NEVER,
          ext="OES_EGL_image_external OES_EGL_image_external_essl3"),
 )  # fmt: skip

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from shadercache.ast.nodes import BlockDecl
+from collections.abc import Mapping
+
+from shadercache.ast.nodes import BlockDecl, Qualifiers
 from shadercache.lang.types import Type, struct_type
 from shadercache.sema.context import ERROR, Context
 from shadercache.sema.facts import Kind, Symbol
@@ -10,6 +12,14 @@ from shadercache.sema.typespecs import TypeResolver
 from shadercache.sema.variables import VariableChecker
 
 _BUILTIN_BLOCK = "gl_PerVertex"
+_IO_BLOCKS = (150, 320, "GL_EXT_shader_io_blocks", "GL_OES_shader_io_blocks")
+# First desktop and ES versions of the blocks of each storage, and the extensions that have them.
+_SINCE: Mapping[str, tuple[int, int, *tuple[str, ...]]] = {
+    "uniform": (140, 300, "GL_ARB_uniform_buffer_object"),
+    "buffer": (430, 310, "GL_ARB_shader_storage_buffer_object"),
+    "in": _IO_BLOCKS,
+    "out": _IO_BLOCKS,
+}
 _STAGE_HAS_NONE = (("vertex", "in"), ("fragment", "out"))
 
 
@@ -32,7 +42,7 @@ class BlockChecker:
         for decl in block.fields:
             self._variables.layouts.check(decl.qualifiers, member=True)
         for name, kind in fields.items():
-            if kind is not ERROR and kind.holds_opaque:
+            if kind is not ERROR and kind.holds_opaque and not context.bindless:
                 message = f"the member '{name}' of a block cannot be {kind}"
                 context.error("SC221", message, block)
         self._claim_name(block, storage)
@@ -41,7 +51,7 @@ class BlockChecker:
             return
         kind = struct_type(block.name, fields)
         kind = self._resolver.with_dims(kind, block.dims, block)
-        writable = storage == "out"
+        writable = _writable(storage, block.qualifiers)
         symbol = Symbol(
             block.instance, kind, "block", block.qualifiers, block, True, writable, block
         )
@@ -49,12 +59,20 @@ class BlockChecker:
 
     def _check_storage(self, block: BlockDecl, storage: Kind) -> None:
         context = self._context
-        if storage not in ("uniform", "in", "out"):
-            message = f"the block '{block.name}' is not uniform, in or out"
+        if storage not in _SINCE:
+            message = f"the block '{block.name}' is not uniform, buffer, in or out"
             context.error("SC221", message, block)
+        elif not self._is_known(storage):
+            message = f"this version of GLSL has no '{storage}' blocks"
+            context.error("SC221", message, block.qualifiers)
         elif (context.stage, storage) in _STAGE_HAS_NONE:
             message = f"a {context.stage} shader has no '{storage}' blocks"
             context.error("SC221", message, block.qualifiers)
+
+    def _is_known(self, storage: Kind) -> bool:
+        desktop, es, *extensions = _SINCE[storage]
+        context = self._context
+        return context.at_least(desktop, es) or not context.extensions.isdisjoint(extensions)
 
     def _claim_name(self, block: BlockDecl, storage: Kind) -> None:
         """The name of a block is a global name, and one block of each storage may have it."""
@@ -75,7 +93,14 @@ class BlockChecker:
                     storage,
                     decl.qualifiers,
                     node,
-                    writable=storage == "out",
+                    writable=_writable(storage, block.qualifiers, decl.qualifiers),
                     block=block,
                 )
                 self._variables.enter(symbol, node)
+
+
+def _writable(storage: Kind, *qualifiers: Qualifiers) -> bool:
+    """Can it be written? (``readonly`` stands on the block or on the member.)"""
+    if storage == "buffer":
+        return not any(item.has("readonly") for item in qualifiers)
+    return storage == "out"

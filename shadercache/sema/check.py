@@ -33,6 +33,7 @@ SC224  declarations of a function that disagree, or a wrong result type
 SC225  arrays of arrays in a version without them
 SC226  an argument that has to be constant
 SC227  an integer that needs more than 32 bits
+SC228  a float, integer or sampler that has no precision (GLSL ES)
 SC290  warning: the drivers disagree about a call of an overloaded built-in function
 SC291  warning: a function that is called but not defined
 SC292  warning: a name with two underscores

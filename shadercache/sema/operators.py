@@ -11,6 +11,7 @@ BITWISE = frozenset("&|^")
 SHIFTS = frozenset(("<<", ">>"))
 RELATIONAL = frozenset(("<", ">", "<=", ">="))
 EQUALITY = frozenset(("==", "!="))
+INTEGER_ONLY = frozenset(("%", "~")) | BITWISE | SHIFTS
 LOGICAL = frozenset(("&&", "||", "^^"))
 
 

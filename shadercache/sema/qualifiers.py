@@ -4,7 +4,8 @@ from __future__ import annotations
 
 INTERPOLATION = ("flat", "smooth", "noperspective")
 AUXILIARY = ("centroid", "sample", "patch")
-STORAGE = ("const", "in", "out", "inout", "uniform", "attribute", "varying")
+STORAGE = ("const", "in", "out", "inout", "uniform", "buffer", "shared", "attribute", "varying")
+MEMORY = ("coherent", "volatile", "restrict", "readonly", "writeonly")
 PRECISION = ("highp", "mediump", "lowp")
 
 _RANKS = {

@@ -90,5 +90,5 @@ class Scopes:
         return entry
 
     def names(self) -> list[str]:
-        """All names that mean something here."""
-        return list(self.visible)
+        """All names that mean something here (and not the keys of default precisions)."""
+        return [name for name in self.visible if " " not in name]

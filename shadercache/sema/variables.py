@@ -14,17 +14,22 @@ from shadercache.ast.nodes import (
     VarDecl,
 )
 from shadercache.lang import builtins
-from shadercache.lang.types import BOOL, FLOAT, INT, VOID, Type
-from shadercache.sema.context import ERROR, Context
+from shadercache.lang.types import BOOL, VOID, Type
+from shadercache.sema.context import ERROR, NEVER, Context
 from shadercache.sema.facts import Kind, Symbol
 from shadercache.sema.layouts import LayoutChecker
 from shadercache.sema.qualifiers import global_problem, words_problem
 from shadercache.sema.scopes import FunctionSet
 from shadercache.sema.typespecs import TypeResolver
 
-_STORAGE: dict[str, Kind] = {"const": "const", "uniform": "uniform", "in": "in", "out": "out"}
+_STORAGE: dict[str, Kind] = {
+    **{"const": "const", "uniform": "uniform", "in": "in", "out": "out", "buffer": "buffer"}
+}
 _WRITABLE = ("local", "global", "out")
 _LOCAL_WORDS = frozenset(("const", "precise", "highp", "mediump", "lowp"))
+
+
+_ANY_INITIALISER = "GL_EXT_shader_non_constant_global_initializers"
 
 
 class VariableChecker:
@@ -40,7 +45,7 @@ class VariableChecker:
 
     def declare(self, decl: VarDecl) -> None:
         """A declaration of variables, global or local."""
-        base = self._resolver.resolve(decl.type)
+        base = self._resolver.declared(decl.qualifiers, decl.type)
         names = [declarator.name for declarator in decl.declarators]
         layout = self.layouts.check(decl.qualifiers, names) if decl.qualifiers.layout else {}
         kind = self.storage(decl.qualifiers)
@@ -58,6 +63,7 @@ class VariableChecker:
             return "local" if local else "global"
         storage = self._stored(words)
         problem = words_problem(words, self._context.qualifier_version)
+        problem = problem or self._version_problem(words)
         misplaced = [word for word in words if word not in _LOCAL_WORDS]
         if local and misplaced:
             problem = f"'{misplaced[0]}' stands only on global variables and parameters"
@@ -66,6 +72,17 @@ class VariableChecker:
         if problem is not None:
             self._context.error("SC221", problem, qualifiers)
         return storage
+
+    def _version_problem(self, words: tuple[str, ...]) -> str | None:
+        """What a version or a profile does not have."""
+        context = self._context
+        gone = not context.es and context.version >= 420 and context.profile != "compatibility"
+        for word in words:
+            if word in ("attribute", "varying") and gone:
+                return f"'{word}' is gone from the core profile since GLSL 4.20"
+            if word in ("in", "out") and not context.at_least(130, 300):
+                return f"'{word}' stands on parameters only before GLSL 1.30 and GLSL ES 3.00"
+        return "'shared' is for compute shaders" if "shared" in words else None
 
     def _stored(self, words: tuple[str, ...]) -> Kind:
         context = self._context
@@ -104,6 +121,12 @@ class VariableChecker:
 
     def _initialised(self, node: Declarator, declared: Type, given: Type, kind: Kind) -> Type:
         """The type of a variable with an initialiser: sized by it where it has no size."""
+        if kind == "uniform" and not self._context.at_least(120, NEVER):
+            message = "this version of GLSL has no uniforms with a value"
+            return self._context.error("SC221", message, node)
+        if declared.holds_array and not self._context.arrays_are_values:
+            message = "this version of GLSL has no arrays with a value"
+            return self._context.error("SC210", message, node)
         if kind in ("in", "out"):
             message = f"'{node.name}' is an '{kind}' variable: it has no initialiser"
             return self._context.error("SC221", message, node)
@@ -124,14 +147,18 @@ class VariableChecker:
         elif node.init in self._constants.expressions:
             if symbol.kind == "const" and symbol.type is not ERROR:
                 self._constants.declare(symbol, node.init)
-        elif given is not ERROR and (symbol.is_global or context.es or context.version < 420):
+        elif given is not ERROR and (symbol.is_global or context.qualifier_version < 420):
+            if symbol.kind == "global" and _ANY_INITIALISER in context.extensions:
+                return
             message = f"the value of '{node.name}' is not a constant expression"
             context.error("SC222", message, node.init)
 
     def _check_storage(self, decl: VarDecl, node: Declarator, kind: Type, storage: Kind) -> None:
         """What types each kind of variable may have (sections 4.1.7, 4.3.4 to 4.3.6)."""
         problem = None
-        if kind.base is None and kind.holds_opaque and storage != "uniform":
+        if storage == "buffer":
+            problem = f"'{node.name}' is not in a block: buffers have blocks only"
+        elif kind.holds_opaque and storage != "uniform" and not self._context.bindless:
             problem = f"'{node.name}' of type {kind} must be a uniform or a parameter"
         elif storage in ("in", "out"):
             problem = self._interface_problem(decl.qualifiers, node.name, kind, storage)
@@ -223,11 +250,8 @@ class VariableChecker:
                 context.error("SC221", message, decl)
 
     def check_precision(self, decl: PrecisionDecl) -> None:
-        """``precision`` is set for float, int and samplers (section 4.5.3)."""
-        kind = self._resolver.resolve(decl.type)
-        if kind not in (FLOAT, INT, ERROR) and not kind.is_opaque:
-            message = f"there is no default precision of {kind}"
-            self._context.error("SC221", message, decl.type)
+        """``precision mediump float;`` (section 4.5.3)."""
+        self._resolver.precisions.declare(decl, self._resolver.resolve(decl.type))
 
     def _invariable(self) -> tuple[str, ...]:
         return ("out", "in") if self._context.stage == "fragment" else ("out",)

@@ -17,7 +17,7 @@ from collections.abc import Iterator
 
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
-from shadercache.lang.builtins import functions as builtin_functions
+from shadercache.lang.builtins import overloads
 from shadercache.lang.words import keywords, reserved_words
 from shadercache.sema.facts import Facts
 from shadercache.transform.make_precise import PRECISE_VERSION
@@ -67,7 +67,7 @@ class _Finder:
         renamed: dict[n.FunctionDef, str] = {}
         for function in self.facts.functions:
             name = function.name
-            if name in seen | self.later or builtin_functions(name, self.module.version):
+            if name in seen | self.later or overloads(name):
                 renamed[function] = self.names.make(name)
             seen.add(name)
         if not renamed:
