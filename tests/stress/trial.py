@@ -24,8 +24,8 @@ from shadercache.source import Source
 from .cases import Case
 
 SECONDS_PER_MEGABYTE = 20.0
-SECONDS = 2.0
-"""For the parser's start and for small texts, on a machine that does other things as well."""
+SECONDS = 6.0
+"""For a small text: its macros may expand to as many words as the token limit allows."""
 
 MEGABYTES_PER_MEGABYTE = 1_500
 MEGABYTES = 400
