@@ -8,6 +8,7 @@ import time
 from collections.abc import Iterator, Sequence
 from multiprocessing.connection import Connection
 from pathlib import Path
+from typing import Any
 
 from .cases import Case, damaged, random_bytes, random_words
 from .trial import Result, limit_memory, try_case
@@ -44,11 +45,15 @@ def real_shaders() -> list[Path]:
     return sorted(path for path in paths if "printed" not in path.parts)
 
 
-def run_apart(cases: Sequence[Case]) -> list[Result]:
-    """Try cases in a child process, which may be killed by its limits or crash."""
+def run_apart(cases: Sequence[Case], start: str = "fork") -> list[Result]:
+    """Try cases in a child process, which may be killed by its limits or crash.
+
+    ``start`` is how the child begins: forking is quick, but not for a process with threads.
+    """
     largest = max(len(case.text) + sum(map(len, case.files.values())) for case in cases)
-    receive, send = multiprocessing.Pipe(duplex=False)
-    child = multiprocessing.Process(target=_child, args=(cases, largest, send))
+    context: Any = multiprocessing.get_context(start)
+    receive, send = context.Pipe(duplex=False)
+    child = context.Process(target=_child, args=(cases, largest, send))
     child.start()
     send.close()
     results: list[Result] = []
@@ -60,7 +65,7 @@ def run_apart(cases: Sequence[Case]) -> list[Result]:
         case = cases[len(results)]
         results.append(Result(case, 0.0, "died", f"the process died, status {child.exitcode}"))
         rest = cases[len(results) :]
-        return results + (run_apart(rest) if rest else [])
+        return results + (run_apart(rest, start) if rest else [])
     child.join()
     return results
 
