@@ -29,7 +29,7 @@ from shadercache.analysis.candidates import Candidate, Candidates, find_candidat
 from shadercache.analysis.effects import EffectTable
 from shadercache.analysis.restrictions import check_stages, find_color
 from shadercache.ast import nodes as n
-from shadercache.ast.depth import allow_deep_trees
+from shadercache.ast.large import allow_deep_trees
 from shadercache.ast.walk import walk
 from shadercache.diagnostics import Diagnostic, InputError, UsageError, input_error
 from shadercache.emit import program_set

@@ -10,7 +10,7 @@ from multiprocessing import Pool
 from types import FrameType
 
 from bench.public_shaders.collection import Shader, Stage
-from shadercache.ast.depth import allow_deep_trees
+from shadercache.ast.large import allow_deep_trees
 from shadercache.diagnostics import Diagnostic, InputError, Severity
 from shadercache.emit.printer import print_module
 from shadercache.front.parse import parse

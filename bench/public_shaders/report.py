@@ -17,6 +17,12 @@ _EXTENSION = re.compile(r"^\s*#\s*extension\s+(GL_\w+)\s*:\s*(?:enable|require)"
 _VERSION = re.compile(r"^\s*#\s*version\s+(\d+(?:[ \t]+\w+)?)", re.MULTILINE)
 
 
+HEAD = (
+    *("collection", "shaders", "valid", "accepted", "taken again", "by glslang", "stable"),
+    *("all of it", "invalid", "rejected", "same line"),
+)
+
+
 @dataclass(frozen=True, slots=True)
 class Row:
     """One shader with all that is known of it; ``reread`` is the judge's word on its print."""
@@ -68,10 +74,8 @@ def figures(rows: Sequence[Row]) -> dict[str, int]:
 
 def table(collections: dict[str, dict[str, int]]) -> str:
     """The figures as text, one line for each collection."""
-    head = ("collection", "shaders", "valid", "accepted", "taken again", "by glslang", "stable")
-    head += ("all of it", "invalid", "rejected", "same line")
-    lines = [head, *(_line(name, counts) for name, counts in collections.items())]
-    widths = [max(len(line[at]) for line in lines) for at in range(len(head))]
+    lines = [HEAD, *(_line(name, counts) for name, counts in collections.items())]
+    widths = [max(len(line[at]) for line in lines) for at in range(len(HEAD))]
     return "\n".join(
         "  ".join(cell.rjust(width) if at else cell.ljust(width) for at, (cell, width) in row)
         for row in (list(enumerate(zip(line, widths, strict=True))) for line in lines)

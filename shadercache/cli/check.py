@@ -77,7 +77,7 @@ def _stage_of(name: str) -> StageName:
 
 
 def _check(name: str, stage: StageName, options: ReadOptions) -> Checked:
-    from shadercache.ast.depth import allow_deep_trees
+    from shadercache.ast.large import allow_deep_trees
     from shadercache.front.parse import parse
     from shadercache.sema.check import check
 

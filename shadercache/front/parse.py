@@ -5,6 +5,7 @@ from __future__ import annotations
 from threading import Lock
 from typing import Any
 
+from shadercache.ast.large import without_collector
 from shadercache.ast.nodes import Module
 from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.front.comments import find_comments
@@ -43,7 +44,7 @@ def parse(source: Source, options: ReadOptions = DEFAULTS) -> Module:
     extensions = enabled_extensions(directive.text for directive in prepared.directives)
     language = Language(prepared.version, prepared.profile == "es", extensions)
     stream = TokenStream(source, language, lexemes)
-    with _one_at_a_time:
+    with _one_at_a_time, without_collector():
         lark, builder = load_parser()
         builder.begin(stream)
         try:

@@ -42,6 +42,7 @@ SC292  warning: a name with two underscores
 
 from __future__ import annotations
 
+from shadercache.ast.large import without_collector
 from shadercache.ast.nodes import (
     BlockDecl,
     Decl,
@@ -72,7 +73,8 @@ def check(module: Module, source: Source, stage: Stage = "fragment") -> Facts:
 
 def check_in(context: Context) -> Facts:
     """:func:`check` with the tables of a given, fresh context."""
-    return _Checker(context).run()
+    with without_collector():
+        return _Checker(context).run()
 
 
 class _Checker:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from types import FrameType
 
-from shadercache.ast.depth import allow_deep_trees
+from shadercache.ast.large import allow_deep_trees
 from shadercache.diagnostics import InputError
 from shadercache.emit.printer import print_module
 from shadercache.front.options import ReadOptions
