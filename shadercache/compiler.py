@@ -21,8 +21,7 @@ and for one node, for each pass of each algorithm:
 
 from __future__ import annotations
 
-import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -30,12 +29,14 @@ from shadercache.analysis.candidates import Candidate, Candidates, find_candidat
 from shadercache.analysis.effects import EffectTable
 from shadercache.analysis.restrictions import check_stages, find_color
 from shadercache.ast import nodes as n
+from shadercache.ast.large import allow_deep_trees
 from shadercache.ast.walk import walk
 from shadercache.diagnostics import Diagnostic, InputError, UsageError, input_error
 from shadercache.emit import program_set
 from shadercache.emit.fragment import FragmentProgram
 from shadercache.emit.printer import print_node
 from shadercache.emit.vertex import VertexEmitter
+from shadercache.front.options import ReadOptions
 from shadercache.front.parse import parse
 from shadercache.manifest import build_manifest, original_manifest
 from shadercache.options import ALGORITHMS, Mode, Options
@@ -46,9 +47,6 @@ from shadercache.transform.make_precise import PRECISE_VERSION
 from shadercache.transform.names import fresh_prefix
 from shadercache.transform.split import split_declarations
 from shadercache.transform.unique_names import later_keywords, make_names_unique
-
-RECURSION_LIMIT = 20_000
-"""Statements are walked recursively; Python's own limit is meant for C stacks of old."""
 
 
 @dataclass(frozen=True)
@@ -110,14 +108,19 @@ class Emission:
     manifest: dict[str, Any]
 
 
-def analyse(fragment: Source, vertex: Source | None = None) -> Analysis:
+def analyse(
+    fragment: Source, vertex: Source | None = None, reading: ReadOptions | None = None
+) -> Analysis:
     """Parse, check and judge every expression of a fragment shader.
+
+    ``reading`` holds for both shaders, but the dialect is the fragment shader's.
 
     Raises :class:`InputError` with every diagnostic of the first stage that finds any.
     """
-    sys.setrecursionlimit(max(sys.getrecursionlimit(), RECURSION_LIMIT))
+    allow_deep_trees()
+    reading = reading or ReadOptions()
     prefix = fresh_prefix(fragment.text, vertex.text if vertex else "")
-    parsed = parse(fragment)
+    parsed = parse(fragment, reading)
     module, facts = _normalise(parsed, fragment, "fragment")
     color = find_color(module, fragment)
     printed = _printed(parsed, module)
@@ -125,7 +128,7 @@ def analyse(fragment: Source, vertex: Source | None = None) -> Analysis:
     program = FragmentProgram(parsed, module, facts, candidates, color, prefix)
     vertex_parsed = vertex_module = None
     if vertex is not None:
-        vertex_parsed = parse(vertex)
+        vertex_parsed = parse(vertex, replace(reading, dialect="glsl"))
         vertex_module, _ = _normalise(vertex_parsed, vertex, "vertex")
         check_stages(module, fragment, vertex_module, vertex)
     return Analysis(fragment, vertex, candidates, program, vertex_parsed, vertex_module)

@@ -9,6 +9,15 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from shadercache.cli.io import MANIFEST, atomic_folder, folder, read_pair
+from shadercache.cli.reading import (
+    DefineOption,
+    DialectOption,
+    IncludeOption,
+    TokensOption,
+    UndefineOption,
+    read_options,
+)
+from shadercache.front.options import MAX_TOKENS
 from shadercache.options import ALGORITHMS, CacheFormat, Mode, Options
 
 if TYPE_CHECKING:
@@ -38,6 +47,11 @@ def command(
     unprofitable: Annotated[
         bool, typer.Option("--unprofitable", help="Also a node that costs less than a fetch.")
     ] = False,
+    define: DefineOption = None,
+    undefine: UndefineOption = None,
+    include: IncludeOption = None,
+    dialect: DialectOption = "glsl",
+    max_tokens: TokensOption = MAX_TOKENS,
 ) -> None:
     """Write the shaders that cache one node, and how to run them.
 
@@ -45,7 +59,8 @@ def command(
     """
     from shadercache.compiler import analyse, rewrite
 
-    analysis = analyse(*read_pair(fragment, vert))
+    options = read_options(define, undefine, include, dialect, max_tokens)
+    analysis = analyse(*read_pair(fragment, vert), options)
     emission = rewrite(
         analysis,
         analysis.node(node),

@@ -11,8 +11,17 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from shadercache.cli.progress import progress
+from shadercache.cli.reading import (
+    DefineOption,
+    DialectOption,
+    IncludeOption,
+    TokensOption,
+    UndefineOption,
+    read_options,
+)
 from shadercache.cli.scenes import choose_nodes, find_scene
 from shadercache.cli.tables import format_table, shorten, terminal_width
+from shadercache.front.options import MAX_TOKENS
 
 if TYPE_CHECKING:
     from shadercache.harness.verify import Difference, Verdict
@@ -33,6 +42,11 @@ def command(
     plain: Annotated[
         bool, typer.Option("--plain/--proof-only", help="Also measure what plain mode changes.")
     ] = True,
+    define: DefineOption = None,
+    undefine: UndefineOption = None,
+    include: IncludeOption = None,
+    dialect: DialectOption = "glsl",
+    max_tokens: TokensOption = MAX_TOKENS,
     jobs: Annotated[
         int, typer.Option("-j", "--jobs", min=0, help="Processes; 0 takes one per core.")
     ] = 0,
@@ -54,9 +68,10 @@ def command(
     from shadercache.harness.scene import load_scene
     from shadercache.harness.verify import Verifier
 
+    options = read_options(define, undefine, include, dialect, max_tokens)
     path = find_scene(target)
     scene = load_scene(path)
-    analysis = analyse(*read_shaders(scene))
+    analysis = analyse(*read_shaders(scene), options)
     if node:
         chosen = [found for _, found in choose_nodes(scene, analysis, node)]
     else:
@@ -75,6 +90,7 @@ def command(
             min(jobs or os.cpu_count() or 1, max(1, len(chosen))),
             plain,
             lambda _: advance(1),
+            options,
         )
     report = _report(scene.name, about, round_trip, ties, verdicts)
     if output is not None:

@@ -8,6 +8,8 @@ from typing import Literal
 
 Dialect = Literal["glsl", "shadertoy", "auto"]
 
+MAX_TOKENS = 2_000_000
+
 
 @dataclass(frozen=True, slots=True)
 class ReadOptions:
@@ -22,7 +24,7 @@ class ReadOptions:
     defines: tuple[tuple[str, str], ...] = ()
     undefined: tuple[str, ...] = ()
     include_folders: tuple[Path, ...] = ()
-    max_tokens: int = 2_000_000
+    max_tokens: int = MAX_TOKENS
     dialect: Dialect = "glsl"
 
 

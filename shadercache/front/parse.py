@@ -5,12 +5,15 @@ from __future__ import annotations
 from threading import Lock
 from typing import Any
 
+from shadercache.ast.large import without_collector
 from shadercache.ast.nodes import Module
 from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.front.comments import find_comments
+from shadercache.front.dialects import host_of
 from shadercache.front.lexis import Lexemes
 from shadercache.front.options import DEFAULTS, ReadOptions
 from shadercache.front.preprocess import preprocess
+from shadercache.front.version import NO_VERSION
 from shadercache.source import Source, Span
 
 MAX_BRACKETS = 1000
@@ -27,8 +30,12 @@ def parse(source: Source, options: ReadOptions = DEFAULTS) -> Module:
     Raises :class:`InputError`: with all errors of the preprocessor, or with the first error of
     syntax.
     """
-    prepared = preprocess(source, options)
-    _check_depth(source, prepared.lexemes)
+    host = host_of(source, options.dialect)
+    prepared = preprocess(source, options, host.version if host else NO_VERSION)
+    lexemes = prepared.lexemes
+    if host is not None:
+        lexemes = host.surround(lexemes, len(source.text))
+    _check_depth(source, lexemes)
     from lark.exceptions import UnexpectedToken
 
     from shadercache.front.grammar import load_parser
@@ -36,8 +43,8 @@ def parse(source: Source, options: ReadOptions = DEFAULTS) -> Module:
 
     extensions = enabled_extensions(directive.text for directive in prepared.directives)
     language = Language(prepared.version, prepared.profile == "es", extensions)
-    stream = TokenStream(source, language, prepared.lexemes)
-    with _one_at_a_time:
+    stream = TokenStream(source, language, lexemes)
+    with _one_at_a_time, without_collector():
         lark, builder = load_parser()
         builder.begin(stream)
         try:

@@ -35,7 +35,7 @@ from shadercache.front.lexis import CleanText, Lexemes, clean, joins_comments, s
 from shadercache.front.macros import Expander, Macro, define
 from shadercache.front.mistakes import MistakeError, RunawayError, StopReading
 from shadercache.front.options import DEFAULTS, ReadOptions
-from shadercache.front.version import NO_VERSION, read_version
+from shadercache.front.version import NO_VERSION, Version, read_version
 from shadercache.source import Source, Span
 
 MAX_ERRORS = 100
@@ -70,12 +70,15 @@ class _File:
     number: str = "0"
 
 
-def preprocess(source: Source, options: ReadOptions = DEFAULTS) -> Preprocessed:
+def preprocess(
+    source: Source, options: ReadOptions = DEFAULTS, default: Version = NO_VERSION
+) -> Preprocessed:
     """Read the directives of a file, take the groups that hold, and expand the macros.
 
-    Raises :class:`InputError` with every error it finds.
+    ``default`` is the version of a file that names none. Raises :class:`InputError` with every
+    error it finds.
     """
-    reader = Reader(source, options)
+    reader = Reader(source, options, default)
     with suppress(StopReading):
         reader.read_source()
     if reader.errors:
@@ -90,11 +93,11 @@ def preprocess(source: Source, options: ReadOptions = DEFAULTS) -> Preprocessed:
 class Reader:
     """What is known while the files are read from top to bottom."""
 
-    def __init__(self, source: Source, options: ReadOptions) -> None:
+    def __init__(self, source: Source, options: ReadOptions, default: Version) -> None:
         self.source = source
         self.options = options
         self.joined = joins_comments(source.text)
-        self.version = NO_VERSION
+        self.version = default
         self.errors: list[Diagnostic] = []
         self.directives: list[Directive] = []
         self.lexemes = Lexemes()

@@ -42,6 +42,7 @@ SC292  warning: a name with two underscores
 
 from __future__ import annotations
 
+from shadercache.ast.large import without_collector
 from shadercache.ast.nodes import (
     BlockDecl,
     Decl,
@@ -75,7 +76,12 @@ def check(
 
 def check_in(context: Context, needs_main: bool = False) -> Facts:
     """:func:`check` with the tables of a given, fresh context."""
+<<<<<<< HEAD
     return _Checker(context).run(needs_main)
+=======
+    with without_collector():
+        return _Checker(context).run()
+>>>>>>> 0c9b19d9741db5b446c39ba0145c5797fdd36cda
 
 
 class _Checker:
