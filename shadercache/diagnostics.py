@@ -16,12 +16,8 @@ from typing import Any
 
 from shadercache.source import Source, Span
 
-<<<<<<< HEAD
-_LINE_SHOWN = 200
-=======
 MAX_SHOWN = 200
 """Characters of a source line that a diagnostic shows."""
->>>>>>> 0c9b19d9741db5b446c39ba0145c5797fdd36cda
 
 
 class Severity(StrEnum):
@@ -63,14 +59,7 @@ class Diagnostic:
     @staticmethod
     def _snippet(source: Source, span: Span) -> list[str]:
         line, column = source.position(span.start)
-<<<<<<< HEAD
-        text = source.part(span.start).line(line)
-        if len(text) > _LINE_SHOWN:  # A minified shader is one line.
-            first = max(0, min(column - 1 - _LINE_SHOWN // 2, len(text) - _LINE_SHOWN))
-            text, column = text[first : first + _LINE_SHOWN], column - first
-=======
         text, column = _window(source.part(span.start).line(line), column)
->>>>>>> 0c9b19d9741db5b446c39ba0145c5797fdd36cda
         width = max(1, min(span.end - span.start, len(text) - column + 1))
         # Tabs are kept in the padding, so that the caret stands right at any tab width.
         pad = "".join("\t" if char == "\t" else " " for char in text[: column - 1])

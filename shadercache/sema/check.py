@@ -76,12 +76,8 @@ def check(
 
 def check_in(context: Context, needs_main: bool = False) -> Facts:
     """:func:`check` with the tables of a given, fresh context."""
-<<<<<<< HEAD
-    return _Checker(context).run(needs_main)
-=======
     with without_collector():
-        return _Checker(context).run()
->>>>>>> 0c9b19d9741db5b446c39ba0145c5797fdd36cda
+        return _Checker(context).run(needs_main)
 
 
 class _Checker:
