@@ -255,11 +255,11 @@ def test_else_stays_with_its_if() -> None:
 def test_directives_come_first_and_in_order() -> None:
     text = (
         "#version 450 core\n#pragma optimize(on)\n#extension GL_A : enable\nfloat a;\n"
-        "#extension GL_B : require\nfloat b;\n"
+        "#extension GL_ARB_gpu_shader5 : require\nfloat b;\n"
     )
     assert print_module(parse(Source("test", text))) == (
         "#version 450 core\n#pragma optimize(on)\n#extension GL_A : enable\n"
-        "#extension GL_B : require\n\nfloat a;\nfloat b;\n"
+        "#extension GL_ARB_gpu_shader5 : require\n\nfloat a;\nfloat b;\n"
     )
 
 
