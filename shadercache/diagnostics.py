@@ -80,9 +80,12 @@ class Diagnostic:
         """A plain dictionary: file, line, column, severity, message, code, hint."""
         place: dict[str, Any] = {"file": self.source.name if self.source else None}
         if self.source is not None and self.span is not None:
-            place["file"] = self.source.part(self.span.start).name
+            part = self.source.part(self.span.start)
+            place["file"] = part.name
             line, column = self.source.position(self.span.start)
-            end_line, end_column = self.source.position(self.span.end)
+            # A span that runs on into another file ends with its own.
+            end = min(self.span.end, part.base + len(part.text))
+            end_line, end_column = self.source.position(end)
             place |= {"line": line, "column": column}
             place |= {"end_line": end_line, "end_column": end_column}
         return place | {

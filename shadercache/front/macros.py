@@ -149,7 +149,7 @@ class Expander:
     """The macros that are defined, and their expansion.
 
     ``behind`` is the index behind the last use, in the list where it was met, even of a wrong one.
-    ``line`` gives the replacement of ``__LINE__``. The words that are read in macros are counted,
+    ``line`` gives the replacement of ``__LINE__``. The tokens that come out of macros are counted,
     and not more than ``limit`` in all: a few nested macros can ask for billions.
     """
 
@@ -225,7 +225,7 @@ class Expander:
     def _count(self, words: int) -> None:
         self._left -= words
         if self._left < 0:
-            raise RunawayError("SC109", f"macros expand to more than {self._limit} words")
+            raise RunawayError("SC109", f"macros expand to more than {self._limit} tokens")
 
     def _arguments(self, feed: _Feed, macro: Macro) -> list[list[str]]:
         """Read the arguments of a call, brackets included."""

@@ -204,7 +204,7 @@ class Reader:
             self.expand(found)
         if len(lexemes.texts) > limit:
             span = Span(lexemes.starts[limit], lexemes.ends[limit])
-            self.tell(RunawayError("SC120", f"the shader has more than {limit} words"), span)
+            self.tell(RunawayError("SC120", f"the shader has more than {limit} tokens"), span)
 
     def expand(self, found: Lexemes) -> None:
         """Add lexemes; those of a macro get the place of its use."""

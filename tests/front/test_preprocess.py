@@ -243,7 +243,7 @@ def test_the_parser_takes_the_options() -> None:
 # --- limits ---------------------------------------------------------------------------------------
 
 
-def test_the_number_of_words_is_limited() -> None:
+def test_the_number_of_tokens_is_limited() -> None:
     options = ReadOptions(max_tokens=10)
     assert words("a " * 10, options=options) == " ".join("a" * 10)
     (item,) = rejected("#version 330\n#if 1\na a a a a a\n#endif\na a a a b", options)
@@ -251,7 +251,7 @@ def test_the_number_of_words_is_limited() -> None:
     assert item.source is not None
     assert item.span is not None
     assert item.source.excerpt(item.span) == "b"
-    assert "10 words" in item.message
+    assert "10 tokens" in item.message
 
 
 def test_a_file_far_beyond_the_limit_is_not_read_to_its_end() -> None:
