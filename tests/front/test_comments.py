@@ -179,7 +179,7 @@ def test_shaders_with_every_construct() -> None:
         assert all(comment.text in text for comment in module.comments if "define" not in text)
 
 
-# --- what the preprocessor leaves out or brings in -------------------------------------------------
+# --- what the preprocessor leaves out or brings in ------------------------------------------------
 
 
 def test_comments_of_a_group_that_does_not_hold_are_left_out() -> None:
