@@ -35,14 +35,12 @@ class BlockChecker:
         """Members of a block without instance name are global names; otherwise they are fields
         of the instance."""
         context = self._context
-        self._variables.layouts.check(block.qualifiers, default=True)
         storage = self._variables.storage(block.qualifiers)
         self._check_storage(block, storage)
         if block.name == _BUILTIN_BLOCK:
             self._check_redeclared(block)
         fields = self._resolver.fields(block.fields, f"block {block.name}")
-        for decl in block.fields:
-            self._variables.layouts.check(decl.qualifiers, member=True)
+        self._variables.layouts.place_members(block, storage, fields)
         for name, kind in fields.items():
             if kind is not ERROR and kind.holds_opaque and not context.bindless:
                 message = f"the member '{name}' of a block cannot be {kind}"

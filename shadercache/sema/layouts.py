@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from math import prod
 
-from shadercache.ast.nodes import Expr, Literal, Node, Qualifiers
+from shadercache.ast.nodes import BlockDecl, Expr, Literal, Node, Qualifiers
 from shadercache.lang.types import INT, UINT, Type
 from shadercache.sema.context import ERROR, NEVER, Context, did_you_mean
 from shadercache.sema.expressions import ExpressionChecker
@@ -13,6 +13,9 @@ from shadercache.sema.expressions import ExpressionChecker
 # First version of a location: (stage, storage) -> version; what is missing needs 4.10.
 _LOCATION_SINCE = {("vertex", "in"): 330, ("fragment", "out"): 330}
 _LOCATING = "GL_ARB_explicit_attrib_location"
+_BLOCK_LOCATIONS = frozenset(
+    ("GL_ARB_enhanced_layouts", "GL_EXT_shader_io_blocks", "GL_OES_shader_io_blocks")
+)
 _INTERFACE_SINCE = 410
 _UNIFORM_SINCE = 430
 _ES_SINCE = {"uniform": 310, "interface": 310}
@@ -35,6 +38,9 @@ _BLENDS = (
     *("hsl_luminosity", "all_equations"),
 )
 _ENHANCED = (440, NEVER, "ARB_enhanced_layouts")
+
+# First desktop version of the extensions that need one.
+_NEEDS = {"ARB_enhanced_layouts": 150, "ARB_shader_storage_buffer_object": 150}
 
 # First desktop and ES version of each word, and the extensions that have it.
 _SINCE: dict[str, tuple[int, int, *tuple[str, ...]]] = {
@@ -68,7 +74,7 @@ class LayoutChecker:
         self._context = context
         self._check = expressions.check
         self._values = expressions.constants.values
-        self._taken: dict[tuple[str, int, int], str] = {}
+        self._taken: dict[tuple[str, int, int, int], str] = {}
 
     def check(
         self,
@@ -104,10 +110,9 @@ class LayoutChecker:
         context = self._context
         if context.at_least(desktop, es):
             return None
-        # What came with 4.20 and later builds on the interfaces of 1.50.
-        extended = context.at_least(150 if desktop > 420 else 0, 0)
-        if extended and any(f"GL_{name}" in context.extensions for name in extensions):
-            return None
+        for name in extensions:
+            if f"GL_{name}" in context.extensions and context.at_least(_NEEDS.get(name, 0), 0):
+                return None
         return f"this version of GLSL has no layout qualifier '{word}'"
 
     def _number(self, name: str, value: Expr) -> int | None:
@@ -126,7 +131,8 @@ class LayoutChecker:
 
     def _takes_expressions(self) -> bool:
         context = self._context
-        return context.at_least(440, NEVER) or "GL_ARB_enhanced_layouts" in context.extensions
+        enhanced = "GL_ARB_enhanced_layouts" in context.extensions and context.version >= 150
+        return enhanced or context.at_least(440, NEVER)
 
     def place(
         self, node: Node, name: str, kind: Type, storage: str, values: dict[str, int]
@@ -139,8 +145,33 @@ class LayoutChecker:
             version = f"GLSL ES {since}" if self._context.es else f"GLSL {since / 100:.2f}"
             what = "a uniform" if storage == "uniform" else f"this '{storage}' variable"
             self._context.error("SC223", f"a location of {what} needs {version}", node)
-        elif kind is not ERROR and "component" not in values and self._exclusive(storage):
+        elif kind is not ERROR and self._exclusive(storage):
             self._take(node, name, kind, storage, values)
+
+    def place_members(self, block: BlockDecl, storage: str, fields: Mapping[str, Type]) -> None:
+        """Check the layouts of a block and of its members, and where these stand: one behind the
+        other, unless they say otherwise (4.40 section 4.4.1)."""
+        at = self.check(block.qualifiers, default=True).get("location")
+        context = self._context
+        if at is not None and not self._takes_block_locations():
+            context.error("SC223", "this version of GLSL has no locations of blocks", block)
+        for decl in block.fields:
+            values = self.check(decl.qualifiers, member=True)
+            if "location" in values and block.dims:
+                message = "a member of an array of blocks has no location of its own"
+                context.error("SC223", message, decl)
+            at = values.get("location", at)
+            for node in decl.declarators:
+                kind = fields[node.name]
+                if at is None or kind is ERROR or storage not in ("in", "out") or block.dims:
+                    continue
+                self._take(node, node.name, kind, storage, {**values, "location": at})
+                at += slots(kind)
+
+    def _takes_block_locations(self) -> bool:
+        context = self._context
+        enhanced = not context.extensions.isdisjoint(_BLOCK_LOCATIONS)
+        return enhanced or context.at_least(440, 320)
 
     def _since(self, storage: str) -> int:
         known = _LOCATION_SINCE.get((self._context.stage, storage))
@@ -161,14 +192,31 @@ class LayoutChecker:
     def _take(
         self, node: Node, name: str, kind: Type, storage: str, values: dict[str, int]
     ) -> None:
+        if "component" in values and max(_components(kind, values), default=0) > 3:
+            message = f"'{name}' of type {kind} does not fit behind that component"
+            self._context.error("SC223", message, node)
+            return
         first = values["location"]
-        for location in range(first, first + slots(kind)):
-            key = (storage, location, values.get("index", 0))
-            other = self._taken.setdefault(key, name)
-            if other != name:
-                message = f"'{name}' and '{other}' share the location {location}"
-                self._context.error("SC223", message, node)
-                return
+        for step in range(slots(kind)):
+            # The second half of dvec3 and dvec4 stands in a location of its own.
+            second = step % 2 == 1 and kind.base == "double" and kind.rows > 2
+            used = range(2 * (kind.rows - 2)) if second else _components(kind, values)
+            for component in used:
+                key = (storage, first + step, component, values.get("index", 0))
+                other = self._taken.setdefault(key, name)
+                if other != name:
+                    message = f"'{name}' and '{other}' share the location {first + step}"
+                    self._context.error("SC223", message, node)
+                    return
+
+
+def _components(kind: Type, values: Mapping[str, int]) -> range:
+    """Which components of its (first) location a variable takes."""
+    if kind.base is None or kind.cols > 1:
+        return range(4)
+    width = kind.rows * (2 if kind.base == "double" else 1)
+    start = values.get("component", 0)
+    return range(start, start + min(width, 4))
 
 
 def _misplaced(word: str, names: Sequence[str], member: bool, default: bool) -> str | None:

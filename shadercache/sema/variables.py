@@ -19,7 +19,7 @@ from shadercache.sema.context import ERROR, NEVER, Context
 from shadercache.sema.facts import Kind, Symbol
 from shadercache.sema.initialisers import InitialiserChecker
 from shadercache.sema.layouts import IMAGE_FORMATS, LayoutChecker
-from shadercache.sema.qualifiers import global_problem, words_problem
+from shadercache.sema.qualifiers import MEMORY, global_problem, words_problem
 from shadercache.sema.scopes import FunctionSet
 from shadercache.sema.typespecs import TypeResolver
 
@@ -165,15 +165,22 @@ class VariableChecker:
         elif kind.holds_opaque and storage != "uniform" and not self._context.bindless:
             problem = f"'{node.name}' of type {kind} must be a uniform or a parameter"
         elif "image" in kind.name and kind.is_opaque and storage == "uniform":
-            problem = self._image_problem(decl.qualifiers, node.name)
+            problem = self._image_problem(decl.qualifiers, node.name, kind)
+        elif decl.qualifiers.has(*MEMORY) and not self._context.bindless:
+            problem = f"'{node.name}' of type {kind} is no image: it has no memory qualifiers"
         elif storage in ("in", "out"):
             problem = self._interface_problem(decl.qualifiers, node.name, kind, storage)
         if problem is not None:
             self._context.error("SC221", problem, node)
 
-    def _image_problem(self, qualifiers: Qualifiers, name: str) -> str | None:
-        """An image that is read needs a format (4.20 section 4.4.6)."""
-        formats = any(item.name in IMAGE_FORMATS for item in qualifiers.layout or ())
+    def _image_problem(self, qualifiers: Qualifiers, name: str, kind: Type) -> str | None:
+        """An image that is read needs a format, one of its sort (4.20 section 4.4.6)."""
+        words = [item.name.lower() for item in qualifiers.layout or ()]
+        formats = [word for word in words if word in IMAGE_FORMATS]
+        for word in formats:
+            sort = "uimage" if word.endswith("ui") else "iimage" if word.endswith("i") else "image"
+            if not kind.name.startswith(sort):
+                return f"'{word}' is no format of {kind}"
         if formats or qualifiers.has("writeonly") or self._context.bindless:
             return None
         if "GL_EXT_shader_image_load_formatted" in self._context.extensions:
@@ -255,6 +262,10 @@ class VariableChecker:
         elif symbol.kind != known.storage:
             message = f"'{symbol.name}' is redeclared as '{symbol.kind}'; it is '{known.storage}'"
             context.error("SC202", message, node)
+        before = context.scopes.here(symbol.name)
+        if isinstance(before, Symbol) and _layout(before) != _layout(symbol):
+            message = f"'{symbol.name}' was redeclared with another layout before"
+            context.error("SC223", message, node)
         return replace(symbol, kind="builtin", writable=known.storage == "out")
 
     # --- the rest ---------------------------------------------------------------------------------
@@ -296,6 +307,10 @@ class VariableChecker:
     def _invariable(self) -> tuple[str, ...]:
         inputs = self._context.stage == "fragment" and not self._is_new_es()
         return ("out", "in") if inputs else ("out",)
+
+
+def _layout(symbol: Symbol) -> set[str]:
+    return {item.name for item in symbol.qualifiers.layout or ()}
 
 
 def _may_follow(before: object, symbol: Symbol) -> bool:

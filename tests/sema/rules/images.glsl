@@ -58,3 +58,9 @@ void main() { }
 //// 3.30 7.1 gl_PerVertex is as it is | SC221 [330 vertex]
 out gl_PerVertex { vec4 gl_Position; };
 void main() { }
+//// 4.20 4.4.6 a format is of the sort of the image | SC221 [420]
+layout(r32ui) uniform iimage2D im;
+void main() { }
+//// 4.20 4.10 samplers have no memory qualifiers | SC221 [420]
+readonly uniform sampler2D s;
+void main() { }

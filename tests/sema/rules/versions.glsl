@@ -154,3 +154,26 @@ void main() { gl_FragColor = texture2DLod(s, vec2(0.0), 1.0); }
 #extension GL_ARB_texture_rectangle : enable
 uniform sampler2DRect s;
 void main() { gl_FragColor = texture2DRect(s, vec2(0.0)); }
+//// 4.40 4.4.1 variables share a location by components | ok [440 vertex]
+layout(location = 0) out vec2 a;
+layout(location = 0, component = 2) out vec2 b;
+layout(location = 1) out dvec3 c;
+layout(location = 2, component = 2) out double d;
+void main() { }
+//// 4.40 4.4.1 but not a component | SC223 [440 vertex]
+layout(location = 0) out vec3 a;
+layout(location = 0, component = 2) out vec2 b;
+void main() { }
+//// 4.40 4.4.1 four components are there | SC223 [440 vertex]
+layout(location = 0, component = 3) out vec2 b;
+void main() { }
+//// 4.40 4.4.1 members of a block stand one behind the other | SC223 [440 vertex]
+layout(location = 1) out B { mat2 m; vec4 a; layout(location = 2) vec4 b; };
+void main() { }
+//// 4.10 4.4.1 blocks have no locations | SC223 [410 vertex]
+layout(location = 1) out B { vec4 a; };
+void main() { }
+//// 1.50 7.1 gl_FragCoord has one layout | SC223 [150]
+layout(origin_upper_left) in vec4 gl_FragCoord;
+layout(pixel_center_integer) in vec4 gl_FragCoord;
+void main() { }
