@@ -115,14 +115,19 @@ def _operand(word: str, es: bool) -> _Value:
         mistake = MistakeError("SC122", f"'{word}' is not defined, which GLSL ES forbids", hint)
         return mistake if es else 0
     if _INTEGER.fullmatch(word):
-        octal = word[0] == "0" and word.isdigit()
-        value = int(word, 8 if octal else 0)
-        if value >= 1 << 32:
-            raise MistakeError("SC122", f"'{word}' needs more than 32 bits")
-        return _wrapped(value)
+        return _wrapped(_integer(word))
     if word[0].isdigit():
         raise MistakeError("SC122", f"'{word}' is not an integer")
     raise MistakeError("SC122", f"expected a value before '{word}'")
+
+
+def _integer(word: str) -> int:
+    """The value of a decimal, octal or hexadecimal literal."""
+    base = 16 if word[1:2] in ("x", "X") else 8 if word[0] == "0" else 10
+    # Decimal digits beyond a few thousand would take their time, and Python refuses them.
+    if (base == 10 and len(word) > 10) or (value := int(word, base)) >= 1 << 32:
+        raise MistakeError("SC122", f"'{word[:20]}' needs more than 32 bits")
+    return value
 
 
 def _close_bracket(values: list[_Value], waiting: list[tuple[str, int]]) -> None:

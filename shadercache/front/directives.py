@@ -74,16 +74,18 @@ def _elif(reader: Reader, line: Line) -> None:
 
 def _else(reader: Reader, line: Line) -> None:
     reader.file.groups.go_on("else", True)
-    _expect_nothing(reader, line)
+    if reader.file.groups.around:
+        _expect_nothing(line)
 
 
 def _endif(reader: Reader, line: Line) -> None:
     reader.file.groups.end()
-    _expect_nothing(reader, line)
+    if reader.file.groups.live:
+        _expect_nothing(line)
 
 
-def _expect_nothing(reader: Reader, line: Line) -> None:
-    if line.rest and reader.file.groups.around:
+def _expect_nothing(line: Line) -> None:
+    if line.rest:
         hint = "a remark there needs // before it"
         raise MistakeError("SC121", f"nothing may follow #{line.name}", hint)
 
@@ -170,7 +172,8 @@ def _ends_value(word: str) -> bool:
 
 def _include(reader: Reader, line: Line) -> None:
     # As it was written, if it has to be: "a//b" is no comment.
-    name, quoted = include.name_of(line.rest, reader.source.excerpt(line.span))
+    number, column = reader.source.position(line.span.start)
+    name, quoted = include.name_of(line.rest, reader.file.part.line(number)[column - 1 :])
     if len(reader.files) > include.MAX_DEPTH:
         message = f"more than {include.MAX_DEPTH} files include one another here"
         raise RunawayError("SC123", message, "does a file include itself?")

@@ -41,7 +41,7 @@ class Groups:
     @property
     def around(self) -> bool:
         """Is the text around the innermost group read?"""
-        return not self._open or self._open[-1].outer
+        return self._open[-1].outer
 
     def begin(self, span: Span, holds: bool) -> None:
         """``#if``, ``#ifdef`` or ``#ifndef``."""

@@ -21,7 +21,7 @@ MAX_TEXT = 1 << 24
 MIN_TEXT = 1 << 10
 """Characters that a file counts for at the least, lest empty ones are read for ever."""
 
-_NAME = re.compile(r'(?:#\s*include\s*)?(?:"([^"\n]+)"|<([^>\n]+)>)')
+_NAME = re.compile(r'(?:#\s*include\s*)?(?:"([^"\n]+)"|<([^>\n]+)>)\s*(?:/[/*].*)?')
 
 
 def name_of(rest: str, line: str) -> tuple[str, bool]:

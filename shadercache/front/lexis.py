@@ -21,7 +21,7 @@ _CONTINUATION = re.compile(r"(?:\\\r?\n)+")
 _LONE_RETURN = re.compile(r"\r(?!\n)")
 _NEXT_LINE = re.compile(r"\n[ \t]*([^\n]?[^\n]?)")
 _VERSION = re.compile(
-    r"(?:[\s\ufeff]+|//[^\n]*|/\*.*?\*/)*+#[ \t]*version[ \t]+(\d+)[ \t]*(es\b)?",
+    r"(?:[\s\ufeff]+|//[^\n]*|/\*.*?\*/)*+#[ \t]*version[ \t]+(\d{3})\b[ \t]*(es\b)?",
     re.DOTALL | re.ASCII,
 )
 

@@ -26,6 +26,9 @@ from shadercache.front.mistakes import MistakeError, RunawayError
 MAX_NESTING = 100
 """Calls of macros that may stand in one another's arguments."""
 
+MAX_WORD = 1024
+"""Characters of a word that ``##`` makes; names may be no longer (section 3.7)."""
+
 _DEFINITION = re.compile(r"([A-Za-z_]\w*)(\([^)]*\)?)?(.*)", re.DOTALL | re.ASCII)
 _PASTE = "##"
 
@@ -133,81 +136,91 @@ class _Feed:
     def next(self) -> str | None:
         """The next lexeme; painted where it names a macro that is hidden."""
         text = self.peek()
+        if text is None:
+            return None
         if self.frames:
             self.frames[-1].at += 1
         else:
             self.at += 1
-        return _Painted(text) if text is not None and text in self.hidden else text
+        return _Painted(text) if text in self.hidden else text
 
 
 class Expander:
     """The macros that are defined, and their expansion.
 
+    ``behind`` is the index behind the last use, in the list where it was met, even of a wrong one.
     ``line`` gives the replacement of ``__LINE__``. The words that are read in macros are counted,
     and not more than ``limit`` in all: a few nested macros can ask for billions.
     """
 
     def __init__(self, limit: int, line: Callable[[], str]) -> None:
         self.macros: dict[str, Macro] = {}
+        self.behind = 0
         self._limit = limit
         self._left = limit
         self._line = line
         self._hidden: set[str] = set()
         self._depth = 0
 
-    def expand_use(self, texts: Sequence[str], at: int) -> tuple[list[str], int]:
-        """The expansion of the macro named at ``texts[at]``, and the index behind its use.
+    def expand_use(self, texts: Sequence[str], at: int) -> list[str]:
+        """The expansion of the macro named at ``texts[at]``; ``behind`` tells where its use ends.
 
         A use takes more than the name if arguments follow, even those of the macro's last word.
         """
         feed = _Feed(texts, at + 1, self._hidden)
+        made: list[str] = []
         try:
-            if not self._enter(feed, self.macros[texts[at]]):
-                return [texts[at]], at + 1
-            return [str(text) for text in self._run(feed, whole=False)], feed.at
+            self._read_macro(feed, texts[at], made)
+            self._run(feed, made, whole=False)
         finally:
+            self.behind = feed.at
             self._hidden.clear()
             self._depth = 0
+        return [str(text) for text in made]
 
     def expand_all(self, texts: Sequence[str]) -> list[str]:
         """The expansion of a directive's words."""
+        made: list[str] = []
         try:
-            return [str(text) for text in self._run(_Feed(texts, 0, self._hidden), whole=True)]
+            self._run(_Feed(texts, 0, self._hidden), made, whole=True)
         finally:
             self._hidden.clear()
             self._depth = 0
+        return [str(text) for text in made]
 
-    def _run(self, feed: _Feed, whole: bool) -> list[str]:
+    def _run(self, feed: _Feed, made: list[str], whole: bool) -> None:
         """Expand to the end of the feed, or only what stands before its own lexemes."""
-        made: list[str] = []
         while True:
             feed.drop_finished()
             if not (whole or feed.frames):
-                return made
+                return
             text = feed.next()
             if text is None:
-                return made
-            macro = self.macros.get(text)
-            if macro is None or type(text) is _Painted or not self._enter(feed, macro):
+                return
+            if text in self.macros and type(text) is not _Painted:
+                self._read_macro(feed, text, made)
+            else:
                 made.append(text)
 
-    def _enter(self, feed: _Feed, macro: Macro) -> bool:
-        """Have the expansion read next; ``False`` if this is a mere name without arguments."""
-        if macro.parameters is None:
-            if macro.name == "__LINE__":
-                self._push(feed, macro, (self._line(),))
-            else:
-                self._push(feed, macro, _put_in(macro, [], []) if macro.pastes else macro.body)
-            return True
-        if feed.peek() != "(":
-            return False
-        raw = self._arguments(feed, macro)
-        self._push(feed, macro, _put_in(macro, raw, self._expanded(macro, raw)))
-        return True
-
-    def _push(self, feed: _Feed, macro: Macro, texts: Sequence[str]) -> None:
+    def _read_macro(self, feed: _Feed, name: str, made: list[str]) -> None:
+        """Have the expansion of a macro read next; or make it, if it has no macros in it."""
+        macro = self.macros[name]
+        texts: Sequence[str] = macro.body
+        if macro.parameters is not None:
+            if feed.peek() != "(":
+                made.append(name)  # A mere name.
+                return
+            raw = self._arguments(feed, macro)
+            texts = _put_in(macro, raw, self._expanded(macro, raw))
+        elif name == "__LINE__":
+            texts = (self._line(),)
+        elif macro.pastes:
+            texts = _put_in(macro, [], [])
         self._count(len(texts))
-        feed.push(macro.name, texts)
+        if self.macros.keys().isdisjoint(texts):
+            made += texts
+        else:
+            feed.push(name, texts)
 
     def _count(self, words: int) -> None:
         self._left -= words
@@ -247,8 +260,11 @@ class Expander:
         for name, argument in zip(macro.parameters or (), raw, strict=True):
             self._count(len(argument))
             if name in macro.expanded and not self.macros.keys().isdisjoint(argument):
-                argument = self._run(_Feed(argument, 0, self._hidden), whole=True)
-            made.append(argument)
+                expanded: list[str] = []
+                self._run(_Feed(argument, 0, self._hidden), expanded, whole=True)
+                made.append(expanded)
+            else:
+                made.append(argument)
         self._depth -= 1
         return made
 
@@ -286,6 +302,8 @@ def _put_in(macro: Macro, raw: list[list[str]], plain: list[list[str]]) -> list[
 
 def _pasted(left: str, right: str) -> str:
     text = left + right
+    if len(text) > MAX_WORD:
+        raise MistakeError("SC124", f"'##' makes a word of more than {MAX_WORD} characters")
     if len(spellings(text)) > 1:
         raise MistakeError("SC124", f"'##' makes '{text}', which is not one word")
     return text

@@ -213,14 +213,14 @@ class Reader:
             if index < at or text not in self.macros:
                 continue
             self.lexemes.add(found, at, index)
-            at = index + 1
             self.place = Span(found.starts[index], found.ends[index])
             try:
-                made, at = self.expander.expand_use(found.texts, index)
+                made = self.expander.expand_use(found.texts, index)
             except MistakeError as mistake:
                 self.tell(mistake, self.place)
-            else:
-                self.lexemes.repeat(made, found.starts[index], found.ends[at - 1])
+                made = []
+            at = self.expander.behind
+            self.lexemes.repeat(made, self.place.start, found.ends[at - 1])
         self.lexemes.add(found, at, len(found.texts))
 
     # --- directives
@@ -248,7 +248,8 @@ class Reader:
             hint = "the line break must follow the '\\' at once"
             raise MistakeError("SC104", "this '\\' continues no line", hint)
         if handler is None and (line.name or line.rest):
-            raise MistakeError("SC108", f"there is no directive #{line.name or line.rest}")
+            name = (line.name or line.rest)[:40]
+            raise MistakeError("SC108", f"there is no directive #{name}")
         if not line.rest.isascii() and line.name not in _ANY_CHARACTER:
             raise MistakeError("SC101", "a directive holds a character that is not ASCII")
         if handler is not None:
