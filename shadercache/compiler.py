@@ -211,7 +211,7 @@ def _vertex_source(analysis: Analysis) -> Source:
 
 def _normalise(module: n.Module, source: Source, stage: Stage) -> tuple[n.Module, Facts]:
     """Passes 2 to 5: check, then bring the tree into the form that the rest works on."""
-    facts = check(module, source, stage)
+    facts = check(module, source, stage, needs_main=True)
     plain = split_declarations(make_names_unique(module, facts))
     return (module, facts) if plain is module else (plain, check(plain, source, stage))
 

@@ -21,6 +21,7 @@ from shadercache.source import Source, Span
 
 _COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 _DIRECTIVE = re.compile(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.MULTILINE)
+_GROUP = re.compile(r"[ \t]*#[ \t]*(?:if|ifdef|ifndef|elif|else)\b")
 _NOT_NEWLINE = re.compile(r"[^\n]")
 
 _OPENERS = frozenset(("{", "else"))
@@ -76,16 +77,18 @@ def _read(text: str, lexemes: Lexemes) -> _File:
 def _counts(file: _File, start: int) -> bool:
     """Is a comment neither in a directive nor in text that is left out?
 
-    Text between two directives is left out where it holds code and none of it is a lexeme.
+    Text between two directives counts as left out where it holds code and none of it is a lexeme,
+    or where it is all of a group of an ``#if`` and holds no code.
     """
     index = bisect_right(file.directives, (start, len(file.text)))
-    before = file.directives[index - 1][1] if index else 0
+    opening, before = file.directives[index - 1] if index else (0, 0)
     if before > start:
         return False
     after = file.directives[index][0] if index < len(file.directives) else len(file.text)
     lexeme = bisect_left(file.starts, before)
-    kept = lexeme < len(file.starts) and file.starts[lexeme] < after
-    return kept or file.text[before:after].isspace()
+    if lexeme < len(file.starts) and file.starts[lexeme] < after:
+        return True
+    return file.text[before:after].isspace() and not _GROUP.match(file.text, opening)
 
 
 def _header(file: _File, matches: list[re.Match[str]]) -> int:

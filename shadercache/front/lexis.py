@@ -36,7 +36,7 @@ _LEXEME = re.compile(
 )
 _BLANKS = " \t\n\r\f\v"
 _NUMBER = re.compile(
-    r"(?:0[xX][0-9a-fA-F]+|0[0-7]*|[1-9]\d*)[uU]?"
+    r"(?:0[xX][0-9a-fA-F]+|0[0-7]*|[1-9]\d*)[uU]?[lL]?"
     r"|(?:(?:\d+\.\d*|\.\d+)(?:[eE][+-]?\d+)?|\d+[eE][+-]?\d+)(?:[fF]|lf|LF)?",
     re.ASCII,
 )

@@ -84,8 +84,8 @@ class Scopes:
     __slots__ = ("_frames", "pending", "types")
 
     def __init__(self) -> None:
-        self._frames: list[dict[str, bool]] = [{}]
-        self.types: set[str] = set()
+        self._frames: list[dict[str, bool]] = [dict.fromkeys(words.BUILTIN_STRUCTS, True)]
+        self.types: set[str] = set(words.BUILTIN_STRUCTS)
         self.pending: Token | None = None
 
     def open(self) -> int:
@@ -230,7 +230,8 @@ def _kind_of(text: str, stream: TokenStream) -> str:
         raise stream.error("SC102", f"'{text}' is not a number of GLSL")
     shown = f"'{text}'" if text.isprintable() else f"U+{ord(text):04X}"
     kind = "" if text.isascii() else ", which is not ASCII and may stand in comments only"
-    raise stream.error("SC101", f"unexpected character {shown}{kind}")
+    hint = "GLSL has no strings" if text in ('"', "'") else None
+    raise stream.error("SC101", f"unexpected character {shown}{kind}", hint)
 
 
 _FP64 = ("GL_ARB_gpu_shader_fp64",)

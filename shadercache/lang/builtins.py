@@ -83,6 +83,7 @@ class _Availability:
     es_until: int = _NEVER
     stage: str | None = None
     extensions: frozenset[str] = NO_EXTENSIONS
+    extended_since: int = 0
 
     def holds(
         self, version: int, profile: str | None, stage: str, extensions: frozenset[str]
@@ -90,7 +91,7 @@ class _Availability:
         """Does a shader of this version, profile and stage have it?"""
         if self.stage not in (None, stage):
             return False
-        if extensions and not self.extensions.isdisjoint(extensions):
+        if version >= self.extended_since and not self.extensions.isdisjoint(extensions):
             return True
         if profile == "es":
             return self.es <= version <= self.es_until
@@ -123,6 +124,7 @@ def functions(
         signature
         for signature, where in _all_signatures(name)
         if where.holds(version, profile, stage, extensions)
+        and signature.result.name in kinds
         and all(param.type.name in kinds for param in signature.params)
     )
 
@@ -222,6 +224,7 @@ def _availability(words: tuple[str, ...]) -> _Availability:
         int(last[1:]) if first and last else _NEVER,
         next((stage for stage in ("fragment", "vertex") if stage in given), None),
         frozenset("GL_" + ext for ext in given.get("ext", "").split("|") if ext),
+        int(given.get("from", 0)),
     )
 
 

@@ -24,8 +24,8 @@ _Kind = Literal["type", "qualifier", "statement"]
 class _Row:
     """Words with the same history: since (and until) which version they are keywords or reserved.
 
-    ``extensions``: the words are keywords where any of these is on, from ``with_extension`` on
-    (desktop, ES).
+    ``extensions``: the words are keywords where any of these is on, in the version
+    ``extended_since`` and later ones.
     """
 
     kind: _Kind
@@ -36,13 +36,15 @@ class _Row:
     reserved_es: int = _NEVER
     es_until: int = _NEVER
     extensions: frozenset[str] = _NO_EXTENSIONS
+    extended_since: int = 0
 
     def is_keyword(self, version: int, es: bool, extensions: frozenset[str]) -> bool:
         """Has a shader of this version these keywords?"""
         since = self.es if es else self.desktop
         if since <= version <= (self.es_until if es else _NEVER):
             return True
-        return not self.extensions.isdisjoint(extensions)
+        extended = not self.extensions.isdisjoint(extensions)
+        return extended and version >= self.extended_since
 
 
 def _row(
@@ -54,10 +56,11 @@ def _row(
     reserved: tuple[int, int] = (_NEVER, _NEVER),
     es_until: int = _NEVER,
     ext: str = "",
+    ext_since: int = 0,
 ) -> _Row:
     split = words.split() if isinstance(words, str) else words
     extensions = frozenset("GL_" + name for name in ext.split())
-    return _Row(kind, frozenset(split), desktop, es, *reserved, es_until, extensions)
+    return _Row(kind, frozenset(split), desktop, es, *reserved, es_until, extensions, ext_since)
 
 
 def _with_int_kinds(names: str) -> tuple[str, ...]:
@@ -125,9 +128,9 @@ _TYPES = (
          ext=f"{_IMAGES} {_CUBE_ARRAYS} ANDROID_extension_pack_es31a"),
     _row("type", _with_int_kinds("image2DMS image2DMSArray"), 420, _NEVER,
          reserved=(_NEVER, 310), ext=_IMAGES),
-    _row("type", "int64_t uint64_t", _NEVER, _NEVER, ext=_INT64),
+    _row("type", "int64_t uint64_t", _NEVER, _NEVER, ext=_INT64, ext_since=400),
     _row("type", (f"{sign}64vec{size}" for sign in "iu" for size in (2, 3, 4)),
-         _NEVER, _NEVER, ext=_INT64),
+         _NEVER, _NEVER, ext=_INT64, ext_since=400),
     _row("type", "samplerExternalOES", _NEVER, _NEVER,
          ext="OES_EGL_image_external OES_EGL_image_external_essl3"),
 )  # fmt: skip
@@ -183,6 +186,15 @@ _PACKED_UNTIL = 130
 _ROWS = (*_TYPES, *_QUALIFIERS, *_STATEMENTS, *_RESERVED)
 
 PRECISIONS = frozenset(("highp", "mediump", "lowp"))
+BUILTIN_STRUCTS = frozenset(
+    (
+        *("gl_DepthRangeParameters", "gl_PointParameters", "gl_MaterialParameters"),
+        *("gl_LightSourceParameters", "gl_LightModelParameters", "gl_LightModelProducts"),
+        *("gl_LightProducts", "gl_FogParameters"),
+    )
+)
+"""The structs that are declared from the start (section 7.4.1 of 4.60)."""
+
 TRUTH_WORDS = frozenset(("true", "false"))
 STATEMENT_WORDS: frozenset[str] = frozenset(word for row in _STATEMENTS for word in row.words)
 """The words that begin or divide statements, in any version."""

@@ -12,13 +12,13 @@ from shadercache.sema.typespecs import TypeResolver
 from shadercache.sema.variables import VariableChecker
 
 _BUILTIN_BLOCK = "gl_PerVertex"
-_IO_BLOCKS = (150, 320, "GL_EXT_shader_io_blocks", "GL_OES_shader_io_blocks")
+_IO_EXTENSIONS = ("GL_EXT_shader_io_blocks", "GL_OES_shader_io_blocks")
 # First desktop and ES versions of the blocks of each storage, and the extensions that have them.
 _SINCE: Mapping[str, tuple[int, int, *tuple[str, ...]]] = {
     "uniform": (140, 300, "GL_ARB_uniform_buffer_object"),
     "buffer": (430, 310, "GL_ARB_shader_storage_buffer_object"),
-    "in": _IO_BLOCKS,
-    "out": _IO_BLOCKS,
+    "in": (150, 320, *_IO_EXTENSIONS),
+    "out": (150, 320, *_IO_EXTENSIONS),
 }
 _STAGE_HAS_NONE = (("vertex", "in"), ("fragment", "out"))
 
@@ -38,6 +38,8 @@ class BlockChecker:
         self._variables.layouts.check(block.qualifiers, default=True)
         storage = self._variables.storage(block.qualifiers)
         self._check_storage(block, storage)
+        if block.name == _BUILTIN_BLOCK:
+            self._check_redeclared(block)
         fields = self._resolver.fields(block.fields, f"block {block.name}")
         for decl in block.fields:
             self._variables.layouts.check(decl.qualifiers, member=True)
@@ -45,6 +47,7 @@ class BlockChecker:
             if kind is not ERROR and kind.holds_opaque and not context.bindless:
                 message = f"the member '{name}' of a block cannot be {kind}"
                 context.error("SC221", message, block)
+        self._check_sizes(block, storage, fields)
         self._claim_name(block, storage)
         if block.instance is None:
             self._declare_members(block, storage, fields)
@@ -56,6 +59,26 @@ class BlockChecker:
             block.instance, kind, "block", block.qualifiers, block, True, writable, block
         )
         self._variables.enter(symbol, block)
+
+    def _check_sizes(self, block: BlockDecl, storage: Kind, fields: dict[str, Type]) -> None:
+        """GLSL ES has arrays without a size only at the end of a buffer (ES 3.10 section 4.1.9)."""
+        *others, last = fields.items()
+        for name, kind in others if storage == "buffer" else (*others, last):
+            if self._context.es and kind is not ERROR and kind.is_unsized:
+                self._context.error("SC215", f"'{name}' has no size", block)
+
+    def _check_redeclared(self, block: BlockDecl) -> None:
+        """``out gl_PerVertex { vec4 gl_Position; };`` (4.10 section 7.1): only what is there."""
+        context = self._context
+        extensions = ("GL_ARB_separate_shader_objects", *_IO_EXTENSIONS)
+        if not context.at_least(410, 320) and context.extensions.isdisjoint(extensions):
+            context.error("SC221", "this version of GLSL has gl_PerVertex as it is", block)
+            return
+        for decl in block.fields:
+            for node in decl.declarators:
+                if context.builtin_variable(node.name) is None:
+                    message = f"gl_PerVertex has no member '{node.name}'"
+                    context.error("SC202", message, node)
 
     def _check_storage(self, block: BlockDecl, storage: Kind) -> None:
         context = self._context
@@ -72,7 +95,10 @@ class BlockChecker:
     def _is_known(self, storage: Kind) -> bool:
         desktop, es, *extensions = _SINCE[storage]
         context = self._context
-        return context.at_least(desktop, es) or not context.extensions.isdisjoint(extensions)
+        if context.at_least(desktop, es):
+            return True
+        extended = storage != "buffer" or context.at_least(150, 310)
+        return extended and not context.extensions.isdisjoint(extensions)
 
     def _claim_name(self, block: BlockDecl, storage: Kind) -> None:
         """The name of a block is a global name, and one block of each storage may have it."""

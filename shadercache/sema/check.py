@@ -22,7 +22,7 @@ SC213  a field, swizzle or length() that does not exist
 SC214  an index of a wrong type or out of range, or something without elements
 SC215  a wrong array size
 SC216  recursion
-SC217  no main, or a wrong one
+SC217  no main (a warning, unless one is needed), or a wrong one
 SC218  discard, break or continue where there can be none
 SC219  wrong arguments of a constructor
 SC220  a wrong switch
@@ -63,18 +63,21 @@ from shadercache.sema.variables import VariableChecker
 from shadercache.source import Source
 
 
-def check(module: Module, source: Source, stage: Stage = "fragment") -> Facts:
+def check(
+    module: Module, source: Source, stage: Stage = "fragment", *, needs_main: bool = False
+) -> Facts:
     """Resolve all names and types of ``module``, which was parsed from ``source``.
 
+    A module without ``main`` may be a part of a program: it is warned of, unless ``needs_main``.
     Raises :class:`InputError` with every mistake found (SC2xx), in source order.
     """
-    return check_in(Context(module, source, stage))
+    return check_in(Context(module, source, stage), needs_main)
 
 
-def check_in(context: Context) -> Facts:
+def check_in(context: Context, needs_main: bool = False) -> Facts:
     """:func:`check` with the tables of a given, fresh context."""
     with without_collector():
-        return _Checker(context).run()
+        return _Checker(context).run(needs_main)
 
 
 class _Checker:
@@ -88,10 +91,10 @@ class _Checker:
         self._functions = FunctionChecker(context, self._types)
         self._statements = StatementChecker(context, self._types, self._variables, self._functions)
 
-    def run(self) -> Facts:
+    def run(self, needs_main: bool) -> Facts:
         for decl in self._context.module.decls:
             self._declaration(decl)
-        self._functions.check_all()
+        self._functions.check_all(needs_main)
         found = sorted(
             self._context.diagnostics, key=lambda item: item.span.start if item.span else 0
         )

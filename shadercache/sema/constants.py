@@ -2,7 +2,16 @@
 
 from __future__ import annotations
 
-from shadercache.ast.nodes import Binary, Conditional, Construct, Expr, Index, Member, Unary
+from shadercache.ast.nodes import (
+    Binary,
+    Conditional,
+    Construct,
+    Expr,
+    Index,
+    InitList,
+    Member,
+    Unary,
+)
 from shadercache.lang.builtins import BuiltinVariable, Signature
 from shadercache.lang.types import Type
 from shadercache.sema import fold
@@ -103,10 +112,11 @@ class Constants:
             value = fold.converted(value, kind.base)
         self.set(node, value, node.condition, node.then, node.other)
 
-    def construct(self, node: Construct) -> None:
-        """A constructor of constants."""
-        kind, values = self._types[node], self.all_known(node.args)
-        self.set(node, fold.fold_construct(kind, values) if values else None, *node.args)
+    def construct(self, node: Construct | InitList) -> None:
+        """A constructor, or a list in braces, of constants."""
+        parts = node.args if isinstance(node, Construct) else node.items
+        kind, values = self._types[node], self.all_known(parts)
+        self.set(node, fold.fold_construct(kind, values) if values else None, *parts)
 
     def call(self, node: Expr, signature: Signature, args: tuple[Expr, ...]) -> None:
         """A built-in function; constant if its arguments are."""

@@ -20,6 +20,7 @@ from shadercache.diagnostics import Diagnostic, Severity
 from shadercache.lang import builtins
 from shadercache.lang.builtins import BuiltinVariable, Signature
 from shadercache.lang.types import StructType, Type
+from shadercache.lang.words import type_names
 from shadercache.sema.conversions import Conversions
 from shadercache.sema.facts import Declares, Stage, Symbol
 from shadercache.sema.scopes import Overload, Scopes
@@ -49,7 +50,7 @@ class Context:
     module: Module
     source: Source
     stage: Stage
-    scopes: Scopes = field(default_factory=Scopes)
+    scopes: Scopes = field(init=False)
     types: dict[Expr, Type] = field(default_factory=dict)
     symbols: dict[Name, Symbol] = field(default_factory=dict)
     declared: dict[Declares, Symbol] = field(default_factory=dict)
@@ -74,6 +75,8 @@ class Context:
         extensions = self.extensions = enabled_extensions(self.module)
         if "GL_ARB_compatibility" in extensions and not self.es:
             self.profile = "compatibility"
+        # 1.10 keeps the names of functions and of variables apart, and so do its compilers.
+        self.scopes = Scopes(separate=self.version == 110)
         self.interface_version = _lifted(self.version, extensions, _INTERFACE_VERSIONS)
         self.qualifier_version = _lifted(self.version, extensions, _QUALIFIER_VERSIONS)
         lifts = not self.es and not extensions.isdisjoint(_CONVERTING)
@@ -92,6 +95,10 @@ class Context:
     def has_integer_operators(self) -> bool:
         """Are there ``%``, ``&``, ``<<`` and the like (1.30 section 5.9)?"""
         return self.at_least(130, 300) or "GL_EXT_gpu_shader4" in self.extensions
+
+    def has_type(self, kind: Type) -> bool:
+        """Is the built-in type one of this version?"""
+        return kind.name in type_names(self.version, self.es, self.extensions)
 
     @property
     def bindless(self) -> bool:

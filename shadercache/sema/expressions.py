@@ -28,7 +28,7 @@ from shadercache.ast.nodes import (
     TypeSpec,
     Unary,
 )
-from shadercache.lang.types import BOOL, INT, UINT, Type, array_of, vector
+from shadercache.lang.types import BOOL, INT, INT64, UINT, UINT64, Type, array_of, vector
 from shadercache.sema.calls import CallChecker
 from shadercache.sema.constants import SWIZZLES, Constants
 from shadercache.sema.constructors import construct_problem
@@ -36,6 +36,7 @@ from shadercache.sema.context import ERROR, Context
 from shadercache.sema.facts import Kind, Symbol
 from shadercache.sema.fold import literal
 from shadercache.sema.lvalues import why_not_writable
+from shadercache.sema.memory import root
 from shadercache.sema.operators import EQUALITY, INTEGER_ONLY, binary_type, unary_type
 
 _OPERANDS: Mapping[type, Callable[[Any], tuple[Expr, ...]]] = {
@@ -110,7 +111,10 @@ class ExpressionChecker:
             found = self._literals[node.text] = literal(node.text)
         kind, value = found
         if value is None:
-            return self._context.error("SC227", "the integer needs more than 32 bits", node)
+            return self._context.error("SC227", "the integer needs more bits than it has", node)
+        if kind in (INT64, UINT64) and not self._context.has_type(kind):
+            message = "integers of 64 bits need GL_ARB_gpu_shader_int64"
+            return self._context.error("SC227", message, node)
         self.constants.expressions.add(node)
         self.constants.values[node] = value
         return kind
@@ -257,7 +261,7 @@ class ExpressionChecker:
             return ERROR
         key = (whole, node.name)
         if key not in self._members:
-            self._members[key] = member_type(whole, node.name, self._context.version)
+            self._members[key] = member_type(whole, node.name, self._context.qualifier_version)
         kind = self._members[key]
         if kind is None:
             return self._bad_member(node, whole)
@@ -309,6 +313,11 @@ class ExpressionChecker:
         elif whole.holds_opaque and not self._context.indexes_samplers:
             message = "before GLSL 4.00 only a constant may index an array of samplers"
             self._context.error("SC214", message, node.index)
+        elif whole.struct is not None and whole.dims and not self._context.at_least(0, 320):
+            symbol = root(node.object, self._context)
+            if symbol is not None and symbol.kind == "block":
+                message = "before GLSL ES 3.20 only a constant may index an array of blocks"
+                self._context.error("SC214", message, node.index)
 
     def _length(self, node: Length) -> Type:
         whole = self._types[node.object]
@@ -326,9 +335,7 @@ class ExpressionChecker:
 
     def _is_runtime_array(self, array: Expr) -> bool:
         """Is it the last member of a buffer block, whose length is known at run time only?"""
-        while isinstance(array, Member | Index):
-            array = array.object
-        symbol = self._symbols.get(array) if isinstance(array, Name) else None
+        symbol = root(array, self._context)
         block = None if symbol is None else symbol.block
         return block is not None and block.qualifiers.has("buffer")
 
@@ -340,15 +347,25 @@ class ExpressionChecker:
         if kind.dims and not self._context.arrays_are_values:
             message = "this version of GLSL has no constructors of arrays"
             return self._context.error("SC219", message, node)
-        if kind.dims and kind.dims[0] is None and args:
-            kind = array_of(kind.element, len(args))
+        if kind.dims and args:
+            kind = _sized(kind, args)
         problem = construct_problem(kind, args, self._context.conversions)
+        if kind.is_matrix and args[:1] and args[0].is_matrix and not self._context.at_least(120, 0):
+            problem = "GLSL 1.10 makes no matrix from a matrix"
         if problem is not None:
             return self._context.error("SC219", problem, node)
         if self.constants.expressions.issuperset(node.args):
             self._types[node] = kind
             self.constants.construct(node)
         return kind
+
+
+def _sized(kind: Type, args: list[Type]) -> Type:
+    """The type of an array constructor, with the sizes that its arguments give."""
+    element, size = kind.element, kind.dims[0]
+    if element.is_unsized and len(set(args)) == 1 and len(args[0].dims) == len(element.dims):
+        element = args[0]
+    return array_of(element, len(args) if size is None else size)
 
 
 def member_type(whole: Type, name: str, version: int) -> Type | None:

@@ -137,10 +137,10 @@ class FunctionChecker:
             context.scopes.declare(param.name, symbol)
             context.declared[param] = symbol
 
-    def check_all(self) -> None:
-        """There is a ``main``, nothing calls itself, what is called is defined."""
+    def check_all(self, needs_main: bool) -> None:
+        """There is a right ``main``, nothing calls itself, what is called is defined."""
         context = self._context
-        self._check_main()
+        self._check_main(needs_main)
         called = {id(target) for target in context.calls.values()}
         for overload in self._all:
             if overload.definition is None and id(overload) in called:
@@ -148,11 +148,13 @@ class FunctionChecker:
                 context.warn("SC291", message, overload.proto)
         find_recursion(context)
 
-    def _check_main(self) -> None:
+    def _check_main(self, needed: bool) -> None:
         context = self._context
         mains = [item for item in self._all if item.proto.name == "main"]
         if not any(item.definition for item in mains):
-            context.error("SC217", "there is no function 'void main()'", context.module)
+            # A part of a program may leave it to another part (section 3.8 of 4.60).
+            tell = context.error if needed else context.warn
+            tell("SC217", "there is no function 'void main()'", context.module)
         for item in mains:
             if item.params or item.result not in (VOID, ERROR):
                 message = "'main' takes no parameters and returns void"

@@ -5,29 +5,60 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import prod
 
-from shadercache.ast.nodes import Expr, Node, Qualifiers
+from shadercache.ast.nodes import Expr, Literal, Node, Qualifiers
 from shadercache.lang.types import INT, UINT, Type
-from shadercache.sema.context import ERROR, Context, did_you_mean
+from shadercache.sema.context import ERROR, NEVER, Context, did_you_mean
 from shadercache.sema.expressions import ExpressionChecker
 
 # First version of a location: (stage, storage) -> version; what is missing needs 4.10.
 _LOCATION_SINCE = {("vertex", "in"): 330, ("fragment", "out"): 330}
+_LOCATING = "GL_ARB_explicit_attrib_location"
 _INTERFACE_SINCE = 410
 _UNIFORM_SINCE = 430
+_ES_SINCE = {"uniform": 310, "interface": 310}
+
 _PACKINGS = frozenset(("shared", "packed", "std140", "std430"))
 _ORDERS = frozenset(("row_major", "column_major"))
 _ORIGINS = frozenset(("origin_upper_left", "pixel_center_integer"))
-_WORDS = frozenset(
+IMAGE_FORMATS = frozenset(
     (
-        *_PACKINGS,
-        *_ORDERS,
-        *_ORIGINS,
-        *("location", "index", "component", "binding", "offset", "align"),
-        *("depth_any", "depth_greater", "depth_less", "depth_unchanged"),
-        *("early_fragment_tests", "xfb_buffer", "xfb_stride", "xfb_offset"),
+        *(f"{channels}{bits}{kind}" for channels in ("r", "rg", "rgba") for bits in (8, 16, 32)
+          for kind in ("f", "i", "ui", "_snorm", "") if (kind, bits) not in (("f", 8), ("", 32))),
+        *("r11f_g11f_b10f", "rgb10_a2", "rgb10_a2ui"),
     )
+)  # fmt: skip
+_BINDLESS = ("bindless_sampler", "bindless_image", "bound_sampler", "bound_image")
+_DEPTHS = ("depth_any", "depth_greater", "depth_less", "depth_unchanged")
+_BLENDS = (
+    *("multiply", "screen", "overlay", "darken", "lighten", "colordodge", "colorburn", "hardlight"),
+    *("softlight", "difference", "exclusion", "hsl_hue", "hsl_saturation", "hsl_color"),
+    *("hsl_luminosity", "all_equations"),
 )
-_ES_SINCE = {"uniform": 310, "interface": 310}
+_ENHANCED = (440, NEVER, "ARB_enhanced_layouts")
+
+# First desktop and ES version of each word, and the extensions that have it.
+_SINCE: dict[str, tuple[int, int, *tuple[str, ...]]] = {
+    **dict.fromkeys(("location", "index", "shared", "packed", "std140"), (0, 0)),
+    **dict.fromkeys(_ORDERS, (0, 0)),
+    "std430": (430, 310, "ARB_shader_storage_buffer_object"),
+    **dict.fromkeys(_ORIGINS, (150, NEVER, "ARB_fragment_coord_conventions")),
+    **dict.fromkeys(IMAGE_FORMATS, (420, 310, "ARB_shader_image_load_store")),
+    "binding": (420, 310, "ARB_shading_language_420pack"),
+    "offset": (420, 310, "ARB_enhanced_layouts", "ARB_shader_atomic_counters"),
+    **dict.fromkeys(("component", "align", "xfb_buffer", "xfb_stride", "xfb_offset"), _ENHANCED),
+    "early_fragment_tests": (420, 310, "ARB_shader_image_load_store"),
+    "post_depth_coverage": (NEVER, NEVER, "ARB_post_depth_coverage", "EXT_post_depth_coverage"),
+    **dict.fromkeys(
+        _DEPTHS,
+        (420, NEVER, "ARB_conservative_depth", "AMD_conservative_depth", "EXT_conservative_depth"),
+    ),
+    **dict.fromkeys(_BINDLESS, (NEVER, NEVER, "ARB_bindless_texture")),
+    **dict.fromkeys(
+        (f"blend_support_{name}" for name in _BLENDS),
+        (NEVER, 320, "KHR_blend_equation_advanced"),
+    ),
+    "num_views": (NEVER, NEVER, "OVR_multiview", "OVR_multiview2"),
+}
 
 
 class LayoutChecker:
@@ -54,24 +85,48 @@ class LayoutChecker:
         """
         values: dict[str, int] = {}
         for item in qualifiers.layout or ():
-            problem = _misplaced(item.name, names, member, default)
+            # Only GLSL ES tells small letters from capitals here (section 4.4 of 4.60).
+            word = item.name if self._context.es else item.name.lower()
+            problem = self._unknown(word) or _misplaced(word, names, member, default)
             if problem is not None:
-                hint = did_you_mean(item.name, _WORDS)
+                hint = did_you_mean(word, _SINCE) if word not in _SINCE else None
                 self._context.error("SC223", problem, item, hint)
-            number = None if item.value is None else self._number(item.name, item.value)
+            number = None if item.value is None else self._number(word, item.value)
             if number is not None:
-                values[item.name] = number
+                values[word] = number
         return values
+
+    def _unknown(self, word: str) -> str | None:
+        """What is wrong with a word, wherever it stands."""
+        if word not in _SINCE:
+            return f"'{word}' is no layout qualifier"
+        desktop, es, *extensions = _SINCE[word]
+        context = self._context
+        if context.at_least(desktop, es):
+            return None
+        # What came with 4.20 and later builds on the interfaces of 1.50.
+        extended = context.at_least(150 if desktop > 420 else 0, 0)
+        if extended and any(f"GL_{name}" in context.extensions for name in extensions):
+            return None
+        return f"this version of GLSL has no layout qualifier '{word}'"
 
     def _number(self, name: str, value: Expr) -> int | None:
         kind, number = self._check(value), self._values.get(value)
         if kind is ERROR:
+            return None
+        if not isinstance(value, Literal) and not self._takes_expressions():
+            message = f"before GLSL 4.40 the layout value of '{name}' is a plain number"
+            self._context.error("SC223", message, value)
             return None
         if kind in (INT, UINT) and isinstance(number, int) and number >= 0:
             return number
         message = f"the layout value of '{name}' is a constant integer, not negative"
         self._context.error("SC223", message, value)
         return None
+
+    def _takes_expressions(self) -> bool:
+        context = self._context
+        return context.at_least(440, NEVER) or "GL_ARB_enhanced_layouts" in context.extensions
 
     def place(
         self, node: Node, name: str, kind: Type, storage: str, values: dict[str, int]
@@ -88,9 +143,12 @@ class LayoutChecker:
             self._take(node, name, kind, storage, values)
 
     def _since(self, storage: str) -> int:
+        known = _LOCATION_SINCE.get((self._context.stage, storage))
+        extensions = self._context.extensions
+        if "GL_ARB_enhanced_layouts" in extensions or (known and _LOCATING in extensions):
+            return 0
         if storage == "uniform":
             return _ES_SINCE["uniform"] if self._context.es else _UNIFORM_SINCE
-        known = _LOCATION_SINCE.get((self._context.stage, storage))
         if self._context.es:
             return 300 if known else _ES_SINCE["interface"]
         return known or _INTERFACE_SINCE
@@ -115,8 +173,6 @@ class LayoutChecker:
 
 def _misplaced(word: str, names: Sequence[str], member: bool, default: bool) -> str | None:
     """Why a layout word cannot stand where it does."""
-    if word not in _WORDS:
-        return f"'{word}' is no layout qualifier"
     if word in _PACKINGS and not default:
         return f"'{word}' is for uniform blocks"
     if word in _ORDERS and not (default or member):
@@ -131,5 +187,5 @@ def slots(kind: Type) -> int:
     if kind.struct is not None:
         one = sum(slots(field) for field in kind.struct.fields.values())
     else:
-        one = kind.cols
+        one = kind.cols * (2 if kind.base == "double" and kind.rows > 2 else 1)
     return one * prod(size or 1 for size in kind.dims)

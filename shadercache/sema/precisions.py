@@ -25,9 +25,13 @@ class Precisions:
 
     def require(self, kind: Type, qualifiers: Qualifiers, node: Node) -> None:
         """Complain about a type without a precision; once for each sort of type."""
-        if not self._context.es or not PRECISIONS.isdisjoint(qualifiers.words):
+        if not self._context.es:
             return
         sort = _sort(kind)
+        if not PRECISIONS.isdisjoint(qualifiers.words):
+            if sort is None and kind is not ERROR:
+                self._context.error("SC221", f"{kind} has no precision", node)
+            return
         if sort is None or sort in self._given or _key(sort) in self._context.scopes.visible:
             return
         self._given.add(sort)

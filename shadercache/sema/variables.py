@@ -17,7 +17,8 @@ from shadercache.lang import builtins
 from shadercache.lang.types import BOOL, VOID, Type
 from shadercache.sema.context import ERROR, NEVER, Context
 from shadercache.sema.facts import Kind, Symbol
-from shadercache.sema.layouts import LayoutChecker
+from shadercache.sema.initialisers import InitialiserChecker
+from shadercache.sema.layouts import IMAGE_FORMATS, LayoutChecker
 from shadercache.sema.qualifiers import global_problem, words_problem
 from shadercache.sema.scopes import FunctionSet
 from shadercache.sema.typespecs import TypeResolver
@@ -39,7 +40,7 @@ class VariableChecker:
     def __init__(self, context: Context, types: TypeResolver) -> None:
         self._context = context
         self._resolver = types
-        self._check = types.expressions.check
+        self._initialisers = InitialiserChecker(context, types.expressions)
         self._constants = types.expressions.constants
         self.layouts = LayoutChecker(context, types.expressions)
 
@@ -99,11 +100,14 @@ class VariableChecker:
 
     def _declare_one(self, decl: VarDecl, declarator: Declarator, base: Type, kind: Kind) -> Symbol:
         declared = self._resolver.with_dims(base, declarator.dims, declarator)
-        given = None if declarator.init is None else self._check(declarator.init)
+        init = declarator.init
+        given = None if init is None else self._initialisers.check(init, declared)
         if given is not None and given is not ERROR and declared is not ERROR:
             declared = self._initialised(declarator, declared, given, kind)
         if declared is not ERROR:
             self._check_storage(decl, declarator, declared, kind)
+            if self._context.es and declared.is_unsized:
+                self._context.error("SC215", f"'{declarator.name}' has no size", declarator)
         symbol = Symbol(
             declarator.name,
             declared,
@@ -131,7 +135,7 @@ class VariableChecker:
             message = f"'{node.name}' is an '{kind}' variable: it has no initialiser"
             return self._context.error("SC221", message, node)
         sized = declared
-        if declared.is_unsized and given.dims and declared.element is given.element:
+        if declared.is_unsized and _fills(given, declared):
             sized = given
         if given is VOID or not self._context.conversions.converts(given, sized):
             message = f"cannot initialise '{node.name}' of type {declared} with {given}"
@@ -160,26 +164,57 @@ class VariableChecker:
             problem = f"'{node.name}' is not in a block: buffers have blocks only"
         elif kind.holds_opaque and storage != "uniform" and not self._context.bindless:
             problem = f"'{node.name}' of type {kind} must be a uniform or a parameter"
+        elif "image" in kind.name and kind.is_opaque and storage == "uniform":
+            problem = self._image_problem(decl.qualifiers, node.name)
         elif storage in ("in", "out"):
             problem = self._interface_problem(decl.qualifiers, node.name, kind, storage)
         if problem is not None:
             self._context.error("SC221", problem, node)
 
+    def _image_problem(self, qualifiers: Qualifiers, name: str) -> str | None:
+        """An image that is read needs a format (4.20 section 4.4.6)."""
+        formats = any(item.name in IMAGE_FORMATS for item in qualifiers.layout or ())
+        if formats or qualifiers.has("writeonly") or self._context.bindless:
+            return None
+        if "GL_EXT_shader_image_load_formatted" in self._context.extensions:
+            return None
+        return f"'{name}' needs a format, such as layout(rgba8), or 'writeonly'"
+
     def _interface_problem(
         self, qualifiers: Qualifiers, name: str, kind: Type, storage: Kind
     ) -> str | None:
-        outer = (self._context.stage == "vertex") == (storage == "in")
+        context = self._context
+        outer = (context.stage == "vertex") == (storage == "in")
+        wide = _holds(kind, ("double", "int64_t", "uint64_t")) and not context.bindless
+        if outer and storage == "out" and wide:
+            return f"'{name}' of type {kind} cannot be an output of a fragment shader"
+        if outer and storage == "in" and wide and not self._has_wide_attributes():
+            return f"'{name}' of type {kind}: attributes of 64 bits need GLSL 4.10"
+        if not outer and kind.struct is not None and not context.at_least(150, 300):
+            return f"'{name}' is a struct: it cannot be '{storage}' before GLSL 1.50"
+        if context.version == 100 and _holds(kind, ("int", "bool")):
+            return f"'{name}' of type {kind}: '{storage}' variables hold floats only here"
         if _holds(kind, ("bool",)):
             return f"'{name}' of type {kind} cannot be '{storage}'"
+        if outer and storage == "in" and kind.dims and not context.at_least(150, NEVER):
+            return f"'{name}' is an array: it cannot be an attribute in this version"
         if outer and kind.struct is not None:
             return f"'{name}' is a struct: it cannot be '{storage}' here"
         if outer and storage == "out" and kind.cols > 1:
             return f"'{name}' is a matrix: it cannot be an output of a fragment shader"
         reads = storage == "in" and self._context.stage == "fragment"
-        smooth = reads and not qualifiers.has("flat") and not name.startswith("gl_")
+        passed = reads or (not outer and storage == "out" and self._is_new_es())
+        smooth = passed and not qualifiers.has("flat") and not name.startswith("gl_")
         if smooth and _holds(kind, ("int", "uint", "double")):
             return f"'{name}' of type {kind} needs the qualifier 'flat'"
         return None
+
+    def _is_new_es(self) -> bool:
+        return self._context.es and self._context.version >= 300
+
+    def _has_wide_attributes(self) -> bool:
+        context = self._context
+        return context.at_least(410, NEVER) or "GL_ARB_vertex_attrib_64bit" in context.extensions
 
     # --- entering names ---------------------------------------------------------------------------
 
@@ -191,6 +226,11 @@ class VariableChecker:
             symbol = self._builtin(symbol, node)
         elif "__" in symbol.name:
             self._context.check_name(symbol.name, node)
+        elif (
+            scopes.depth == 0 and self._is_new_es() and self._context.builtin_functions(symbol.name)
+        ):
+            message = f"'{symbol.name}' is a built-in function"
+            self._context.error("SC202", message, node)
         before = scopes.here(symbol.name)
         if before is not None and not _may_follow(before, symbol):
             what = "a function" if isinstance(before, FunctionSet) else "declared"
@@ -254,7 +294,8 @@ class VariableChecker:
         self._resolver.precisions.declare(decl, self._resolver.resolve(decl.type))
 
     def _invariable(self) -> tuple[str, ...]:
-        return ("out", "in") if self._context.stage == "fragment" else ("out",)
+        inputs = self._context.stage == "fragment" and not self._is_new_es()
+        return ("out", "in") if inputs else ("out",)
 
 
 def _may_follow(before: object, symbol: Symbol) -> bool:
@@ -276,3 +317,12 @@ def _holds(kind: Type, bases: tuple[str, ...]) -> bool:
     if kind.struct is not None:
         return any(_holds(field, bases) for field in kind.struct.fields.values())
     return kind.base in bases
+
+
+def _fills(given: Type, declared: Type) -> bool:
+    """Is ``given`` the array ``declared`` with all its sizes?"""
+    while declared.dims and len(given.dims) == len(declared.dims):
+        if declared.dims[0] not in (None, given.dims[0]):
+            return False
+        given, declared = given.element, declared.element
+    return given is declared

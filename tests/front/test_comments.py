@@ -9,6 +9,7 @@ import pytest
 from shadercache.ast.nodes import FunctionDef, Module, Stmt
 from shadercache.ast.rewrite import Rewriter
 from shadercache.emit.printer import print_module
+from shadercache.front.options import ReadOptions
 from shadercache.front.parse import parse
 from shadercache.source import Source
 
@@ -176,3 +177,48 @@ def test_shaders_with_every_construct() -> None:
         text = print_module(module)
         assert module.comments or path.name == "precise.frag"
         assert all(comment.text in text for comment in module.comments if "define" not in text)
+
+
+# --- what the preprocessor leaves out or brings in -------------------------------------------------
+
+
+def test_comments_of_a_group_that_does_not_hold_are_left_out() -> None:
+    text = """\
+#define ONE
+#ifdef ONE
+// one
+float a;
+#else
+// two
+float b;
+#endif
+#if 0
+// three
+#else
+float c; // four
+#endif
+// five
+#define TWO
+// six
+"""
+    assert printed(text) == "// one\nfloat a;\nfloat c; // four\n\n// five\n// six"
+
+
+def test_comments_around_conditions_stay_with_the_code() -> None:
+    text = "// one\n#if 1\nfloat a;\n#endif\n// two\nfloat b;"
+    assert printed(text) == "// one\n\nfloat a;\n\n// two\nfloat b;"
+
+
+def test_a_comment_at_the_use_of_a_macro_stays() -> None:
+    text = "#define F(x, y) float x = y;\nF(a, /* one */ 2.0) // two\nfloat b;"
+    assert printed(text) == "/* one */\nfloat a = 2.0; // two\nfloat b;"
+
+
+def test_comments_of_included_files_are_left_out(tmp_path: Path) -> None:
+    (tmp_path / "part.glsl").write_text("// in the part\nfloat part; // its end\n")
+    text = '#version 330\n// before\n#include "part.glsl"\n// behind\nfloat a; // end\n'
+    options = ReadOptions(include_folders=(tmp_path,))
+    module = parse(Source("test", text), options)
+    assert [comment.text for comment in module.comments] == ["// before", "// behind", "// end"]
+    lines = print_module(module).split("\n")
+    assert lines[-5:] == ["float part;", "", "// behind", "float a; // end", ""]

@@ -164,7 +164,7 @@ def in_version(version: str, text: str) -> str:
 
 
 def test_snippets_in_versions(tmp_path: Path) -> None:
-    """Each in two versions, for glslang takes long; all are in turn."""
+    """Each snippet in two versions, which move on from snippet to snippet: all would take long."""
     pairs = [(text, place) for place, text in enumerate(SNIPPETS)]
     places = [(text, (place * step) % len(VERSIONS)) for text, place in pairs for step in (1, 3)]
     texts = [in_version(VERSIONS[place], text) for text, place in places]
