@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
@@ -134,7 +134,8 @@ def test_a_small_shader_is_checked_at_once() -> None:
     command = [sys.executable, "-m", "shadercache", "check", str(SHADERS / "small.frag")]
     times = []
     for _ in range(4):  # The first one makes the parser, where no test has made it yet.
-        begin = time.perf_counter()
+        begin = sum(os.times()[2:4])
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
-        times.append(time.perf_counter() - begin)
-    assert min(times) < 0.4  # Measured: 0.2.
+        times.append(sum(os.times()[2:4]) - begin)
+    # Processor time, as other tests run beside this one. Measured: 0.25 on a quiet machine.
+    assert min(times) < 0.4
