@@ -22,6 +22,7 @@ and for one node, for each pass of each algorithm:
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -76,6 +77,11 @@ class Analysis:
     def renamed(self) -> dict[str, str]:
         """What an engine knows by another name than the user's text has: old name to new."""
         return {old: new for stage in self.raised for old, new in stage.renamed.items()}
+
+    @property
+    def reads_fixed_function(self) -> bool:
+        """Does it use attributes or state that only the compatibility profile has?"""
+        return any(re.match(r"gl_(?!Frag(Color|Data))", name) for name in self.renamed)
 
     @cached_property
     def _by_id(self) -> dict[str, Candidate]:

@@ -14,7 +14,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
+from dataclasses import dataclass, field
 
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
@@ -37,37 +38,53 @@ _LEAST_SIZE = 8
 """Of arrays that are indexed by what is not constant: as many lights and coordinates there are."""
 
 
-def sizes_of_arrays(module: n.Module, facts: Facts) -> dict[str, int]:
-    """How long the built-in arrays have to be for the uses that a stage makes of them."""
-    sizes: dict[str, int] = {}
-    indexed: set[n.Node] = set()
-    for node in walk(module):
-        match node:
-            case n.Index(object=n.Name() as owner, index=index):
-                indexed.add(owner)
-                at = facts.constants.get(index)
-                size = _LEAST_SIZE if at is None else int(at) + 1
-            case n.Name() as owner if owner not in indexed:
-                size = _LEAST_SIZE
-            case _:
-                continue
+@dataclass(slots=True)
+class Shared:
+    """What all stages of a program must declare alike.
+
+    ``sizes``: how long the built-in arrays are. ``members``: the fields of structs that are used,
+    with the name of the struct; an engine need not give the others.
+    """
+
+    sizes: dict[str, int] = field(default_factory=dict)
+    members: set[tuple[str, str]] = field(default_factory=set)
+
+    def add(self, module: n.Module, facts: Facts) -> None:
+        """Take account of one stage."""
+        indexed: set[n.Node] = set()
+        for node in walk(module):
+            match node:
+                case n.Member(object=owner, name=name):
+                    self.members.add((facts.types[owner].name, name))
+                case n.Construct(type=kind) if (built_in := struct(kind.name)) is not None:
+                    assert built_in.struct is not None
+                    self.members |= {(kind.name, name) for name in built_in.struct.fields}
+                case n.Index(object=n.Name() as owner, index=index):
+                    indexed.add(owner)
+                    at = facts.constants.get(index)
+                    self._use(owner, facts, _LEAST_SIZE if at is None else int(at) + 1)
+                case n.Name() if node not in indexed:
+                    self._use(node, facts, _LEAST_SIZE)
+        for declared in facts.declared.values():
+            if declared.kind == "builtin" and declared.type.is_array:
+                self._at_least(declared.name, declared.type.dims[0] or 0)
+
+    def _use(self, owner: n.Name, facts: Facts, size: int) -> None:
         if facts.symbols[owner].kind == "builtin" and facts.types[owner].is_array:
-            sizes[owner.name] = max(size, sizes.get(owner.name, 0))
-    for declared in facts.declared.values():
-        if declared.kind == "builtin" and declared.type.is_array:
-            size = declared.type.dims[0] or 0
-            sizes[declared.name] = max(size, sizes.get(declared.name, 0))
-    return sizes
+            self._at_least(owner.name, size)
+
+    def _at_least(self, name: str, size: int) -> None:
+        self.sizes[name] = max(size, self.sizes.get(name, 0))
 
 
 class FixedFunction:
     """Which built-in variables of one stage are replaced, by what, and what declares them."""
 
     def __init__(
-        self, module: n.Module, facts: Facts, place: Place, stem: str, sizes: Mapping[str, int]
+        self, module: n.Module, facts: Facts, place: Place, stem: str, shared: Shared
     ) -> None:
         self._module, self._facts, self._place = module, facts, place
-        self._stem, self._sizes = stem, sizes
+        self._stem, self._shared = stem, shared
         self.used: dict[str, BuiltinVariable] = {}
         """The variables to declare, by the name that they had."""
         self._structs: dict[str, StructType] = {}
@@ -188,7 +205,7 @@ class FixedFunction:
                     yield self._declaration(known, new, (), at if len(self._elements) > 1 else None)
             elif known.storage != "const":
                 sized = known.type.is_array
-                size = n.Literal(NOWHERE, str(self._sizes.get(name, _LEAST_SIZE)))
+                size = n.Literal(NOWHERE, str(self._shared.sizes.get(name, _LEAST_SIZE)))
                 yield self._declaration(known, self.new_name(name), (size,) if sized else ())
 
     def _declaration(
@@ -209,10 +226,11 @@ class FixedFunction:
             n.VarDecl(
                 NOWHERE,
                 n.NO_QUALIFIERS,
-                n.TypeSpec(NOWHERE, field.name),
+                n.TypeSpec(NOWHERE, held.name),
                 (n.Declarator(NOWHERE, label),),
             )
-            for label, field in kind.fields.items()
+            for label, held in kind.fields.items()
+            if (name, label) in self._shared.members
         )
         new = self.struct(name)
         return n.TypeSpec(NOWHERE, new, (), n.StructDef(NOWHERE, new, fields))

@@ -32,7 +32,7 @@ from shadercache.sema.check import check
 from shadercache.sema.context import enabled_extensions
 from shadercache.sema.facts import Facts, Stage
 from shadercache.source import Source
-from shadercache.transform.fixed_function import FixedFunction, sizes_of_arrays
+from shadercache.transform.fixed_function import FixedFunction, Shared
 from shadercache.transform.legacy_calls import modern_call
 
 DESKTOP_VERSION, ES_VERSION = 330, 300
@@ -104,19 +104,17 @@ class Raised:
 def raise_versions(stages: Sequence[StageTree], stem: str) -> list[Raised]:
     """The stages of a program in versions that variants can be written in.
 
-    ``stem`` begins the names that are made here; no name of the program begins with it. Arrays that
-    the stages share (``gl_TexCoord``) get the same size in all of them. Raises :class:`InputError`
-    SC412 for what has no counterpart there.
+    ``stem`` begins the names that are made here; no name of the program begins with it. Raises
+    :class:`InputError` SC412 for what has no counterpart there.
     """
-    sizes: dict[str, int] = {}
+    shared = Shared()
     for stage in stages:
-        for name, size in sizes_of_arrays(stage.module, stage.facts).items():
-            sizes[name] = max(size, sizes.get(name, 0))
-    return [_raise(stage, stem, sizes) for stage in stages]
+        shared.add(stage.module, stage.facts)
+    return [_raise(stage, stem, shared) for stage in stages]
 
 
-def _raise(tree: StageTree, stem: str, sizes: Mapping[str, int]) -> Raised:
-    raiser = _Raiser(tree, stem, sizes)
+def _raise(tree: StageTree, stem: str, shared: Shared) -> Raised:
+    raiser = _Raiser(tree, stem, shared)
     if raiser.target == (tree.module.version, tree.module.profile) and not raiser.fixed.used:
         return Raised(tree.module, tree.facts, {}, ())
     module = raiser.raised()
@@ -155,17 +153,15 @@ def target_version(module: n.Module) -> tuple[int, str | None]:
 class _Raiser(Rewriter):
     """Rewrites one stage."""
 
-    def __init__(self, tree: StageTree, stem: str, sizes: Mapping[str, int]) -> None:
+    def __init__(self, tree: StageTree, stem: str, shared: Shared) -> None:
         self.tree, self.stem = tree, stem
         self.target = target_version(tree.module)
         version, profile = self.target
-        self.language = (
-            f"GLSL ES {version / 100:.2f}" if profile == "es" else f"GLSL {version} core"
-        )
+        self.language = language_name(version, profile)
         self.directives = tuple(self._directives())
         bare = replace(tree.module, version=version, profile=profile, directives=self.directives)
         self.place = (version, profile, tree.stage, enabled_extensions(bare))
-        self.fixed = FixedFunction(tree.module, tree.facts, self.place, stem, sizes)
+        self.fixed = FixedFunction(tree.module, tree.facts, self.place, stem, shared)
         self.variables, self.functions, self.words = self._clashes()
 
     def raised(self) -> n.Module:
