@@ -27,7 +27,7 @@ from typing import Any
 
 from shadercache.analysis.candidates import Candidate, Candidates, find_candidates
 from shadercache.analysis.effects import EffectTable
-from shadercache.analysis.restrictions import check_stages, find_color
+from shadercache.analysis.restrictions import check_size, check_stages, find_color
 from shadercache.ast import nodes as n
 from shadercache.ast.large import allow_deep_trees
 from shadercache.ast.walk import walk
@@ -121,6 +121,7 @@ def analyse(
     reading = reading or ReadOptions()
     prefix = fresh_prefix(fragment.text, vertex.text if vertex else "")
     parsed = parse(fragment, reading)
+    check_size(parsed, fragment)
     module, facts = _normalise(parsed, fragment, "fragment")
     color = find_color(module, fragment)
     printed = _printed(parsed, module)
