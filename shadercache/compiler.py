@@ -29,7 +29,7 @@ from typing import Any
 
 from shadercache.analysis.candidates import Candidate, Candidates, find_candidates
 from shadercache.analysis.effects import EffectTable
-from shadercache.analysis.restrictions import check_stages, find_color
+from shadercache.analysis.restrictions import check_size, check_stages, find_color
 from shadercache.ast import nodes as n
 from shadercache.ast.large import allow_deep_trees
 from shadercache.ast.walk import walk
@@ -232,6 +232,7 @@ def _vertex_source(analysis: Analysis) -> Source:
 
 def _checked(source: Source, stage: Stage, reading: ReadOptions) -> StageTree:
     module = parse(source, reading)
+    check_size(module, source)
     return StageTree(module, check(module, source, stage, needs_main=True), source, stage)
 
 

@@ -32,15 +32,16 @@ class FreshNames:
 
     def __init__(self, taken: Iterable[str]) -> None:
         self._taken = set(taken)
+        self._numbers: dict[str, int] = {}
 
     def make(self, wanted: str) -> str:
         """``wanted`` if it is free, else ``wanted_1``, ``wanted_2`` ..."""
         # Two underscores in a row are reserved (GLSL 3.30 section 3.6).
         wanted = re.sub(r"__+", "_", wanted)
-        name, number = wanted, 0
+        name = wanted
         stem = wanted.rstrip("_")
         while name in self._taken:
-            number += 1
+            number = self._numbers[stem] = self._numbers.get(stem, 0) + 1
             name = f"{stem}_{number}"
         self._taken.add(name)
         return name

@@ -56,7 +56,7 @@ class _Finder:
 
     def find(self) -> None:
         self._functions()
-        taken = {name for decl in self.module.decls for name in declared_names(decl)}
+        taken = {name for decl in self.module.decls for name in declared_names(decl)} | self.later
         taken |= {c.name for c in walk(self.module) if isinstance(c, n.Call)}
         for decl in self.module.decls:
             if isinstance(decl, n.FunctionDef):
@@ -64,11 +64,11 @@ class _Finder:
 
     def _functions(self) -> None:
         """Rename all overloads of a function but the first, and overloads of built-ins."""
-        seen: set[str] = set()
+        seen = set(self.later)
         renamed: dict[n.FunctionDef, str] = {}
         for function in self.facts.functions:
             name = function.name
-            if name in seen | self.later or overloads(name):
+            if name in seen or overloads(name):
                 renamed[function] = self.names.make(name)
             seen.add(name)
         if not renamed:
@@ -94,14 +94,14 @@ class _Finder:
         return tuple((p.type.name, len(p.type.dims) + len(p.dims)) for p in proto.params)
 
     def _locals(self, function: n.FunctionDef, taken: set[str]) -> None:
-        seen = taken | self.later
+        seen: set[str] = set()
         renamed: dict[object, str] = {}
         for node in walk(function):
             if isinstance(node, n.Param | n.Declarator) and node.name:
                 symbol = self.facts.declared.get(node)
                 if symbol is None:  # a field of a struct
                     continue
-                if node.name in seen:
+                if node.name in seen or node.name in taken:
                     renamed[symbol] = self.new[node] = self.names.make(node.name)
                 seen.add(node.name)
         if renamed:
