@@ -7,12 +7,14 @@ import json
 import os
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from bench.public_shaders.acceptance import read_all
-from bench.public_shaders.collection import Shader
+from bench.public_shaders.collection import Shader, evenly
+from bench.public_shaders.folder import folder_shaders
 from bench.public_shaders.glslang import Judge
 from bench.public_shaders.packages import FetchError
 from bench.public_shaders.report import Row, failures, failures_text, figures, table, to_json
@@ -24,13 +26,13 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run; the exit status is 3 where packages or tools cannot be had."""
     options = _options(arguments)
-    folder: Path = options.folder.resolve()
+    folder: Path = options.folder
     rows: dict[str, list[Row]] = {}
     try:
         judge = Judge(folder / "shaders", folder / "verdicts.json")
-        for name in options.collections or COLLECTIONS:
+        for name, find in _collections(options).items():
             begin = time.monotonic()
-            rows[name] = _measure(name, folder, judge, options)
+            rows[name] = _measure(evenly(find(), options.limit), judge, options)
             _say(f"{name}: {len(rows[name])} shaders in {time.monotonic() - begin:.0f} s")
     except FetchError as error:
         _say(str(error))
@@ -50,23 +52,47 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="./dev corpus", description=__doc__)
     parser.add_argument("collections", nargs="*", metavar="COLLECTION", help="; ".join(COLLECTIONS))
+    parser.add_argument(
+        *("--shaders", "-s"),
+        **{"type": Path, "action": "append", "default": [], "metavar": "DIR"},
+        help="measure the shaders in this folder; may be given several times",
+    )
+    parser.add_argument(
+        *("-I", "--include"),
+        **{"type": Path, "action": "append", "default": [], "metavar": "DIR"},
+        help="where --shaders finds included files, besides beside the file",
+    )
+    parser.add_argument("--limit", type=int, metavar="N", help="N shaders of each, evenly spread")
     parser.add_argument("--all", action="store_true", help="every shader of piglit's families")
     parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count() or 1, metavar="N")
     parser.add_argument("--folder", type=Path, default=ROOT / "out" / "public", metavar="DIR")
     parser.add_argument("--failures", type=Path, metavar="FILE", help="the list of failures")
     parser.add_argument("--json", type=Path, metavar="FILE", help="the result")
     options = parser.parse_args(arguments)
+    options.folder = options.folder.resolve()
     for name in options.collections:
         if name not in COLLECTIONS:
             parser.error(f"no collection '{name}'; there are {', '.join(COLLECTIONS)}")
+    for folder in (*options.shaders, *options.include):
+        if not folder.is_dir():
+            parser.error(f"{folder}: there is no such folder")
     options.failures = options.failures or options.folder / "failures.md"
     options.json = options.json or options.folder / "result.json"
     return options
 
 
-def _measure(name: str, folder: Path, judge: Judge, options: argparse.Namespace) -> list[Row]:
-    whole = name == "piglit" and options.all
-    shaders = piglit_shaders(folder, None) if whole else COLLECTIONS[name](folder)
+def _collections(options: argparse.Namespace) -> dict[str, Callable[[], list[Shader]]]:
+    """What is asked for by name: all packages, where neither they nor folders are named."""
+    names = options.collections or (() if options.shaders else COLLECTIONS)
+    found = {name: partial(COLLECTIONS[name], options.folder) for name in names}
+    if options.all and "piglit" in found:
+        found["piglit"] = partial(piglit_shaders, options.folder, None)
+    for folder in options.shaders:
+        found[folder.resolve().name] = partial(folder_shaders, folder, options.include)
+    return found
+
+
+def _measure(shaders: list[Shader], judge: Judge, options: argparse.Namespace) -> list[Row]:
     verdicts = judge.judge(shaders)
     outcomes = read_all(shaders, options.jobs)
     printed = {
