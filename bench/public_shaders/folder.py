@@ -51,8 +51,8 @@ def shaders_of(name: str, text: str) -> Iterator[Shader]:
         if stage is not None:
             yield Shader(name, stage, text)
     elif "VERTEX" in text and "FRAGMENT" in text:
-        for stage in ("vertex", "fragment"):
-            yield Shader(name, stage, _with_define(text, stage.upper()))
+        yield Shader(name, "vertex", _with_define(text, "VERTEX"))
+        yield Shader(name, "fragment", _with_define(text, "FRAGMENT"))
     elif _MAIN.search(text) and not _OTHER_STAGE.search(text):
         yield Shader(name, "fragment", text)
 

@@ -52,9 +52,8 @@ def _ends(texts: list[str]) -> tuple[int, int, int]:
     for behind, text in enumerate(texts, 1):
         if text in ("(", "[", "{"):
             opened.append(text)
-        elif text in _PAIRS:
-            if not opened or opened.pop() != _PAIRS[text]:
-                break
+        elif text in _PAIRS and (not opened or opened.pop() != _PAIRS[text]):
+            break
         if text in (";", "{", "}") and (not opened or opened[-1] == "{"):
             inner, blocks = behind, len(opened)
             if not opened:

@@ -8,9 +8,9 @@ from typing import Any
 from shadercache.ast.large import without_collector
 from shadercache.ast.nodes import Module
 from shadercache.diagnostics import Diagnostic, InputError
+from shadercache.front.beginnings import beginnings
 from shadercache.front.comments import find_comments
 from shadercache.front.dialects import host_of
-from shadercache.front.beginnings import beginnings
 from shadercache.front.lexis import Lexemes
 from shadercache.front.options import DEFAULTS, ReadOptions
 from shadercache.front.preprocess import Preprocessed, preprocess, read
@@ -62,6 +62,15 @@ class _CannotEndError(Exception):
 
 def _build(source: Source, prepared: Preprocessed, lexemes: Lexemes, own: int = -1) -> Module:
     """The tree of the lexemes; those behind the first ``own`` are ours and no fault of the user."""
+    with _one_at_a_time, without_collector():
+        decls = _decls(source, prepared, lexemes, own)
+    span = Span(0, len(source.text))
+    comments = find_comments(source, prepared.lexemes)
+    return Module(span, prepared.version, prepared.profile, prepared.directives, decls, comments)
+
+
+def _decls(source: Source, prepared: Preprocessed, lexemes: Lexemes, own: int) -> Any:
+    # Threads that import lark for the first time at once would wait for each other for ever.
     from lark.exceptions import UnexpectedToken
 
     from shadercache.front.grammar import load_parser
@@ -70,22 +79,18 @@ def _build(source: Source, prepared: Preprocessed, lexemes: Lexemes, own: int = 
     extensions = enabled_extensions(directive.text for directive in prepared.directives)
     language = Language(prepared.version, prepared.profile == "es", extensions)
     stream = TokenStream(source, language, lexemes)
-    with _one_at_a_time, without_collector():
-        lark, builder = load_parser()
-        builder.begin(stream)
-        try:
-            decls: Any = lark.parse(stream)
-        except UnexpectedToken as error:
-            if 0 <= own <= stream.index or (own >= 0 and error.token.type == "$END"):
-                raise _CannotEndError from None
-            from shadercache.front.errors import explain
+    lark, builder = load_parser()
+    builder.begin(stream)
+    try:
+        return lark.parse(stream)
+    except UnexpectedToken as error:
+        if 0 <= own <= stream.index or (own >= 0 and error.token.type == "$END"):
+            raise _CannotEndError from None
+        from shadercache.front.errors import explain
 
-            raise InputError(explain(error, stream)) from None
-        finally:
-            builder.end()
-    span = Span(0, len(source.text))
-    comments = find_comments(source, prepared.lexemes)
-    return Module(span, prepared.version, prepared.profile, prepared.directives, decls, comments)
+        raise InputError(explain(error, stream)) from None
+    finally:
+        builder.end()
 
 
 def _check_depth(source: Source, lexemes: Lexemes) -> None:

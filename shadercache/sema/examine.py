@@ -55,9 +55,7 @@ def _with_earlier(
     return told
 
 
-def _mistakes(
-    module: Module, source: Source, stage: Stage, offset: int
-) -> tuple[Diagnostic, ...]:
+def _mistakes(module: Module, source: Source, stage: Stage, offset: int) -> tuple[Diagnostic, ...]:
     """What the check says of the beginning of a shader, without what its rest might put right."""
     try:
         check(module, source, stage)
