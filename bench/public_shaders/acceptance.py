@@ -13,8 +13,7 @@ from bench.public_shaders.collection import Shader, Stage
 from shadercache.ast.large import allow_deep_trees
 from shadercache.diagnostics import Diagnostic, InputError, Severity
 from shadercache.emit.printer import print_module
-from shadercache.front.parse import parse
-from shadercache.sema.check import check
+from shadercache.sema.examine import examine
 from shadercache.source import Source
 
 SECONDS = 20
@@ -71,8 +70,7 @@ def _read_again(printed: str, stage: Stage) -> Outcome:
 
 def _pass(text: str, stage: Stage) -> str:
     source = Source("shader", text)
-    module = parse(source)
-    check(module, source, stage)
+    module, _ = examine(source, stage)
     return print_module(module)
 
 

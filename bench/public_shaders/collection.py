@@ -43,6 +43,11 @@ def distinct(shaders: Iterable[Shader]) -> Iterator[Shader]:
             yield shader
 
 
+def evenly(shaders: list[Shader], limit: int | None) -> list[Shader]:
+    """At most ``limit`` of them, evenly spread; all of them for ``None``."""
+    return shaders[:: -(-len(shaders) // limit)] if limit and shaders else shaders
+
+
 def write_shaders(shaders: Iterable[Shader], folder: Path) -> None:
     """Write each shader to its file under ``folder``; what stands there already stays."""
     for shader in shaders:

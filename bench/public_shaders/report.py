@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -11,6 +11,7 @@ from typing import Any
 from bench.public_shaders.acceptance import Outcome
 from bench.public_shaders.collection import Shader
 from bench.public_shaders.glslang import Verdict
+from bench.public_shaders.rendering import Picture
 
 _NAME = re.compile(r"'[^']*'|\d+")
 _EXTENSION = re.compile(r"^\s*#\s*extension\s+(GL_\w+)\s*:\s*(?:enable|require)", re.MULTILINE)
@@ -19,18 +20,22 @@ _VERSION = re.compile(r"^\s*#\s*version\s+(\d+(?:[ \t]+\w+)?)", re.MULTILINE)
 
 HEAD = (
     *("collection", "shaders", "valid", "accepted", "taken again", "by glslang", "stable"),
-    *("all of it", "invalid", "rejected", "same line"),
+    *("all of it", "drawn", "same image", "invalid", "rejected", "same line"),
 )
 
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One shader with all that is known of it; ``reread`` is the judge's word on its print."""
+    """One shader with all that is known of it.
+
+    ``reread`` is the judge's word on its print, ``picture`` what became of drawing both.
+    """
 
     shader: Shader
     verdict: Verdict
     outcome: Outcome
     reread: Verdict | None = None
+    picture: Picture | None = None
 
     @property
     def failure(self) -> str | None:
@@ -47,15 +52,22 @@ class Row:
             return f"our print is rejected by us: {_NAME.sub('…', outcome.again)}"
         if self.reread is not None and not self.reread.accepted:
             return f"our print is rejected by glslang: {_NAME.sub('…', self.reread.message)}"
+        if self.picture is not None and self.picture.same is False:
+            return f"our print renders another image: {_NAME.sub('…', self.picture.why)}"
         return None if outcome.stable else "printed again, the text is another"
 
 
 def figures(rows: Sequence[Row]) -> dict[str, int]:
-    """Counts; the first five after ``valid`` are of valid shaders, the last three of the others."""
+    """Counts: of valid shaders those from ``accepted`` to ``not drawn``, then of the others.
+
+    ``drawn`` are the fragment shaders that the driver takes with a plain vertex shader; ``varied``
+    those of them whose image has more than one colour.
+    """
     valid = [row for row in rows if row.verdict.accepted]
     invalid = [row for row in rows if not row.verdict.accepted]
     accepted = [row for row in valid if row.outcome.accepted]
     rejected = [row for row in invalid if not row.outcome.accepted]
+    pictures = [row.picture for row in valid if row.picture is not None]
     located = [row for row in rejected if row.verdict.line]
     return {
         "shaders": len(rows),
@@ -65,6 +77,10 @@ def figures(rows: Sequence[Row]) -> dict[str, int]:
         "taken again by glslang": sum(row.reread is not None and row.reread[0] for row in accepted),
         "stable": sum(row.outcome.stable for row in accepted),
         "all of it": sum(row.failure is None for row in valid),
+        "drawn": sum(picture.same is not None for picture in pictures),
+        "same image": sum(picture.same is True for picture in pictures),
+        "varied": sum(picture.varied for picture in pictures),
+        "not drawn": sum(picture.same is None for picture in pictures),
         "invalid": len(invalid),
         "rejected": len(rejected),
         "rejected with a line": len(located),
@@ -90,6 +106,8 @@ def _line(name: str, counts: dict[str, int]) -> tuple[str, ...]:
         str(counts["shaders"]),
         str(valid),
         *(_share(counts[key], valid) for key in keys),
+        str(counts["drawn"]),
+        _share(counts["same image"], counts["drawn"]),
         str(counts["invalid"]),
         _share(counts["rejected"], counts["invalid"]),
         _share(counts["same line"], counts["rejected with a line"]),
@@ -156,6 +174,7 @@ def to_json(collections: dict[str, list[Row]]) -> dict[str, Any]:
         "collections": {
             name: {
                 "figures": figures(rows),
+                "not drawn": _reasons(rows),
                 "failures": {
                     title: [row.shader.file for row in group]
                     for title, group in failures(rows).items()
@@ -164,3 +183,10 @@ def to_json(collections: dict[str, list[Row]]) -> dict[str, Any]:
             for name, rows in collections.items()
         },
     }
+
+
+def _reasons(rows: Sequence[Row]) -> dict[str, int]:
+    """Why shaders were not drawn, and how many each; the most frequent first."""
+    pictures = [row.picture for row in rows if row.picture is not None]
+    reasons = [_NAME.sub("…", picture.why) for picture in pictures if picture.same is None]
+    return dict(Counter(reasons).most_common())

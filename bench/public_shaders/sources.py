@@ -10,7 +10,7 @@ from collections import defaultdict
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from bench.public_shaders.collection import Shader, Stage, distinct
+from bench.public_shaders.collection import Shader, Stage, distinct, evenly
 from bench.public_shaders.packages import FetchError, debian_package, npm_package
 
 HERE = Path(__file__).parent
@@ -59,8 +59,7 @@ def piglit_shaders(folder: Path, limit: int | None = FAMILY_LIMIT) -> list[Shade
             families[path.parent, shader.stage].append(shader)
     chosen: list[Shader] = []
     for family in families.values():
-        kept = list(distinct(family))
-        chosen += kept[:: -(-len(kept) // limit) if limit else 1]
+        chosen += evenly(list(distinct(family)), limit)
     return list(distinct(chosen))
 
 

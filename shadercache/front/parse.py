@@ -1,4 +1,4 @@
-"""The one door of the front end: :func:`parse`."""
+"""The door of the front end: :func:`parse`, and for broken files :func:`parse_before`."""
 
 from __future__ import annotations
 
@@ -8,11 +8,12 @@ from typing import Any
 from shadercache.ast.large import without_collector
 from shadercache.ast.nodes import Module
 from shadercache.diagnostics import Diagnostic, InputError
+from shadercache.front.beginnings import beginnings
 from shadercache.front.comments import find_comments
 from shadercache.front.dialects import host_of
 from shadercache.front.lexis import Lexemes
 from shadercache.front.options import DEFAULTS, ReadOptions
-from shadercache.front.preprocess import preprocess
+from shadercache.front.preprocess import Preprocessed, preprocess, read
 from shadercache.front.version import NO_VERSION
 from shadercache.source import Source, Span
 
@@ -32,10 +33,44 @@ def parse(source: Source, options: ReadOptions = DEFAULTS) -> Module:
     """
     host = host_of(source, options.dialect)
     prepared = preprocess(source, options, host.version if host else NO_VERSION)
-    lexemes = prepared.lexemes
-    if host is not None:
-        lexemes = host.surround(lexemes, len(source.text))
+    lexemes = host.surround(prepared.lexemes, len(source.text)) if host else prepared.lexemes
     _check_depth(source, lexemes)
+    return _build(source, prepared, lexemes)
+
+
+def parse_before(source: Source, options: ReadOptions, offset: int) -> Module | None:
+    """The tree of what stands in front of an offset at which there is a mistake.
+
+    It ends behind the last complete statement, or else behind the last complete declaration;
+    ``None`` where that gives no tree. Raises :class:`InputError` for a mistake that stands further
+    in front.
+    """
+    host = host_of(source, options.dialect)
+    prepared = read(source, options, host.version if host else NO_VERSION)[0]
+    for lexemes, closers in beginnings(prepared.lexemes, offset):
+        size = len(lexemes.texts)
+        try:
+            return _build(source, prepared, lexemes, size - closers)
+        except _CannotEndError:
+            continue
+    return None
+
+
+class _CannotEndError(Exception):
+    """The text cannot end where it was made to."""
+
+
+def _build(source: Source, prepared: Preprocessed, lexemes: Lexemes, own: int = -1) -> Module:
+    """The tree of the lexemes; those behind the first ``own`` are ours and no fault of the user."""
+    with _one_at_a_time, without_collector():
+        decls = _decls(source, prepared, lexemes, own)
+    span = Span(0, len(source.text))
+    comments = find_comments(source, prepared.lexemes)
+    return Module(span, prepared.version, prepared.profile, prepared.directives, decls, comments)
+
+
+def _decls(source: Source, prepared: Preprocessed, lexemes: Lexemes, own: int) -> Any:
+    # Threads that import lark for the first time at once would wait for each other for ever.
     from lark.exceptions import UnexpectedToken
 
     from shadercache.front.grammar import load_parser
@@ -44,20 +79,18 @@ def parse(source: Source, options: ReadOptions = DEFAULTS) -> Module:
     extensions = enabled_extensions(directive.text for directive in prepared.directives)
     language = Language(prepared.version, prepared.profile == "es", extensions)
     stream = TokenStream(source, language, lexemes)
-    with _one_at_a_time, without_collector():
-        lark, builder = load_parser()
-        builder.begin(stream)
-        try:
-            decls: Any = lark.parse(stream)
-        except UnexpectedToken as error:
-            from shadercache.front.errors import explain
+    lark, builder = load_parser()
+    builder.begin(stream)
+    try:
+        return lark.parse(stream)
+    except UnexpectedToken as error:
+        if 0 <= own <= stream.index or (own >= 0 and error.token.type == "$END"):
+            raise _CannotEndError from None
+        from shadercache.front.errors import explain
 
-            raise InputError(explain(error, stream)) from None
-        finally:
-            builder.end()
-    span = Span(0, len(source.text))
-    comments = find_comments(source, prepared.lexemes)
-    return Module(span, prepared.version, prepared.profile, prepared.directives, decls, comments)
+        raise InputError(explain(error, stream)) from None
+    finally:
+        builder.end()
 
 
 def _check_depth(source: Source, lexemes: Lexemes) -> None:

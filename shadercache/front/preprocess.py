@@ -78,16 +78,25 @@ def preprocess(
     ``default`` is the version of a file that names none. Raises :class:`InputError` with every
     error it finds.
     """
+    prepared, errors = read(source, options, default)
+    if errors:
+        raise InputError(errors)
+    return prepared
+
+
+def read(
+    source: Source, options: ReadOptions, default: Version
+) -> tuple[Preprocessed, list[Diagnostic]]:
+    """:func:`preprocess` for a file that may be broken: what can be made of it, and its errors."""
     reader = Reader(source, options, default)
     with suppress(StopReading):
         reader.read_source()
-    if reader.errors:
-        # A file that is included twice has each mistake once.
-        errors = {(error.span, error.message): error for error in reader.errors}.values()
-        raise InputError(sorted(errors, key=lambda error: error.span or Span(-1, -1)))
+    # A file that is included twice has each mistake once.
+    errors = {(error.span, error.message): error for error in reader.errors}.values()
     version = reader.version
     directives = tuple(reader.directives)
-    return Preprocessed(version.number, version.profile, directives, reader.lexemes)
+    prepared = Preprocessed(version.number, version.profile, directives, reader.lexemes)
+    return prepared, sorted(errors, key=lambda error: error.span or Span(-1, -1))
 
 
 class Reader:
