@@ -152,8 +152,8 @@ class _Writer:
         return replace(item, uniforms=uniforms, attributes=vertex.inputs)
 
     def _text(self, item: Pass, shader: Shader, stage: Stage) -> str:
-        module = shader.module
+        module = with_precisions(shader.module)
         if self.options.mode == "proof":
             module = make_precise(module, self.vertex.prefix, stage)
-        version, rest = print_module(with_precisions(module)).split("\n", 1)
+        version, rest = print_module(module).split("\n", 1)
         return f"{version}\n// shadercache: {item.file}, {self.about}\n{rest}"

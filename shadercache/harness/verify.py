@@ -142,8 +142,8 @@ class Verifier:
     def round_trip(self) -> Difference | None:
         """Law 1: the printed shader renders the bits of the user's own text.
 
-        ``None`` where the shader was raised and there is nothing to compare with: it reads the state
-        of the fixed-function pipeline, or the driver does not take the version.
+        ``None`` where the shader was raised and there is nothing to compare with: it reads the
+        state of the fixed-function pipeline, or the driver does not take the version.
         """
         analysis = self.analysis
         assert analysis.vertex is not None

@@ -21,15 +21,13 @@ from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 from shadercache.lang.builtins import BuiltinVariable, struct, variable
 from shadercache.lang.types import StructType, Type
+from shadercache.lang.words import ES_VERSIONS, VERSIONS
 from shadercache.sema.context import enabled_extensions
-from shadercache.sema.facts import Facts
+from shadercache.sema.facts import Facts, Symbol
 from shadercache.source import NOWHERE, Span
 from shadercache.transform.legacy_calls import Place
 
 _DATA = "gl_FragData"
-_OUTPUTS = ("gl_FragColor", _DATA)
-"""Replaced in every version: a second target cannot stand beside them."""
-
 _COLORS = {"gl_Color": "FrontColor", "gl_SecondaryColor": "FrontSecondaryColor"}
 _TRANSFORM = ("gl_ModelViewProjectionMatrix", "gl_Vertex")
 _TODAY = {"gl_FragDepthEXT": "gl_FragDepth", "gl_InstanceIDARB": "gl_InstanceID"}
@@ -42,16 +40,17 @@ _LEAST_SIZE = 8
 class Shared:
     """What all stages of a program must declare alike.
 
-    ``sizes``: how long the built-in arrays are. ``members``: the fields of structs that are used,
-    with the name of the struct; an engine need not give the others.
+    How long the built-in arrays are: as long as the program declares them, or else as its indices
+    need. ``members``: the fields of structs that are used, with the name of the struct; an engine
+    need not give the others.
     """
 
-    sizes: dict[str, int] = field(default_factory=dict)
+    declared: dict[str, int] = field(default_factory=dict)
+    indexed: dict[str, int] = field(default_factory=dict)
     members: set[tuple[str, str]] = field(default_factory=set)
 
     def add(self, module: n.Module, facts: Facts) -> None:
         """Take account of one stage."""
-        indexed: set[n.Node] = set()
         for node in walk(module):
             match node:
                 case n.Member(object=owner, name=name):
@@ -60,21 +59,26 @@ class Shared:
                     assert built_in.struct is not None
                     self.members |= {(kind.name, name) for name in built_in.struct.fields}
                 case n.Index(object=n.Name() as owner, index=index):
-                    indexed.add(owner)
                     at = facts.constants.get(index)
-                    self._use(owner, facts, _LEAST_SIZE if at is None else int(at) + 1)
-                case n.Name() if node not in indexed:
-                    self._use(node, facts, _LEAST_SIZE)
+                    if facts.symbols[owner].kind == "builtin":
+                        size = _LEAST_SIZE if at is None else int(at) + 1
+                        _at_least(self.indexed, owner.name, size)
         for declared in facts.declared.values():
             if declared.kind == "builtin" and declared.type.is_array:
-                self._at_least(declared.name, declared.type.dims[0] or 0)
+                _at_least(self.declared, declared.name, declared.type.dims[0] or 0)
 
-    def _use(self, owner: n.Name, facts: Facts, size: int) -> None:
-        if facts.symbols[owner].kind == "builtin" and facts.types[owner].is_array:
-            self._at_least(owner.name, size)
+    def size(self, name: str) -> int:
+        """The length of an array; of one that is only used as a whole, the most there can be."""
+        return self.declared.get(name, 0) or self.indexed.get(name, _LEAST_SIZE)
 
-    def _at_least(self, name: str, size: int) -> None:
-        self.sizes[name] = max(size, self.sizes.get(name, 0))
+
+def is_builtin(symbol: Symbol) -> bool:
+    """Is it a built-in variable (even one that is declared again) or constant?"""
+    return symbol.kind == "builtin" or symbol.node is None
+
+
+def _at_least(sizes: dict[str, int], name: str, size: int) -> None:
+    sizes[name] = max(size, sizes.get(name, 0))
 
 
 class FixedFunction:
@@ -89,7 +93,7 @@ class FixedFunction:
         """The variables to declare, by the name that they had."""
         self._structs: dict[str, StructType] = {}
         for node in walk(module):
-            if isinstance(node, n.Name) and facts.symbols[node].kind == "builtin":
+            if isinstance(node, n.Name) and is_builtin(facts.symbols[node]):
                 self._use(node.name)
             elif isinstance(node, n.Call) and node.name == "ftransform":
                 for name in _TRANSFORM:
@@ -104,18 +108,23 @@ class FixedFunction:
     # --- what there is ----------------------------------------------------------------------------
 
     def _use(self, name: str) -> None:
-        version, profile, stage, extensions = self._place
-        if name in self.used or name in _TODAY:
+        if name in self.used or name in _TODAY or self._stays(name):
             return
-        if name not in _OUTPUTS and variable(name, stage, version, profile, extensions):
-            return
-        was = self._module
+        was, stage = self._module, self._place[2]
         known = variable(
             name, stage, was.version, was.profile or "compatibility", enabled_extensions(was)
         )
         assert known is not None, name
         self.used[name] = known
         self._use_struct(known.type)
+
+    def _stays(self, name: str) -> bool:
+        """Is it there in the new version, and in the last as well? Drivers drop what is about to
+        go before the specification does."""
+        version, profile, stage, extensions = self._place
+        last = ES_VERSIONS[-1] if profile == "es" else VERSIONS[-1]
+        both = (variable(name, stage, at, profile, extensions) for at in (version, last))
+        return all(both)
 
     def _use_struct(self, kind: Type | None) -> None:
         if kind is not None and kind.struct is not None and kind.name not in _STRUCTS_OF_TODAY:
@@ -205,7 +214,7 @@ class FixedFunction:
                     yield self._declaration(known, new, (), at if len(self._elements) > 1 else None)
             elif known.storage != "const":
                 sized = known.type.is_array
-                size = n.Literal(NOWHERE, str(self._shared.sizes.get(name, _LEAST_SIZE)))
+                size = n.Literal(NOWHERE, str(self._shared.size(name)))
                 yield self._declaration(known, self.new_name(name), (size,) if sized else ())
 
     def _declaration(

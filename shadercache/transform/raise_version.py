@@ -32,8 +32,9 @@ from shadercache.sema.check import check
 from shadercache.sema.context import enabled_extensions
 from shadercache.sema.facts import Facts, Stage
 from shadercache.source import Source
-from shadercache.transform.fixed_function import FixedFunction, Shared
+from shadercache.transform.fixed_function import FixedFunction, Shared, is_builtin
 from shadercache.transform.legacy_calls import modern_call
+from shadercache.transform.unique_names import make_names_unique
 
 DESKTOP_VERSION, ES_VERSION = 330, 300
 
@@ -114,6 +115,7 @@ def raise_versions(stages: Sequence[StageTree], stem: str) -> list[Raised]:
 
 
 def _raise(tree: StageTree, stem: str, shared: Shared) -> Raised:
+    tree = _without_hidden_parameters(tree)
     raiser = _Raiser(tree, stem, shared)
     if raiser.target == (tree.module.version, tree.module.profile) and not raiser.fixed.used:
         return Raised(tree.module, tree.facts, {}, ())
@@ -129,6 +131,14 @@ def _raise(tree: StageTree, stem: str, shared: Shared) -> Raised:
         ]
         raise InputError(problems) from None
     return Raised(module, facts, raiser.interface(), tuple(raiser.notes()))
+
+
+def _without_hidden_parameters(tree: StageTree) -> StageTree:
+    """In GLSL ES 1.00 the body of a function may declare the names of its parameters again."""
+    if tree.module.version != 100:
+        return tree
+    module = make_names_unique(tree.module, tree.facts)
+    return replace(tree, module=module, facts=check(module, tree.source, tree.stage))
 
 
 def language_name(version: int, profile: str | None) -> str:
@@ -210,6 +220,7 @@ class _Raiser(Rewriter):
         version, profile = self.target
         words = keywords(version, profile == "es") | reserved_words(version, profile == "es")
         module = self.tree.module
+        was = (module.version, module.profile, self.tree.stage, enabled_extensions(module))
         called = {item.name for item in self.tree.facts.functions}
         declared, fields = _declared(module)
         variables, functions_, fields_ = {}, {}, {}
@@ -218,7 +229,7 @@ class _Raiser(Rewriter):
             if name in words:
                 variables[name] = functions_[name] = fields_[name] = new
                 continue
-            hides = bool(functions(name, *self.place))
+            hides = bool(functions(name, *self.place)) and not functions(name, *was)
             if name in declared and (hides or (module.version == 110 and name in called)):
                 variables[name] = new
             if name in called and hides:
@@ -239,7 +250,7 @@ class _Raiser(Rewriter):
         return node
 
     def _name(self, node: n.Name, original: n.Name) -> n.Expr:
-        if self.tree.facts.symbols[original].kind == "builtin":
+        if is_builtin(self.tree.facts.symbols[original]):
             return self.fixed.variable(original) or node
         new = self.variables.get(node.name)
         return replace(node, name=new) if new else node
