@@ -140,6 +140,7 @@ def analyse(
     texts = (fragment.text, vertex.text if vertex else "")
     prefix = fresh_prefix(*texts)
     trees = [_checked(fragment, "fragment", reading)]
+    check_size(trees[0].module, fragment)
     if vertex is not None:
         trees.append(_checked(vertex, "vertex", replace(reading, dialect="glsl")))
     raised = raise_versions(trees, fresh_prefix(*texts, stem="legacy"))
@@ -232,7 +233,6 @@ def _vertex_source(analysis: Analysis) -> Source:
 
 def _checked(source: Source, stage: Stage, reading: ReadOptions) -> StageTree:
     module = parse(source, reading)
-    check_size(module, source)
     return StageTree(module, check(module, source, stage, needs_main=True), source, stage)
 
 

@@ -19,6 +19,9 @@ from shadercache.sema.facts import Scalar
 
 Value: TypeAlias = "Scalar | tuple[Value, ...]"
 
+MAX_COMPONENTS = 1 << 16
+"""Scalars of a value that is kept: structs of structs can ask for billions."""
+
 _FLOAT32 = struct.Struct("f")
 _BITS = {"int": 32, "uint": 32, "int64_t": 64, "uint64_t": 64}
 _SIGNED = ("int", "int64_t")
@@ -205,7 +208,9 @@ def mapped(apply: Callable[..., Any], values: tuple[Value, ...], base: str | Non
 
 
 def fold_construct(kind: Type, values: list[Value]) -> Value | None:
-    """A value of type ``kind`` made from others (section 5.4)."""
+    """A value of type ``kind`` made from others (section 5.4); ``None`` for a very large one."""
+    if kind.components is not None and kind.components > MAX_COMPONENTS:
+        return None
     if kind.dims:
         return _all([_part(kind.element, value) for value in values])
     if kind.struct is not None:

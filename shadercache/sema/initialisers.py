@@ -28,11 +28,11 @@ class InitialiserChecker:
     def _list(self, node: InitList, wanted: Type) -> Type:
         # Lists nest only as deep as brackets may, so this may recurse.
         kind = self._sized(node, wanted)
-        parts = _parts(kind, len(node.items))
-        if parts is None or len(parts) != len(node.items):
-            takes = "no list of items" if parts is None else f"{len(parts)} items"
+        count = _count(kind, len(node.items))
+        if count != len(node.items):
+            takes = "no list of items" if count is None else f"{count} items"
             kind = self._context.error("SC219", f"{kind} takes {takes} here", node)
-            parts = [ERROR] * len(node.items)
+        parts = _parts(kind, len(node.items))
         given = [self.check(item, part) for item, part in zip(node.items, parts, strict=True)]
         if kind is not ERROR:
             kind = self._settled(node, kind, parts, given)
@@ -60,14 +60,23 @@ class InitialiserChecker:
         return kind
 
 
-def _parts(kind: Type, count: int) -> list[Type] | None:
-    """The types of what a list for ``kind`` holds; ``None`` where there can be no list."""
+def _count(kind: Type, given: int) -> int | None:
+    """How many items a list for ``kind`` has; ``None`` where there can be no list."""
+    if kind is ERROR:
+        return given
+    if kind.dims:
+        return kind.dims[0] or given
+    if kind.struct is not None:
+        return len(kind.struct.fields)
+    if kind.is_matrix:
+        return kind.cols
+    return kind.rows if kind.is_vector else None
+
+
+def _parts(kind: Type, count: int) -> list[Type]:
+    """The types of the ``count`` items of a list for ``kind``."""
     if kind is ERROR:
         return [ERROR] * count
-    if kind.dims:
-        return [kind.element] * (kind.dims[0] or count)
-    if kind.struct is not None:
+    if kind.is_struct and kind.struct is not None:
         return list(kind.struct.fields.values())
-    if kind.is_matrix:
-        return [kind.element] * kind.cols
-    return [kind.element] * kind.rows if kind.is_vector else None
+    return [kind.element] * count

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from math import prod
 
 from shadercache.ast.nodes import BlockDecl, Expr, Literal, Node, Qualifiers
 from shadercache.lang.types import INT, UINT, Type
@@ -30,6 +29,7 @@ IMAGE_FORMATS = frozenset(
         *("r11f_g11f_b10f", "rgb10_a2", "rgb10_a2ui"),
     )
 )  # fmt: skip
+_MAX_LOCATIONS = 4096  # No implementation has more; those of larger arrays are not looked at.
 _BINDLESS = ("bindless_sampler", "bindless_image", "bound_sampler", "bound_image")
 _DEPTHS = ("depth_any", "depth_greater", "depth_less", "depth_unchanged")
 _BLENDS = (
@@ -166,7 +166,7 @@ class LayoutChecker:
                 if at is None or kind is ERROR or storage not in ("in", "out") or block.dims:
                     continue
                 self._take(node, node.name, kind, storage, {**values, "location": at})
-                at += slots(kind)
+                at += kind.slots
 
     def _takes_block_locations(self) -> bool:
         context = self._context
@@ -197,7 +197,7 @@ class LayoutChecker:
             self._context.error("SC223", message, node)
             return
         first = values["location"]
-        for step in range(slots(kind)):
+        for step in range(min(kind.slots, _MAX_LOCATIONS)):
             # The second half of dvec3 and dvec4 stands in a location of its own.
             second = step % 2 == 1 and kind.base == "double" and kind.rows > 2
             used = range(2 * (kind.rows - 2)) if second else _components(kind, values)
@@ -228,12 +228,3 @@ def _misplaced(word: str, names: Sequence[str], member: bool, default: bool) -> 
     if word in _ORIGINS and list(names) != ["gl_FragCoord"]:
         return f"'{word}' is for gl_FragCoord"
     return None
-
-
-def slots(kind: Type) -> int:
-    """Number of locations that a variable of this type takes (section 4.3.8.1)."""
-    if kind.struct is not None:
-        one = sum(slots(field) for field in kind.struct.fields.values())
-    else:
-        one = kind.cols * (2 if kind.base == "double" and kind.rows > 2 else 1)
-    return one * prod(size or 1 for size in kind.dims)

@@ -192,16 +192,16 @@ class VariableChecker:
     ) -> str | None:
         context = self._context
         outer = (context.stage == "vertex") == (storage == "in")
-        wide = _holds(kind, ("double", "int64_t", "uint64_t")) and not context.bindless
+        wide = not kind.bases.isdisjoint(("double", "int64_t", "uint64_t")) and not context.bindless
         if outer and storage == "out" and wide:
             return f"'{name}' of type {kind} cannot be an output of a fragment shader"
         if outer and storage == "in" and wide and not self._has_wide_attributes():
             return f"'{name}' of type {kind}: attributes of 64 bits need GLSL 4.10"
         if not outer and kind.struct is not None and not context.at_least(150, 300):
             return f"'{name}' is a struct: it cannot be '{storage}' before GLSL 1.50"
-        if context.version == 100 and _holds(kind, ("int", "bool")):
+        if context.version == 100 and not kind.bases.isdisjoint(("int", "bool")):
             return f"'{name}' of type {kind}: '{storage}' variables hold floats only here"
-        if _holds(kind, ("bool",)):
+        if "bool" in kind.bases:
             return f"'{name}' of type {kind} cannot be '{storage}'"
         if outer and storage == "in" and kind.dims and not context.at_least(150, NEVER):
             return f"'{name}' is an array: it cannot be an attribute in this version"
@@ -212,7 +212,7 @@ class VariableChecker:
         reads = storage == "in" and self._context.stage == "fragment"
         passed = reads or (not outer and storage == "out" and self._is_new_es())
         smooth = passed and not qualifiers.has("flat") and not name.startswith("gl_")
-        if smooth and _holds(kind, ("int", "uint", "double")):
+        if smooth and not kind.bases.isdisjoint(("int", "uint", "double")):
             return f"'{name}' of type {kind} needs the qualifier 'flat'"
         return None
 
@@ -325,13 +325,6 @@ def _may_follow(before: object, symbol: Symbol) -> bool:
         and bool(symbol.type.dims)
         and before.type.element is symbol.type.element
     )
-
-
-def _holds(kind: Type, bases: tuple[str, ...]) -> bool:
-    """Is a scalar of one of these types anywhere inside?"""
-    if kind.struct is not None:
-        return any(_holds(field, bases) for field in kind.struct.fields.values())
-    return kind.base in bases
 
 
 def _fills(given: Type, declared: Type) -> bool:
