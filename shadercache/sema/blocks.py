@@ -40,7 +40,7 @@ class BlockChecker:
         if block.name == _BUILTIN_BLOCK:
             self._check_redeclared(block)
         fields = self._resolver.fields(block.fields, f"block {block.name}")
-        self._variables.layouts.place_members(block, storage, fields)
+        self._variables.layouts.block(block, storage, fields)
         for name, kind in fields.items():
             if kind is not ERROR and kind.holds_opaque and not context.bindless:
                 message = f"the member '{name}' of a block cannot be {kind}"
