@@ -12,18 +12,18 @@ from collections.abc import Iterable
 PREFIX = "sc_"
 
 
-def fresh_prefix(*texts: str) -> str:
+def fresh_prefix(*texts: str, stem: str = "sc") -> str:
     """A prefix that no identifier in the given source texts begins with.
 
     ``sc_``, else ``sc1_``, ``sc2_`` ... GLSL reserves names that begin with ``gl_`` or hold two
     underscores (GLSL 3.30 section 3.6); neither can come out.
     """
-    taken = {word for text in texts for word in re.findall(r"sc\d*_", text)}
+    taken = {word for text in texts for word in re.findall(rf"{stem}\d*_", text)}
     number = 0
-    prefix = PREFIX
+    prefix = f"{stem}_"
     while prefix in taken:
         number += 1
-        prefix = f"sc{number}_"
+        prefix = f"{stem}{number}_"
     return prefix
 
 

@@ -20,7 +20,7 @@ from shadercache.ast.walk import walk
 from shadercache.lang.builtins import overloads
 from shadercache.lang.words import keywords, reserved_words
 from shadercache.sema.facts import Facts
-from shadercache.transform.make_precise import PRECISE_VERSION
+from shadercache.transform.make_precise import precise_version
 from shadercache.transform.names import FreshNames
 from shadercache.transform.reachable import declared_names
 from shadercache.transform.rename import Renamer
@@ -37,10 +37,11 @@ def make_names_unique(module: n.Module, facts: Facts) -> n.Module:
 
 
 def later_keywords(module: n.Module) -> frozenset[str]:
-    """Names that the module's version allows and :data:`PRECISE_VERSION` does not."""
-    if module.version >= PRECISE_VERSION:
+    """Names that the module's version allows and that of proof mode does not."""
+    version, es = precise_version(module), module.profile == "es"
+    if module.version == version:
         return frozenset()
-    return keywords(PRECISE_VERSION) | reserved_words(PRECISE_VERSION)
+    return keywords(version, es) | reserved_words(version, es)
 
 
 class _Finder:
