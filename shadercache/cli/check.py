@@ -78,13 +78,12 @@ def _stage_of(name: str) -> StageName:
 
 def _check(name: str, stage: StageName, options: ReadOptions) -> Checked:
     from shadercache.ast.large import allow_deep_trees
-    from shadercache.front.parse import parse
-    from shadercache.sema.check import check
+    from shadercache.sema.read import read
 
     allow_deep_trees()
     try:
         source = read_source(name)
-        facts = check(parse(source, options), source, stage)
+        _, facts = read(source, stage, options)
     except InputError as error:
         return Checked(name, stage, error.diagnostics)
     return Checked(name, stage, facts.warnings)

@@ -12,7 +12,7 @@ from shadercache.front.comments import find_comments
 from shadercache.front.dialects import host_of
 from shadercache.front.lexis import Lexemes
 from shadercache.front.options import DEFAULTS, ReadOptions
-from shadercache.front.preprocess import preprocess
+from shadercache.front.preprocess import Preprocessed, preprocess
 from shadercache.front.version import NO_VERSION
 from shadercache.source import Source, Span
 
@@ -35,6 +35,11 @@ def parse(source: Source, options: ReadOptions = DEFAULTS) -> Module:
     lexemes = prepared.lexemes
     if host is not None:
         lexemes = host.surround(lexemes, len(source.text))
+    return build(source, prepared, lexemes)
+
+
+def build(source: Source, prepared: Preprocessed, lexemes: Lexemes) -> Module:
+    """The syntax tree of lexemes: those of ``prepared``, and what a host puts around them."""
     _check_depth(source, lexemes)
     from lark.exceptions import UnexpectedToken
 

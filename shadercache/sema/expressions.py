@@ -239,9 +239,7 @@ class ExpressionChecker:
         if node.op != "=":
             missing = self._is_missing(node.op[:-1])
             result = None if missing else binary_type(node.op[:-1], target, value, conversions)
-        elif target.holds_array and not self._context.arrays_are_values:
-            result = None
-        elif self._context.only_handles(target):
+        elif (target.holds_array and not self._context.arrays_are_values) or self._context.only_handles(target):
             result = None
         if result is None or not conversions.converts(result, target):
             message = f"cannot assign {value} to {target}"
@@ -352,7 +350,9 @@ class ExpressionChecker:
         if kind.dims and args:
             kind = _sized(kind, args)
         problem = None
-        if not (self._context.bindless and is_handle(kind, args)):
+        if kind.struct is not None and self._context.only_handles(kind):
+            problem = f"{kind} holds samplers or images: only a uniform can be one"
+        elif not (self._context.bindless and is_handle(kind, args)):
             problem = construct_problem(kind, args, self._context.conversions)
         if kind.is_matrix and args[:1] and args[0].is_matrix and not self._context.at_least(120, 0):
             problem = "GLSL 1.10 makes no matrix from a matrix"
