@@ -27,7 +27,10 @@ from shadercache.source import Source
 
 
 def parse_before(source: Source, place: int, options: ReadOptions = DEFAULTS) -> Module | None:
-    """The module of the whole statements before a place; ``None`` where they make none."""
+    """The module of the whole statements before a place; ``None`` where they make none.
+
+    Raises :class:`InputError` with the first mistake of syntax that stands there itself.
+    """
     host = host_of(source, options.dialect)
     reader = Reader(source, options, host.version if host else NO_VERSION)
     with suppress(StopReading):
@@ -40,9 +43,17 @@ def parse_before(source: Source, place: int, options: ReadOptions = DEFAULTS) ->
         if host is not None:
             lexemes = host.surround(lexemes, len(source.text))
         prepared = Preprocessed(version.number, version.profile, directives, lexemes)
-        with suppress(InputError):
+        try:
             return build(source, prepared, lexemes)
+        except InputError as error:
+            # At the end it is the cut that makes the mistake: a struct needs its semicolon.
+            if _start(error) < reader.lexemes.starts[end - 1]:
+                raise
     return None
+
+
+def _start(error: InputError) -> int:
+    return min(item.span.start for item in error.diagnostics if item.span is not None)
 
 
 def _ends(source: Source, lexemes: Lexemes, place: int) -> list[tuple[int, int]]:

@@ -25,7 +25,8 @@ def read(
     """The tree of a shader and the facts about it.
 
     Raises :class:`InputError` with every mistake found. Where the syntax is wrong these are the
-    mistakes of syntax, and before them those in the statements that come first.
+    mistakes of the preprocessor or the first one of syntax, and before them those in what stands
+    before.
     """
     try:
         module = parse(source, options)
@@ -37,12 +38,15 @@ def read(
 def _before(
     source: Source, error: InputError, stage: Stage, options: ReadOptions
 ) -> list[Diagnostic]:
-    """Mistakes in names and types before the first mistake of syntax."""
+    """Mistakes before the first one of syntax, or of the preprocessor."""
     starts = [item.span.start for item in error.diagnostics if item.span is not None]
     place = min(starts, default=0)
     if place <= 0 or place > len(source.text):
         return []
-    module = parse_before(source, place, options)
+    try:
+        module = parse_before(source, place, options)
+    except InputError as earlier:
+        return [*_before(source, earlier, stage, options), *earlier.diagnostics]
     if module is None:
         return []
     try:

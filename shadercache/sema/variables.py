@@ -59,7 +59,7 @@ class VariableChecker:
         words, local = qualifiers.words, self._context.scopes.depth > 0
         if not words:
             return "local" if local else "global"
-        storage = self._stored(words)
+        storage = self._stored(qualifiers)
         problem = self._context.words_problem(words)
         problem = problem or self._version_problem(words)
         misplaced = [word for word in words if word not in _LOCAL_WORDS]
@@ -84,14 +84,14 @@ class VariableChecker:
                 return f"'{word}' stands on parameters only before GLSL 1.30 and GLSL ES 3.00"
         return "'shared' is for compute shaders" if "shared" in words else None
 
-    def _stored(self, words: tuple[str, ...]) -> Kind:
-        context = self._context
+    def _stored(self, qualifiers: Qualifiers) -> Kind:
+        context, words = self._context, qualifiers.words
         for word in words:
             if word in _STORAGE:
                 return _STORAGE[word]
         if "attribute" in words:
             if context.stage == "fragment":
-                context.error("SC221", "a fragment shader has no attributes", context.module)
+                context.error("SC221", "a fragment shader has no attributes", qualifiers)
             return "in"
         if "varying" in words:
             return "in" if context.stage == "fragment" else "out"
@@ -163,7 +163,7 @@ class VariableChecker:
             problem = f"'{node.name}' is not in a block: buffers have blocks only"
         elif kind.holds_opaque and storage != "uniform" and not self._context.bindless:
             problem = f"'{node.name}' of type {kind} must be a uniform or a parameter"
-        elif "image" in kind.name and kind.is_opaque and storage == "uniform":
+        elif "image" in kind.name and kind.struct is None and storage == "uniform":
             problem = self._image_problem(decl.qualifiers, node.name, kind)
         elif decl.qualifiers.has(*MEMORY) and not self._context.bindless:
             problem = f"'{node.name}' of type {kind} is no image: it has no memory qualifiers"
@@ -264,7 +264,7 @@ class VariableChecker:
         inputs of a fragment shader, section 4.6.1)."""
         context = self._context
         if decl.qualifiers.layout:
-            self.layouts.default(decl.qualifiers, self._stored(decl.qualifiers.words))
+            self.layouts.default(decl.qualifiers, self._stored(decl.qualifiers))
         invariant = decl.qualifiers.has("invariant")
         if invariant and context.scopes.depth:
             context.error("SC221", "'invariant' stands only at global scope", decl)
