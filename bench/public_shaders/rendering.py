@@ -14,6 +14,7 @@ import subprocess
 import sys
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from dataclasses import dataclass
 from multiprocessing import Pool
 from pathlib import Path
@@ -157,7 +158,8 @@ class _Child:
         """End the process."""
         if self._process is not None:
             self._process.kill()
-            self._process.wait()
+            with suppress(OSError), self._process:  # Closes the pipes; one may hold an old job.
+                pass
             self._process = None
 
     def _running(self) -> subprocess.Popen[str]:
