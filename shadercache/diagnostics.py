@@ -9,6 +9,7 @@ SC4xx shaders that cannot be cached, SC5xx scenes, SC6xx OpenGL and rendering.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
@@ -18,6 +19,15 @@ from shadercache.source import Source, Span
 
 MAX_SHOWN = 200
 """Characters of a source line that a diagnostic shows."""
+
+MAX_QUOTED = 60
+"""Characters of a name or text that a message quotes."""
+
+MAX_MESSAGE = 500
+"""Characters of a message or hint."""
+
+# A little longer than what is left of one, so that a checksum in the name of a file stays whole.
+_LONG_WORD = re.compile(r"\w{73,}")
 
 
 class Severity(StrEnum):
@@ -38,6 +48,11 @@ class Diagnostic:
     span: Span | None = None
     hint: str | None = None
     severity: Severity = Severity.ERROR
+
+    def __post_init__(self) -> None:
+        """Shorten what is said: the names and numbers that it quotes may be of any length."""
+        object.__setattr__(self, "message", _readable(self.message))
+        object.__setattr__(self, "hint", self.hint and _readable(self.hint))
 
     def render(self) -> str:
         """``file:line:col: error: message [SCnnn]``, the source line and a caret, the hint."""
@@ -94,6 +109,15 @@ class Diagnostic:
             "code": self.code,
             "hint": self.hint,
         }
+
+
+def shortened(text: str, limit: int = MAX_QUOTED) -> str:
+    """``text``, or its beginning and ``…`` where it has more than ``limit`` characters."""
+    return text if len(text) <= limit else f"{text[: limit - 1]}…"
+
+
+def _readable(message: str) -> str:
+    return shortened(_LONG_WORD.sub(lambda word: shortened(word[0]), message), MAX_MESSAGE)
 
 
 def _window(text: str, column: int) -> tuple[str, int]:

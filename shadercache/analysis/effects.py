@@ -50,10 +50,12 @@ NO_EFFECTS = Effects()
 
 def union(effects: Iterable[Effects]) -> Effects:
     """All of them together."""
-    total = NO_EFFECTS
-    for item in effects:
-        total = total | item
-    return total
+    items = tuple(effects)
+    does = Does.NOTHING
+    for item in items:
+        does |= item.does
+    reads = frozenset[str]().union(*(item.reads for item in items))
+    return Effects(reads, frozenset[str]().union(*(item.writes for item in items)), does)
 
 
 def root_variable(target: n.Expr) -> str | None:

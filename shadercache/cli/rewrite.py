@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 
 def command(
+    context: typer.Context,
     fragment: Annotated[str, typer.Argument(metavar="FRAG", help="Fragment shader; - is stdin.")],
     node: Annotated[str, typer.Option(metavar="ID", help="The node to cache, from 'nodes'.")],
     out: Annotated[
@@ -42,7 +43,7 @@ def command(
         CacheFormat, typer.Option("--format", help="Texel format of the cache.")
     ] = "rgba16f",
     mode: Annotated[
-        Mode, typer.Option(help="proof pins the arithmetic down (#version 400).")
+        Mode, typer.Option(help="proof pins the arithmetic down (#version 400, 320 es).")
     ] = "plain",
     unprofitable: Annotated[
         bool, typer.Option("--unprofitable", help="Also a node that costs less than a fetch.")
@@ -69,6 +70,7 @@ def command(
         unprofitable=unprofitable,
     )
     _write(emission, out)
+    context.obj.show(analysis.notes)
     print(f"wrote {len(emission.files)} shaders and {MANIFEST} to {out}")
 
 

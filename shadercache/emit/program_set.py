@@ -17,6 +17,7 @@ from shadercache.emit.vertex import VertexEmitter
 from shadercache.options import Options
 from shadercache.sema.facts import Stage
 from shadercache.transform.make_precise import make_precise
+from shadercache.transform.precisions import with_precisions
 
 COLOR, CACHE, MASK = "color", "cache", "mask"
 PREVIOUS, CURRENT = "previous-cache", "current-cache"
@@ -154,5 +155,5 @@ class _Writer:
         module = shader.module
         if self.options.mode == "proof":
             module = make_precise(module, self.vertex.prefix, stage)
-        version, rest = print_module(module).split("\n", 1)
+        version, rest = print_module(with_precisions(module)).split("\n", 1)
         return f"{version}\n// shadercache: {item.file}, {self.about}\n{rest}"

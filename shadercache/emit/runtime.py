@@ -27,11 +27,16 @@ _CHANNELS = ("x", "xy", "xyz")
 
 
 @cache
-def load_part(name: str, components: int, prefix: str) -> tuple[n.Decl, ...]:
-    """The declarations of one file, for a payload of 1 to 3 floats, with the given name prefix."""
+def load_part(
+    name: str, components: int, prefix: str, precision: str | None = None
+) -> tuple[n.Decl, ...]:
+    """The declarations of one file, for a payload of 1 to 3 floats, with the given name prefix.
+
+    ``precision`` is the payload's, in GLSL ES.
+    """
     kind = "float" if components == 1 else f"vec{components}"
     macros = {
-        "PAYLOAD": kind,
+        "PAYLOAD": f"{precision} {kind}" if precision else kind,
         "CHANNELS": _CHANNELS[components - 1],
         "SC_SPREAD": str(SPREAD),
         "PADDING": ", 0.0" * (3 - components),

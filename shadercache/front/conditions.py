@@ -126,7 +126,7 @@ def _integer(word: str) -> int:
     base = 16 if word[1:2] in ("x", "X") else 8 if word[0] == "0" else 10
     # Decimal digits beyond a few thousand would take their time, and Python refuses them.
     if (base == 10 and len(word) > 10) or (value := int(word, base)) >= 1 << 32:
-        raise MistakeError("SC122", f"'{word[:20]}' needs more than 32 bits")
+        raise MistakeError("SC122", f"'{word}' needs more than 32 bits")
     return value
 
 

@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
+from shadercache.diagnostics import shortened
 from shadercache.front.mistakes import MistakeError, RunawayError
 
 MAX_DEPTH = 50
@@ -38,8 +39,9 @@ def name_of(rest: str, line: str) -> tuple[str, bool]:
 def find(name: str, beside: Path | None, folders: tuple[Path, ...]) -> Path:
     """The file that is meant, as the user would name it."""
     looked_at = folders if beside is None else (beside, *folders)
+    shown = shortened(name)
     if not looked_at:
-        message = f"cannot include '{name}': there is no folder to look in"
+        message = f"cannot include '{shown}': there is no folder to look in"
         raise MistakeError("SC123", message, "name folders with -I")
     inside = False
     for path in _candidates(name, looked_at):
@@ -52,10 +54,10 @@ def find(name: str, beside: Path | None, folders: tuple[Path, ...]) -> Path:
         except (OSError, RuntimeError):  # A name too long, a circle of links.
             inside = True
     if not inside:
-        message = f"cannot include '{name}': it leads out of the folders for included files"
+        message = f"cannot include '{shown}': it leads out of the folders for included files"
         raise MistakeError("SC123", message, "a folder more can be named with -I")
     places = ", ".join(f"'{folder}'" for folder in looked_at)
-    raise MistakeError("SC123", f"cannot include '{name}': it is not in {places}")
+    raise MistakeError("SC123", f"cannot include '{shown}': it is not in {places}")
 
 
 def _candidates(name: str, folders: tuple[Path, ...]) -> Iterator[Path]:

@@ -41,6 +41,9 @@ _NUMBER = re.compile(
     re.ASCII,
 )
 
+MAX_WORD = 1024
+"""Characters of a name (section 3.7), and of a number, for which compilers have the same limit."""
+
 _CHUNK = 1 << 18  # Characters; the number of lexemes is looked at after each.
 
 

@@ -20,14 +20,15 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from shadercache.front.lexis import is_word, spellings
-from shadercache.front.mistakes import MistakeError, RunawayError
+from shadercache.diagnostics import shortened
+from shadercache.front.lexis import MAX_WORD, is_word, spellings
+from shadercache.front.mistakes import LIMIT_HINT, MistakeError, RunawayError
 
 MAX_NESTING = 100
 """Calls of macros that may stand in one another's arguments."""
 
-MAX_WORD = 1024
-"""Characters of a word that ``##`` makes; names may be no longer (section 3.7)."""
+USUAL_GROWTH = 20
+"""Tokens that macros may expand to, for each character of the text."""
 
 _DEFINITION = re.compile(r"([A-Za-z_]\w*)(\([^)]*\)?)?(.*)", re.DOTALL | re.ASCII)
 _PASTE = "##"
@@ -150,17 +151,24 @@ class Expander:
 
     ``behind`` is the index behind the last use, in the list where it was met, even of a wrong one.
     ``line`` gives the replacement of ``__LINE__``. The tokens that come out of macros are counted,
-    and not more than ``limit`` in all: a few nested macros can ask for billions.
+    for a few nested macros can ask for billions: :meth:`allow` more of them for a longer text, up
+    to ``limit`` in all.
     """
 
     def __init__(self, limit: int, line: Callable[[], str]) -> None:
         self.macros: dict[str, Macro] = {}
         self.behind = 0
         self._limit = limit
-        self._left = limit
+        self._allowed = self._left = limit // 10
         self._line = line
         self._hidden: set[str] = set()
         self._depth = 0
+
+    def allow(self, characters: int) -> None:
+        """A text of this length is going to be read."""
+        more = min(characters * USUAL_GROWTH, self._limit - self._allowed)
+        self._allowed += more
+        self._left += more
 
     def expand_use(self, texts: Sequence[str], at: int) -> list[str]:
         """The expansion of the macro named at ``texts[at]``; ``behind`` tells where its use ends.
@@ -225,7 +233,8 @@ class Expander:
     def _count(self, words: int) -> None:
         self._left -= words
         if self._left < 0:
-            raise RunawayError("SC109", f"macros expand to more than {self._limit} tokens")
+            message = f"macros expand to more than {self._allowed} tokens"
+            raise RunawayError("SC109", message, LIMIT_HINT)
 
     def _arguments(self, feed: _Feed, macro: Macro) -> list[list[str]]:
         """Read the arguments of a call, brackets included."""
@@ -305,5 +314,5 @@ def _pasted(left: str, right: str) -> str:
     if len(text) > MAX_WORD:
         raise MistakeError("SC124", f"'##' makes a word of more than {MAX_WORD} characters")
     if len(spellings(text)) > 1:
-        raise MistakeError("SC124", f"'##' makes '{text}', which is not one word")
+        raise MistakeError("SC124", f"'##' makes '{shortened(text)}', which is not one word")
     return text

@@ -17,5 +17,8 @@ class RunawayError(MistakeError):
     """A limit is reached; reading on makes no sense."""
 
 
+LIMIT_HINT = "--max-tokens gives another limit"
+
+
 class StopReading(Exception):  # noqa: N818
     """No one reads on; why is among the errors already."""

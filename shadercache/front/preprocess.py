@@ -25,7 +25,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from shadercache.ast.nodes import Directive
-from shadercache.diagnostics import Diagnostic, InputError
+from shadercache.diagnostics import Diagnostic, InputError, shortened
 from shadercache.front import include
 from shadercache.front.conditions import evaluate, replace_defined
 from shadercache.front.directives import CONDITIONALS, HANDLERS, Line
@@ -33,9 +33,9 @@ from shadercache.front.extensions import extension_macros
 from shadercache.front.groups import Groups
 from shadercache.front.lexis import CleanText, Lexemes, clean, joins_comments, spellings
 from shadercache.front.macros import Expander, Macro, define
-from shadercache.front.mistakes import MistakeError, RunawayError, StopReading
+from shadercache.front.mistakes import LIMIT_HINT, MistakeError, RunawayError, StopReading
 from shadercache.front.options import DEFAULTS, ReadOptions
-from shadercache.front.version import NO_VERSION, Version, read_version
+from shadercache.front.version import NO_VERSION, Version, check_place, read_version
 from shadercache.source import Source, Span
 
 MAX_ERRORS = 100
@@ -148,12 +148,14 @@ class Reader:
         begin = 0
         if match := _VERSION.match(text.text):
             begin = match.end()
+            span = text.span(match.start(1), match.start(1) + len(match[1].rstrip()))
             try:
                 self.version = read_version(match[2].strip())
+                check_place(self.version, self.source.text[: span.start])
             except MistakeError as mistake:
-                end = match.start(1) + len(match[1].rstrip())
-                self.tell(mistake, text.span(match.start(1), end))
+                self.tell(mistake, span)
         self.define_first_macros()
+        self.expander.allow(len(self.source.text))
         self.read_file(begin)
 
     def read_included(self, path: Path) -> None:
@@ -165,6 +167,7 @@ class Reader:
             cleaned = clean(part, self.joined, self.errors, self.source)
             self.files.append(_File(part, cleaned, path.parent))
             self.set_file_number("0")
+            self.expander.allow(len(text))
             self.read_file(0)
             self.files.pop()
             self.set_file_number(self.file.number)
@@ -213,7 +216,8 @@ class Reader:
             self.expand(found)
         if len(lexemes.texts) > limit:
             span = Span(lexemes.starts[limit], lexemes.ends[limit])
-            self.tell(RunawayError("SC120", f"the shader has more than {limit} tokens"), span)
+            message = f"the shader has more than {limit} tokens"
+            self.tell(RunawayError("SC120", message, LIMIT_HINT), span)
 
     def expand(self, found: Lexemes) -> None:
         """Add lexemes; those of a macro get the place of its use."""
@@ -257,7 +261,7 @@ class Reader:
             hint = "the line break must follow the '\\' at once"
             raise MistakeError("SC104", "this '\\' continues no line", hint)
         if handler is None and (line.name or line.rest):
-            name = (line.name or line.rest)[:40]
+            name = shortened(line.name or line.rest)
             raise MistakeError("SC108", f"there is no directive #{name}")
         if not line.rest.isascii() and line.name not in _ANY_CHARACTER:
             raise MistakeError("SC101", "a directive holds a character that is not ASCII")

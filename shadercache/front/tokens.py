@@ -16,7 +16,7 @@ from lark.lexer import Lexer, LexerState
 from lark.parsers.lalr_parser_state import ParserState
 
 from shadercache.diagnostics import Diagnostic, InputError
-from shadercache.front.lexis import Lexemes, is_number, is_word
+from shadercache.front.lexis import MAX_WORD, Lexemes, is_number, is_word
 from shadercache.lang import words
 from shadercache.source import Source, Span
 
@@ -221,6 +221,8 @@ def _word_kinds(language: Language) -> dict[str, str]:
 
 def _kind_of(text: str, stream: TokenStream) -> str:
     """The terminal of a name or number; an error for what is neither."""
+    if len(text) > MAX_WORD:
+        raise stream.error("SC102", f"'{text}' has more than {MAX_WORD} characters")
     if is_word(text) and text.isascii():
         return "NAME"
     if text[0].isdigit() or (text[0] == "." and len(text) > 1):

@@ -71,3 +71,13 @@ def read_version(rest: str) -> Version:
         message = f"version {number} is not one of GLSL ES"
         raise MistakeError("SC100", message, "those with 'es' are 300, 310 and 320")
     return Version(number, "es" if number == 100 else profile)
+
+
+def check_place(version: Version, before: str) -> None:
+    """Refuse text before a ``#version`` where it has to begin the file (GLSL ES 3.00, section 3.3).
+
+    Desktop versions and GLSL ES 1.00 let comments and empty lines stand before it.
+    """
+    if version.es and version.number >= 300 and before.strip(" \t\ufeff"):
+        hint = "move it up: there may be no empty line and no comment before it"
+        raise MistakeError("SC100", "#version with 'es' must stand on the first line", hint)

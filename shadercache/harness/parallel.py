@@ -12,12 +12,11 @@ from contextlib import closing
 from multiprocessing import get_context
 from pathlib import Path
 
-from shadercache.compiler import analyse
 from shadercache.front.options import ReadOptions
 from shadercache.harness.context import open_context
-from shadercache.harness.scene import Scene, load_scene
+from shadercache.harness.scene import load_scene
+from shadercache.harness.shaders import analyse_scene
 from shadercache.harness.verify import Verdict, Verifier
-from shadercache.source import Source
 
 _verifier: Verifier | None = None
 """The worker process's own; set once when the process starts."""
@@ -53,17 +52,8 @@ def verify_in_parallel(
     return [found[node] for node in nodes]
 
 
-def read_shaders(scene: Scene) -> tuple[Source, Source]:
-    """The scene's fragment and vertex shader."""
-    return (
-        Source(str(scene.fragment), scene.fragment.read_text(encoding="utf-8")),
-        Source(str(scene.vertex), scene.vertex.read_text(encoding="utf-8")),
-    )
-
-
 def _open(path: Path, reading: ReadOptions | None) -> Verifier:
-    scene = load_scene(path)
-    return Verifier(open_context(), scene, analyse(*read_shaders(scene), reading))
+    return Verifier(open_context(), *analyse_scene(load_scene(path), reading))
 
 
 def _start(path: Path, reading: ReadOptions | None) -> None:

@@ -254,7 +254,8 @@ def test_else_stays_with_its_if() -> None:
 
 def test_directives_come_first_and_in_order() -> None:
     text = (
-        "#version 450 core\n#pragma optimize(on)\n#extension GL_ARB_gpu_shader5 : enable\nfloat a;\n"
+        "#version 450 core\n#pragma optimize(on)\n#extension GL_ARB_gpu_shader5 : enable\n"
+        "float a;\n"
         "#extension GL_ARB_shader_bit_encoding : require\nfloat b;\n"
     )
     assert print_module(parse(Source("test", text))) == (

@@ -142,6 +142,23 @@ def test_long_is_not_deep(text: str, nodes: int) -> None:
     assert sum(1 for _ in walk(module)) > nodes
 
 
+@pytest.mark.parametrize(
+    "word",
+    ["{}a", "1{}", "0{}", "0x{}", "1{}u", "1{}.0", "0.{}1", "1.0e{}1", ".{}f"],
+)
+def test_words_and_numbers_have_1024_characters_at_the_most(word: str) -> None:
+    filler = "a" if word == "{}a" else "0"
+    head = "float " if word == "{}a" else "x = "
+    longest = word.format(filler * (1024 - len(word.format(""))))
+    assert survive(in_main(f"{head}{longest};")) is not None
+    for length in (1, 100_000):
+        with pytest.raises(InputError) as caught:
+            parse(Source("test.frag", in_main(f"{head}{word.format(filler * (1024 + length))};")))
+        (error,) = caught.value.diagnostics
+        assert error.code == "SC102"
+        assert error.message.endswith("' has more than 1024 characters")
+
+
 def test_initialiser_lists_nest_within_the_limits() -> None:
     text = "float x = " + "{" * 990 + "1" + "}" * 990 + ";"
     module = survive("#version 420\n" + text)

@@ -5,10 +5,13 @@ The expected texts are those of glslang 12 and, where that has bugs or limits, o
 
 from __future__ import annotations
 
+import re
 import time
 
 import pytest
-from preprocessing import errors, problem, words
+from preprocessing import errors, problem, rejected, words
+
+from shadercache.front.options import ReadOptions
 
 
 def test_a_macro_is_replaced_from_its_line_on() -> None:
@@ -232,6 +235,24 @@ def test_macros_cannot_ask_for_billions_of_words(text: str) -> None:
     (found,) = errors("#version 330\n" + text)
     assert found.split()[1] in ("SC109", "SC124")
     assert time.perf_counter() - begin < 20.0  # Measured: up to 3.
+
+
+def test_a_short_text_has_its_bomb_told_at_once() -> None:
+    begin = time.perf_counter()
+    (error,) = rejected(f"#version 330\n#define A0 x\n{DOUBLING}A60\n")
+    assert re.fullmatch(r"macros expand to more than 2\d{5} tokens", error.message)
+    assert error.hint == "--max-tokens gives another limit"
+    assert time.perf_counter() - begin < 1.0  # Measured: 0.1.
+
+
+@pytest.mark.parametrize(("length", "limit"), [(0, 99_000), (1_000, 99_000), (1_000, 9_000)])
+def test_the_longer_the_text_the_more_its_macros_may_make(length: int, limit: int) -> None:
+    # A tenth of the limit, and 20 for each character, but never more than the limit.
+    text = f"#version 330\n// {'x' * length}\n#define A {'x ' * 200}\n"
+    text += "A\n" * 300
+    allowed = min(limit, limit // 10 + 20 * len(text))
+    (error,) = rejected(text, ReadOptions(max_tokens=limit))
+    assert error.message == f"macros expand to more than {allowed} tokens"
 
 
 def test_a_pasted_word_cannot_grow_for_ever() -> None:

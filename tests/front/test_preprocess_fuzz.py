@@ -1,4 +1,4 @@
-"""Whatever the preprocessor reads: it is accepted, or there are diagnostics; and never a traceback."""
+"""Whatever the preprocessor reads: it is accepted or there are diagnostics, never a traceback."""
 
 from __future__ import annotations
 

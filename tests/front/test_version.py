@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from preprocessing import errors, problem, run, words
+from preprocessing import errors, problem, rejected, run, words
 
 from shadercache.front.version import DESKTOP, ES
 
@@ -57,6 +57,30 @@ def test_a_missing_version_means_110() -> None:
 @pytest.mark.parametrize("before", ["float a;", "#define A", "#", "#pragma x", "#version 330"])
 def test_version_comes_first_and_once(before: str) -> None:
     assert errors(f"{before}\n#version 330\n") == ["2:1 SC100"]
+
+
+BEFORE = ["// x\n", "\n", " \n", "/* x */", "/* x\n*/", "\\\n", "\r\n"]
+
+
+@pytest.mark.parametrize("before", BEFORE)
+def test_es_3_00_section_3_3_nothing_stands_before_the_version(before: str) -> None:
+    for version in (300, 310, 320):
+        (error,) = rejected(f"{before}#version {version} es\nfloat a;")
+        assert (error.code, error.hint) == (
+            "SC100",
+            "move it up: there may be no empty line and no comment before it",
+        )
+
+
+@pytest.mark.parametrize("before", ["", "  ", "\t", "\ufeff"])
+def test_es_3_00_blanks_may_stand_before_the_version(before: str) -> None:
+    assert run(f"{before}#version 300 es\n").version == 300
+
+
+@pytest.mark.parametrize("before", BEFORE)
+@pytest.mark.parametrize("version", [100, 110, 330, 460])
+def test_other_versions_may_have_comments_and_lines_before_them(before: str, version: int) -> None:
+    assert run(f"{before}#version {version}\n").version == version
 
 
 def test_a_version_that_is_skipped_does_no_harm() -> None:

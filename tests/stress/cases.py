@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Literal
 
 from shadercache.front.lexis import spellings
+from shadercache.front.options import Dialect
 
 Expected = Literal["accepted", "rejected", "either"]
 
@@ -28,6 +29,7 @@ class Case:
     expected: Expected = "either"
     files: dict[str, str] = field(default_factory=dict)
     stage: Literal["fragment", "vertex"] = "fragment"
+    dialect: Dialect = "glsl"
 
 
 def written_cases() -> Iterator[Case]:
