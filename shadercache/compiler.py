@@ -39,11 +39,11 @@ from shadercache.emit.fragment import FragmentProgram
 from shadercache.emit.printer import print_node
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.front.options import ReadOptions
-from shadercache.front.parse import parse
 from shadercache.manifest import build_manifest, original_manifest
 from shadercache.options import ALGORITHMS, Mode, Options
 from shadercache.sema.check import check
 from shadercache.sema.facts import Facts, Stage
+from shadercache.sema.read import read
 from shadercache.source import Source
 from shadercache.transform.make_precise import precise_version
 from shadercache.transform.names import fresh_prefix
@@ -231,9 +231,9 @@ def _vertex_source(analysis: Analysis) -> Source:
 
 
 def _checked(source: Source, stage: Stage, reading: ReadOptions) -> StageTree:
-    module = parse(source, reading)
+    module, facts = read(source, stage, reading, needs_main=True)
     check_size(module, source)
-    return StageTree(module, check(module, source, stage, needs_main=True), source, stage)
+    return StageTree(module, facts, source, stage)
 
 
 def _normalise(raised: Raised, source: Source, stage: Stage) -> tuple[n.Module, Facts]:

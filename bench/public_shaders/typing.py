@@ -21,8 +21,8 @@ from shadercache.ast import nodes as n
 from shadercache.ast.large import allow_deep_trees
 from shadercache.ast.walk import walk
 from shadercache.lang.types import Type
-from shadercache.sema.examine import examine
 from shadercache.sema.facts import Facts
+from shadercache.sema.read import read
 from shadercache.source import Source
 
 _ASSIGNMENT = re.compile(r"^\d+:\S+\s+[\w ]+ second child (?:to|into) first child \((.*)\)$")
@@ -49,7 +49,7 @@ def _compare(shader: Shader, folder: Path) -> str:
     done = subprocess.run(command, cwd=folder, capture_output=True, check=False)
     lines = done.stdout.decode(errors="replace").splitlines()
     try:
-        module, facts = examine(Source(shader.file, shader.text), shader.stage)
+        module, facts = read(Source(shader.file, shader.text), shader.stage)
     except Exception as error:
         return f"not read: {type(error).__name__}"
     differences = (*_global_differences(lines, module, facts), *_assignments(lines, module, facts))

@@ -15,7 +15,7 @@ from shadercache.front.comments import find_comments
 from shadercache.front.dialects import host_of
 from shadercache.front.lexis import Lexemes
 from shadercache.front.options import DEFAULTS, ReadOptions
-from shadercache.front.preprocess import Preprocessed, preprocess, read
+from shadercache.front.preprocess import Preprocessed, preprocess, preprocess_broken
 from shadercache.front.version import NO_VERSION
 from shadercache.source import Source, Span
 
@@ -50,7 +50,7 @@ def parse_before(source: Source, options: ReadOptions, offset: int) -> Module | 
     in front.
     """
     host = host_of(source, options.dialect)
-    prepared = read(source, options, host.version if host else NO_VERSION)[0]
+    prepared = preprocess_broken(source, options, host.version if host else NO_VERSION)[0]
     whole = without_attributes(prepared.lexemes, prepared.directives)
     for lexemes, own in beginnings(whole, offset):
         if host is not None:

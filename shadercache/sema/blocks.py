@@ -40,11 +40,8 @@ class BlockChecker:
         if block.name == _BUILTIN_BLOCK:
             self._check_redeclared(block)
         fields = self._resolver.fields(block.fields, f"block {block.name}")
-        self._variables.layouts.place_members(block, storage, fields)
-        for name, kind in fields.items():
-            if kind is not ERROR and kind.holds_opaque and not context.bindless:
-                message = f"the member '{name}' of a block cannot be {kind}"
-                context.error("SC221", message, block)
+        self._variables.layouts.block(block, storage, fields)
+        self._check_members(block, fields)
         self._check_sizes(block, storage, fields)
         self._claim_name(block, storage)
         if block.instance is None:
@@ -58,12 +55,25 @@ class BlockChecker:
         )
         self._variables.enter(symbol, block)
 
+    def _check_members(self, block: BlockDecl, fields: dict[str, Type]) -> None:
+        context = self._context
+        for decl in block.fields:
+            for node in decl.declarators:
+                kind = fields[node.name]
+                if kind is not ERROR and context.only_handles(kind):
+                    message = f"the member '{node.name}' of a block cannot be {kind}"
+                    context.error("SC221", message, node)
+            if decl.type.struct is not None:
+                message = "a struct cannot be defined inside of a block"
+                context.error("SC221", message, decl.type)
+
     def _check_sizes(self, block: BlockDecl, storage: Kind, fields: dict[str, Type]) -> None:
         """GLSL ES has arrays without a size only at the end of a buffer (ES 3.10 section 4.1.9)."""
-        *others, last = fields.items()
-        for name, kind in others if storage == "buffer" else (*others, last):
+        nodes = [node for decl in block.fields for node in decl.declarators]
+        for node in nodes[:-1] if storage == "buffer" else nodes:
+            kind = fields[node.name]
             if self._context.es and kind is not ERROR and kind.is_unsized:
-                self._context.error("SC215", f"'{name}' has no size", block)
+                self._context.error("SC215", f"'{node.name}' has no size", node)
 
     def _check_redeclared(self, block: BlockDecl) -> None:
         """``out gl_PerVertex { vec4 gl_Position; };`` (4.10 section 7.1): only what is there."""

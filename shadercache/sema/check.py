@@ -57,6 +57,7 @@ from shadercache.sema.blocks import BlockChecker
 from shadercache.sema.context import Context, callee
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.functions import FunctionChecker
+from shadercache.sema.interlock import check_interlock
 from shadercache.sema.statements import StatementChecker
 from shadercache.sema.typespecs import TypeResolver
 from shadercache.sema.variables import VariableChecker
@@ -95,6 +96,7 @@ class _Checker:
         for decl in self._context.module.decls:
             self._declaration(decl)
         self._functions.check_all(needs_main)
+        check_interlock(self._context)
         found = sorted(
             self._context.diagnostics, key=lambda item: item.span.start if item.span else 0
         )

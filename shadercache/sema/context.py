@@ -23,6 +23,7 @@ from shadercache.lang.types import StructType, Type
 from shadercache.lang.words import type_names
 from shadercache.sema.conversions import Conversions
 from shadercache.sema.facts import Declares, Stage, Symbol
+from shadercache.sema.qualifiers import words_problem
 from shadercache.sema.scopes import Overload, Scopes
 from shadercache.source import Source
 
@@ -87,6 +88,24 @@ class Context:
         return self.version >= (es if self.es else desktop)
 
     @property
+    def es_version(self) -> int:
+        """The version of GLSL ES; 0 for desktop GLSL."""
+        return self.version if self.es else 0
+
+    def is_used(self, name: str) -> bool:
+        """Was the global variable that ``name`` means here used already?"""
+        entry = self.scopes.visible.get(name)
+        for symbol in self.symbols.values():
+            if symbol is entry or (entry is None and symbol.name == name and symbol.node is None):
+                return True
+        return False
+
+    def words_problem(self, words: tuple[str, ...]) -> str | None:
+        """What is wrong with these qualifiers beside each other."""
+        free = self.qualifier_version >= (310 if self.es else 420)
+        return words_problem(words, es=self.es, in_any_order=free)
+
+    @property
     def arrays_are_values(self) -> bool:
         """Can arrays be assigned, compared, returned, constructed and asked for their length?"""
         return self.at_least(120, 300) or "GL_3DL_array_objects" in self.extensions
@@ -104,6 +123,10 @@ class Context:
     def bindless(self) -> bool:
         """Are samplers and images values like any other (ARB_bindless_texture)?"""
         return "GL_ARB_bindless_texture" in self.extensions
+
+    def only_handles(self, kind: Type) -> bool:
+        """Does it hold a sampler or image, which is no value (4.60 section 4.1.7)?"""
+        return kind.holds_opaque and (kind.name == "atomic_uint" or not self.bindless)
 
     @property
     def indexes_samplers(self) -> bool:

@@ -31,7 +31,7 @@ from shadercache.ast.nodes import (
 from shadercache.lang.types import BOOL, INT, INT64, UINT, UINT64, Type, array_of, vector
 from shadercache.sema.calls import CallChecker
 from shadercache.sema.constants import SWIZZLES, Constants
-from shadercache.sema.constructors import construct_problem
+from shadercache.sema.constructors import construct_problem, is_handle
 from shadercache.sema.context import ERROR, Context
 from shadercache.sema.facts import Kind, Symbol
 from shadercache.sema.fold import literal
@@ -216,7 +216,7 @@ class ExpressionChecker:
         if ERROR in (condition, then, other):
             return ERROR
         kind = self._context.conversions.common(then, other)
-        if kind is None or kind.holds_opaque:
+        if kind is None or self._context.only_handles(kind):
             message = f"'?:' cannot choose between {then} and {other}"
             return self._context.error("SC205", message, node)
         if self.constants.expressions.issuperset((node.condition, node.then, node.other)):
@@ -239,9 +239,11 @@ class ExpressionChecker:
         if node.op != "=":
             missing = self._is_missing(node.op[:-1])
             result = None if missing else binary_type(node.op[:-1], target, value, conversions)
-        elif target.holds_array and not self._context.arrays_are_values:
+        elif (
+            target.holds_array and not self._context.arrays_are_values
+        ) or self._context.only_handles(target):
             result = None
-        if result is None or not conversions.converts(result, target) or target.holds_opaque:
+        if result is None or not conversions.converts(result, target):
             message = f"cannot assign {value} to {target}"
             if node.op != "=":
                 message = f"'{node.op}' does not apply to {target} and {value}"
@@ -349,7 +351,11 @@ class ExpressionChecker:
             return self._context.error("SC219", message, node)
         if kind.dims and args:
             kind = _sized(kind, args)
-        problem = construct_problem(kind, args, self._context.conversions)
+        problem = None
+        if kind.struct is not None and self._context.only_handles(kind):
+            problem = f"{kind} holds samplers or images: only a uniform can be one"
+        elif not (self._context.bindless and is_handle(kind, args)):
+            problem = construct_problem(kind, args, self._context.conversions)
         if kind.is_matrix and args[:1] and args[0].is_matrix and not self._context.at_least(120, 0):
             problem = "GLSL 1.10 makes no matrix from a matrix"
         if problem is not None:

@@ -6,7 +6,7 @@ from shadercache.ast.nodes import Call, FunctionDef, FunctionProto, Param
 from shadercache.lang.types import VOID, Type
 from shadercache.sema.context import ERROR, Context
 from shadercache.sema.facts import Symbol
-from shadercache.sema.qualifiers import MEMORY, words_problem
+from shadercache.sema.qualifiers import MEMORY
 from shadercache.sema.scopes import FunctionSet, Overload
 from shadercache.sema.typespecs import TypeResolver
 
@@ -75,7 +75,7 @@ class FunctionChecker:
         if result.holds_array and not self._context.arrays_are_values:
             message = "this version of GLSL has no functions that return arrays"
             result = self._context.error("SC224", message, proto.type)
-        if result is not ERROR and (result.holds_opaque or result.is_unsized):
+        if result is not ERROR and (self._context.only_handles(result) or result.is_unsized):
             result = self._context.error("SC224", f"a function cannot return {result}", proto.type)
         extra = [word for word in proto.qualifiers.words if word not in _RESULT_WORDS]
         if extra:
@@ -94,14 +94,16 @@ class FunctionChecker:
         extra = [word for word in words if word not in _PARAM_WORDS]
         if extra:
             context.error("SC221", f"'{extra[0]}' does not apply to a parameter", param)
-        problem = words_problem(words, context.qualifier_version)
+        if param.qualifiers.layout:
+            context.error("SC223", "a parameter has no layout", param)
+        problem = context.words_problem(words)
         if problem is not None:
             context.error("SC221", problem, param)
         if kind is VOID:
             context.error("SC204", "a parameter cannot be void", param)
         elif kind.is_unsized:
             context.error("SC215", "an array parameter needs a size", param)
-        elif kind.holds_opaque and param.writes_back:
+        elif context.only_handles(kind) and param.writes_back:
             context.error("SC221", f"a parameter of type {kind} cannot be written", param)
         return kind
 

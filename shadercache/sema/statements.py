@@ -192,7 +192,7 @@ class StatementChecker:
             context.error("SC220", message, node.selector)
         if node.body and not isinstance(node.body[0], Case):
             context.error("SC220", "a statement before the first case", node.body[0])
-        if node.body and isinstance(node.body[-1], Case) and context.version < 430:
+        if node.body and isinstance(node.body[-1], Case) and not context.at_least(430, 310):
             context.error("SC220", "no statement after the last case", node.body[-1])
         self._scopes.push()
         self._switches.append(_SwitchState(kind, self._scopes.depth))

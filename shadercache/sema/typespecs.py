@@ -108,6 +108,8 @@ class TypeResolver:
         if extra:
             message = f"'{extra[0]}' does not apply to a field"
             self._context.error("SC221", message, decl.qualifiers)
+        if decl.qualifiers.layout and not self._context.bindless:
+            self._context.error("SC223", "a field of a struct has no layout", decl.qualifiers)
         if decl.type.struct is not None:
             message = "a struct cannot be defined inside of a struct"
             self._context.error("SC221", message, decl.type)

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from shadercache.ast.nodes import (
     BlockDecl,
     Declarator,
-    Node,
     PrecisionDecl,
     QualifierDecl,
     Qualifiers,
@@ -18,8 +15,10 @@ from shadercache.lang.types import BOOL, VOID, Type
 from shadercache.sema.context import ERROR, NEVER, Context
 from shadercache.sema.facts import Kind, Symbol
 from shadercache.sema.initialisers import InitialiserChecker
-from shadercache.sema.layouts import IMAGE_FORMATS, LayoutChecker
-from shadercache.sema.qualifiers import MEMORY, global_problem, words_problem
+from shadercache.sema.layout_words import IMAGE_FORMATS
+from shadercache.sema.layouts import LayoutChecker
+from shadercache.sema.qualifiers import MEMORY, global_problem
+from shadercache.sema.redeclared import redeclared
 from shadercache.sema.scopes import FunctionSet
 from shadercache.sema.typespecs import TypeResolver
 
@@ -47,29 +46,29 @@ class VariableChecker:
     def declare(self, decl: VarDecl) -> None:
         """A declaration of variables, global or local."""
         base = self._resolver.declared(decl.qualifiers, decl.type)
-        names = [declarator.name for declarator in decl.declarators]
-        layout = self.layouts.check(decl.qualifiers, names) if decl.qualifiers.layout else {}
         kind = self.storage(decl.qualifiers)
         if base is VOID:
             base = self._context.error("SC204", "a variable cannot be void", decl.type)
         for declarator in decl.declarators:
             symbol = self._declare_one(decl, declarator, base, kind)
-            if layout:
-                self.layouts.place(declarator, symbol.name, symbol.type, kind, layout)
+            if decl.qualifiers.layout:
+                self.layouts.variable(declarator, symbol.name, symbol.type, decl.qualifiers, kind)
 
     def storage(self, qualifiers: Qualifiers) -> Kind:
         """How a variable with these qualifiers is stored; complains where that is impossible."""
         words, local = qualifiers.words, self._context.scopes.depth > 0
         if not words:
             return "local" if local else "global"
-        storage = self._stored(words)
-        problem = words_problem(words, self._context.qualifier_version)
+        storage = self._stored(qualifiers)
+        problem = self._context.words_problem(words)
         problem = problem or self._version_problem(words)
         misplaced = [word for word in words if word not in _LOCAL_WORDS]
+        if self._context.bindless:
+            misplaced = [word for word in misplaced if word not in MEMORY]
         if local and misplaced:
             problem = f"'{misplaced[0]}' stands only on global variables and parameters"
         elif not local and problem is None:
-            problem = global_problem(words, self._context.stage, storage)
+            problem = global_problem(words, self._context.stage, storage, self._invariable())
         if problem is not None:
             self._context.error("SC221", problem, qualifiers)
         return storage
@@ -85,14 +84,14 @@ class VariableChecker:
                 return f"'{word}' stands on parameters only before GLSL 1.30 and GLSL ES 3.00"
         return "'shared' is for compute shaders" if "shared" in words else None
 
-    def _stored(self, words: tuple[str, ...]) -> Kind:
-        context = self._context
+    def _stored(self, qualifiers: Qualifiers) -> Kind:
+        context, words = self._context, qualifiers.words
         for word in words:
             if word in _STORAGE:
                 return _STORAGE[word]
         if "attribute" in words:
             if context.stage == "fragment":
-                context.error("SC221", "a fragment shader has no attributes", context.module)
+                context.error("SC221", "a fragment shader has no attributes", qualifiers)
             return "in"
         if "varying" in words:
             return "in" if context.stage == "fragment" else "out"
@@ -164,7 +163,7 @@ class VariableChecker:
             problem = f"'{node.name}' is not in a block: buffers have blocks only"
         elif kind.holds_opaque and storage != "uniform" and not self._context.bindless:
             problem = f"'{node.name}' of type {kind} must be a uniform or a parameter"
-        elif "image" in kind.name and kind.is_opaque and storage == "uniform":
+        elif "image" in kind.name and kind.struct is None and storage == "uniform":
             problem = self._image_problem(decl.qualifiers, node.name, kind)
         elif decl.qualifiers.has(*MEMORY) and not self._context.bindless:
             problem = f"'{node.name}' of type {kind} is no image: it has no memory qualifiers"
@@ -210,7 +209,7 @@ class VariableChecker:
         if outer and storage == "out" and kind.cols > 1:
             return f"'{name}' is a matrix: it cannot be an output of a fragment shader"
         reads = storage == "in" and self._context.stage == "fragment"
-        passed = reads or (not outer and storage == "out" and self._is_new_es())
+        passed = reads or (not outer and storage == "out" and context.es_version == 300)
         smooth = passed and not qualifiers.has("flat") and not name.startswith("gl_")
         if smooth and _holds(kind, ("int", "uint", "double")):
             return f"'{name}' of type {kind} needs the qualifier 'flat'"
@@ -230,7 +229,7 @@ class VariableChecker:
         size, and a built-in variable other qualifiers."""
         scopes = self._context.scopes
         if symbol.name.startswith("gl_"):
-            symbol = self._builtin(symbol, node)
+            symbol = redeclared(symbol, node, self._context)
         elif "__" in symbol.name:
             self._context.check_name(symbol.name, node)
         elif (
@@ -246,27 +245,6 @@ class VariableChecker:
         self._context.check_block_name(symbol.name, node)
         scopes.declare(symbol.name, symbol)
         self._context.declared[node] = symbol
-
-    def _builtin(self, symbol: Symbol, node: Node) -> Symbol:
-        """``in vec4 gl_FragCoord;`` with other qualifiers or an array size (section 7.1)."""
-        context, kind = self._context, symbol.type
-        known = context.builtin_variable(symbol.name)
-        if known is None or known.storage == "const" or context.scopes.depth:
-            context.error("SC203", "names with 'gl_' are reserved", node)
-            return symbol
-        if kind is not ERROR and (
-            kind.name != known.type.name or bool(kind.dims) != bool(known.type.dims)
-        ):
-            message = f"'{symbol.name}' is redeclared as {kind}; it is {known.type}"
-            context.error("SC202", message, node)
-        elif symbol.kind != known.storage:
-            message = f"'{symbol.name}' is redeclared as '{symbol.kind}'; it is '{known.storage}'"
-            context.error("SC202", message, node)
-        before = context.scopes.here(symbol.name)
-        if isinstance(before, Symbol) and _layout(before) != _layout(symbol):
-            message = f"'{symbol.name}' was redeclared with another layout before"
-            context.error("SC223", message, node)
-        return replace(symbol, kind="builtin", writable=known.storage == "out")
 
     # --- the rest ---------------------------------------------------------------------------------
 
@@ -285,7 +263,8 @@ class VariableChecker:
         """``invariant gl_Position;``: the names must be variables, for ``invariant`` outputs (or
         inputs of a fragment shader, section 4.6.1)."""
         context = self._context
-        self.layouts.check(decl.qualifiers, default=True)
+        if decl.qualifiers.layout:
+            self.layouts.default(decl.qualifiers, self._stored(decl.qualifiers))
         invariant = decl.qualifiers.has("invariant")
         if invariant and context.scopes.depth:
             context.error("SC221", "'invariant' stands only at global scope", decl)
@@ -299,18 +278,17 @@ class VariableChecker:
             elif invariant and known.storage not in self._invariable():
                 message = f"'{name}' is no output: it cannot be invariant"
                 context.error("SC221", message, decl)
+            elif context.is_used(name):
+                message = f"'{name}' was used before: its qualifiers stay as they are"
+                context.error("SC221", message, decl)
 
     def check_precision(self, decl: PrecisionDecl) -> None:
         """``precision mediump float;`` (section 4.5.3)."""
         self._resolver.precisions.declare(decl, self._resolver.resolve(decl.type))
 
     def _invariable(self) -> tuple[str, ...]:
-        inputs = self._context.stage == "fragment" and not self._is_new_es()
+        inputs = self._context.stage == "fragment" and not self._context.at_least(420, 300)
         return ("out", "in") if inputs else ("out",)
-
-
-def _layout(symbol: Symbol) -> set[str]:
-    return {item.name for item in symbol.qualifiers.layout or ()}
 
 
 def _may_follow(before: object, symbol: Symbol) -> bool:

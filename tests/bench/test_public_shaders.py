@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from bench.public_shaders.acceptance import read
+from bench.public_shaders.acceptance import outcome_of
 from bench.public_shaders.collection import Shader, distinct, evenly
 from bench.public_shaders.folder import folder_shaders, shaders_of
 from bench.public_shaders.glslang import Judge, Verdict
@@ -15,7 +15,7 @@ from bench.public_shaders.plain_vertex import plain_vertex
 from bench.public_shaders.rendering import Picture, output_formats, render_all
 from bench.public_shaders.report import Row, failures, figures, table
 from bench.public_shaders.typing import compare_types, shape_of
-from shadercache.sema.examine import examine
+from shadercache.sema.read import read
 from shadercache.source import Source
 
 needs_judge = pytest.mark.skipif(
@@ -131,9 +131,9 @@ def test_types_agree_or_not(tmp_path: Path) -> None:
 
 
 def test_the_plain_vertex_shader_is_valid_and_feeds_every_input() -> None:
-    module, facts = examine(Source("test.frag", FRAGMENT))
+    module, facts = read(Source("test.frag", FRAGMENT))
     text = plain_vertex(module, facts, uses_fixed_function=False)
-    examine(Source("test.vert", text), "vertex")
+    read(Source("test.vert", text), "vertex")
     assert text.count(" = ") == 1 + 2 + 2 * 4  # gl_Position, two inputs, two blocks of four.
     assert output_formats(module, facts) == "fuffffff"
 
@@ -175,7 +175,7 @@ def test_a_shader_that_the_driver_refuses_is_not_drawn() -> None:
 
 def _row(text: str, verdict: Verdict, **rest: object) -> Row:
     shader = Shader("x", "fragment", text)
-    return Row(shader, verdict, read(shader), **rest)  # type: ignore[arg-type]
+    return Row(shader, verdict, outcome_of(shader), **rest)  # type: ignore[arg-type]
 
 
 def test_figures_and_failures() -> None:

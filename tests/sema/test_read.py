@@ -6,7 +6,7 @@ import pytest
 
 from shadercache.diagnostics import InputError
 from shadercache.front.options import ReadOptions
-from shadercache.sema.examine import examine
+from shadercache.sema.read import read
 from shadercache.source import Source
 
 HEAD = "#version 330\nout vec4 o;\n"
@@ -16,7 +16,7 @@ def told(text: str, options: ReadOptions | None = None) -> list[tuple[str, int]]
     """Code and line of everything that is wrong with a text."""
     source = Source("test.frag", text)
     with pytest.raises(InputError) as caught:
-        examine(source, "fragment", options or ReadOptions())
+        read(source, "fragment", options or ReadOptions())
     return [
         (item.code, source.position(item.span.start).line if item.span else 0)
         for item in caught.value.diagnostics
@@ -63,7 +63,7 @@ def test_what_stands_behind_or_would_be_put_right_is_not_told(body: str) -> None
 
 
 def test_a_sound_shader_has_a_tree_and_facts() -> None:
-    module, facts = examine(Source("test.frag", HEAD + "void main() { o = vec4(1.0); }"))
+    module, facts = read(Source("test.frag", HEAD + "void main() { o = vec4(1.0); }"))
     assert len(module.decls) == 2
     assert not facts.warnings
 
