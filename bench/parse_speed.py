@@ -240,6 +240,57 @@ def growth_table(rows: Sequence[dict[str, Any]]) -> str:
     return format_table(head, lines, right=" ".join(head[1:]))
 
 
+def targets(
+    compared: Sequence[dict[str, Any]],
+    grown: Sequence[dict[str, Any]],
+    started: Mapping[str, list[float] | None],
+) -> list[dict[str, Any]]:
+    """What was aimed at and what is reached: names, numbers, and whether each is met.
+
+    Of several files the times are added up, over the files that both contenders read. Growth is the
+    time for a byte of the largest made file over that of the smallest.
+    """
+    typed = [row["bytes"] / (_median(row["seconds"]["typed"]) or 1e9) for row in grown]
+    found: list[tuple[str, float | None, float, bool]] = [
+        ("crosstl / parse", _added("crosstl", "parse", compared), 2.0, True),
+        ("parse and types / parse", _added("typed", "parse", compared), 2.0, False),
+        ("growth: 1 MB / 10 KB, time for a byte", typed[0] / typed[-1], 1.5, False),
+        ("35 KB parsed and typed, s", _median(compared[0]["seconds"]["typed"]), 0.2, False),
+        ("load the saved grammar, s", _median(started["load the saved grammar"]), 0.03, False),
+        ("check tiny.frag, s", _median(started["check tiny.frag"]), 0.4, False),
+    ]
+    return [
+        {
+            "name": name,
+            "value": value,
+            "target": f"{'>=' if at_least else '<='} {limit:g}",
+            "met": None if value is None else (value >= limit) == at_least or value == limit,
+        }
+        for name, value, limit, at_least in found
+    ]
+
+
+def _added(one: str, other: str, rows: Sequence[dict[str, Any]]) -> float | None:
+    pairs = [(_median(row["seconds"][one]), _median(row["seconds"][other])) for row in rows]
+    both = [(first, second) for first, second in pairs if first and second]
+    return sum(first for first, _ in both) / sum(second for _, second in both) if both else None
+
+
+def targets_table(found: Sequence[dict[str, Any]]) -> str:
+    """One line for each target."""
+    words = {True: "met", False: "MISSED", None: "not measured"}
+    lines = [
+        (
+            item["name"],
+            "-" if item["value"] is None else f"{item['value']:.3g}",
+            item["target"],
+            words[item["met"]],
+        )
+        for item in found
+    ]
+    return format_table(("target", "value", "wanted", ""), lines, right="value wanted")
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run; returns the exit status."""
     parser = argparse.ArgumentParser(prog="./dev bench-parse", description=__doc__)
@@ -259,12 +310,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
     print()
     for name, samples in started.items():
         print(f"{name}: {_ms(samples)} ms")
+    reached = targets(compared, grown, started)
+    print(f"\n{targets_table(reached)}")
     result = {
         "schema_version": 1,
         "environment": about,
         "comparison": compared,
         "growth": grown,
         "start-up": started,
+        "targets": reached,
     }
     default = HERE / "results" / machine_name(about) / "parse-speed.json"
     write_json(options.output or default, result)

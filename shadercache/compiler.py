@@ -42,8 +42,8 @@ from shadercache.front.options import ReadOptions
 from shadercache.manifest import build_manifest, original_manifest
 from shadercache.options import ALGORITHMS, Mode, Options
 from shadercache.sema.check import check
-from shadercache.sema.examine import examine
 from shadercache.sema.facts import Facts, Stage
+from shadercache.sema.read import read
 from shadercache.source import Source
 from shadercache.transform.make_precise import precise_version
 from shadercache.transform.names import fresh_prefix
@@ -232,7 +232,7 @@ def _vertex_source(analysis: Analysis) -> Source:
 
 
 def _checked(source: Source, stage: Stage, reading: ReadOptions) -> StageTree:
-    module, facts = examine(source, stage, reading, needs_main=True)
+    module, facts = read(source, stage, reading, needs_main=True)
     return StageTree(module, facts, source, stage)
 
 

@@ -20,6 +20,7 @@ from bench.public_shaders.packages import FetchError
 from bench.public_shaders.rendering import Picture, render_all
 from bench.public_shaders.report import Row, failures, failures_text, figures, table, to_json
 from bench.public_shaders.sources import COLLECTIONS, piglit_shaders
+from bench.public_shaders.typing import compare_types
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 
@@ -102,12 +103,16 @@ def _measure(shaders: list[Shader], judge: Judge, options: argparse.Namespace) -
         if verdict.accepted and outcome.printed is not None
     }
     reread = dict(zip(printed, judge.judge(list(printed.values())), strict=True))
-    pictures = _render(shaders, printed, options.jobs) if options.render else {}
+    accepted = [shader for shader in shaders if shader.key in printed]
+    differences = compare_types(accepted, judge.folder, options.jobs)
+    typing = {shader.key: text for shader, text in zip(accepted, differences, strict=True)}
+    pictures = _render(accepted, printed, options.jobs) if options.render else {}
     return [
         Row(
             shader,
             verdict,
             replace(outcome, printed=None),
+            typing.get(shader.key, ""),
             reread.get(shader.key),
             pictures.get(shader.key),
         )
@@ -118,11 +123,7 @@ def _measure(shaders: list[Shader], judge: Judge, options: argparse.Namespace) -
 def _render(
     shaders: list[Shader], printed: dict[str, Shader], processes: int
 ) -> dict[str, Picture]:
-    pairs = [
-        (shader, printed[shader.key].text)
-        for shader in shaders
-        if shader.stage == "fragment" and shader.key in printed
-    ]
+    pairs = [(shader, printed[shader.key].text) for shader in shaders if shader.stage == "fragment"]
     pictures = render_all(pairs, processes)
     return {shader.key: found for (shader, _), found in zip(pairs, pictures, strict=True)}
 

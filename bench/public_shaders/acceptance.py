@@ -13,7 +13,7 @@ from bench.public_shaders.collection import Shader, Stage
 from shadercache.ast.large import allow_deep_trees
 from shadercache.diagnostics import Diagnostic, InputError, Severity
 from shadercache.emit.printer import print_module
-from shadercache.sema.examine import examine
+from shadercache.sema.read import read
 from shadercache.source import Source
 
 SECONDS = 20
@@ -41,10 +41,10 @@ class Outcome:
 def read_all(shaders: Sequence[Shader], processes: int) -> list[Outcome]:
     """An outcome for each shader."""
     with Pool(processes, allow_deep_trees) as pool:
-        return pool.map(read, shaders, chunksize=8)
+        return pool.map(outcome_of, shaders, chunksize=8)
 
 
-def read(shader: Shader) -> Outcome:
+def outcome_of(shader: Shader) -> Outcome:
     """The outcome of one shader; whatever is raised becomes one."""
     try:
         with _time_limit():
@@ -70,7 +70,7 @@ def _read_again(printed: str, stage: Stage) -> Outcome:
 
 def _pass(text: str, stage: Stage) -> str:
     source = Source("shader", text)
-    module, _ = examine(source, stage)
+    module, _ = read(source, stage)
     return print_module(module)
 
 

@@ -34,7 +34,7 @@ class Judge:
     def __init__(self, folder: Path, memory: Path) -> None:
         if shutil.which(TOOL) is None:
             raise FetchError(f"{TOOL} is the judge, and it is not installed (glslang-tools)")
-        self._folder = folder
+        self.folder = folder
         self._memory = memory
         self._version = _run([TOOL, "--version"]).stdout
         self._known: dict[str, Verdict] = self._read()
@@ -42,7 +42,7 @@ class Judge:
     def judge(self, shaders: Sequence[Shader]) -> list[Verdict]:
         """A verdict for each shader. The files are written to the judge's folder."""
         new = [shader for shader in shaders if shader.key not in self._known]
-        write_shaders(new, self._folder)
+        write_shaders(new, self.folder)
         with ThreadPoolExecutor(2) as pool:
             for found in pool.map(self._ask, _batches(new)):
                 self._known |= found
@@ -51,7 +51,7 @@ class Judge:
         return [self._known[shader.key] for shader in shaders]
 
     def _ask(self, shaders: Sequence[Shader]) -> dict[str, Verdict]:
-        done = _run([TOOL, "-d", *(shader.file for shader in shaders)], self._folder)
+        done = _run([TOOL, "-d", *(shader.file for shader in shaders)], self.folder)
         names = {shader.file for shader in shaders}
         if done.returncode in (0, 2):
             sections = _sections(done.stdout, names)  # One file alone that is right has none.

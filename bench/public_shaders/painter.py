@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import json
 import sys
+from contextlib import suppress
 from typing import Any
 from zlib import crc32
 
@@ -136,10 +137,11 @@ class Painter:
             return int(member.array_length)
         count = member.dimension * member.array_length
         random = np.random.default_rng(crc32(name.encode()))
-        if member.fmt[-1] in "fd":
-            member.write(random.uniform(0.1, 1.0, count).astype(member.fmt[-1]).tobytes())
-        else:
-            member.write(random.integers(0, 4, count).astype("u4").tobytes())
+        with suppress(moderngl.Error):  # It cannot write integers of 64 bits, which so remain 0.
+            if member.fmt[-1] in "fd":
+                member.write(random.uniform(0.1, 1.0, count).astype(member.fmt[-1]).tobytes())
+            else:
+                member.write(random.integers(0, 4, count).astype("u4").tobytes())
         return 0
 
     def _texture(self, sort: str, dtype: str) -> Any:

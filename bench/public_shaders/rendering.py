@@ -14,6 +14,7 @@ import subprocess
 import sys
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from dataclasses import dataclass
 from multiprocessing import Pool
 from pathlib import Path
@@ -25,8 +26,8 @@ from bench.public_shaders.plain_vertex import plain_vertex
 from shadercache.ast import nodes as n
 from shadercache.ast.large import allow_deep_trees
 from shadercache.ast.walk import walk
-from shadercache.sema.examine import examine
 from shadercache.sema.facts import Facts
+from shadercache.sema.read import read
 from shadercache.source import Source
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -88,7 +89,7 @@ def _job(pair: tuple[Shader, str]) -> dict[str, Any] | str:
     """What to ask a child for, or why nothing can be asked."""
     shader, printed = pair
     try:
-        module, facts = examine(Source(shader.file, shader.text), "fragment")
+        module, facts = read(Source(shader.file, shader.text), "fragment")
         vertex = plain_vertex(module, facts, bool(_FIXED_FUNCTION.search(shader.text)))
     except Exception as error:
         return f"no vertex shader: {type(error).__name__}: {error}"
@@ -157,7 +158,8 @@ class _Child:
         """End the process."""
         if self._process is not None:
             self._process.kill()
-            self._process.wait()
+            with suppress(OSError), self._process:  # Closes the pipes; one may hold an old job.
+                pass
             self._process = None
 
     def _running(self) -> subprocess.Popen[str]:

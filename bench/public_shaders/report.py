@@ -19,7 +19,7 @@ _VERSION = re.compile(r"^\s*#\s*version\s+(\d+(?:[ \t]+\w+)?)", re.MULTILINE)
 
 
 HEAD = (
-    *("collection", "shaders", "valid", "accepted", "taken again", "by glslang", "stable"),
+    *("collection", "shaders", "valid", "accepted", "typed", "taken again", "by glslang", "stable"),
     *("all of it", "drawn", "same image", "invalid", "rejected", "same line"),
 )
 
@@ -28,12 +28,14 @@ HEAD = (
 class Row:
     """One shader with all that is known of it.
 
-    ``reread`` is the judge's word on its print, ``picture`` what became of drawing both.
+    ``typing`` tells where glslang has other types, ``reread`` is its word on our print, and
+    ``picture`` what became of drawing both texts.
     """
 
     shader: Shader
     verdict: Verdict
     outcome: Outcome
+    typing: str = ""
     reread: Verdict | None = None
     picture: Picture | None = None
 
@@ -48,6 +50,8 @@ class Row:
             return f"we take what glslang rejects: {shown}" if outcome.accepted else None
         if not outcome.accepted:
             return f"{outcome.code} {_NAME.sub('…', outcome.message)}"
+        if self.typing:
+            return f"types: {_NAME.sub('…', self.typing)}"
         if outcome.again:
             return f"our print is rejected by us: {_NAME.sub('…', outcome.again)}"
         if self.reread is not None and not self.reread.accepted:
@@ -73,6 +77,7 @@ def figures(rows: Sequence[Row]) -> dict[str, int]:
         "shaders": len(rows),
         "valid": len(valid),
         "accepted": len(accepted),
+        "typed": sum(not row.typing for row in accepted),
         "taken again": sum(not row.outcome.again for row in accepted),
         "taken again by glslang": sum(row.reread is not None and row.reread[0] for row in accepted),
         "stable": sum(row.outcome.stable for row in accepted),
@@ -100,7 +105,7 @@ def table(collections: dict[str, dict[str, int]]) -> str:
 
 def _line(name: str, counts: dict[str, int]) -> tuple[str, ...]:
     valid = counts["valid"]
-    keys = ("accepted", "taken again", "taken again by glslang", "stable", "all of it")
+    keys = ("accepted", "typed", "taken again", "taken again by glslang", "stable", "all of it")
     return (
         name,
         str(counts["shaders"]),
@@ -161,6 +166,7 @@ def _example(row: Row, folder: str) -> str:
     text = texts[line - 1].strip()[:160] if 0 < line <= len(texts) else ""
     theirs = "" if row.verdict.accepted else f" | glslang {row.verdict.line}: {row.verdict.message}"
     ours = f" | {row.outcome.code} {row.outcome.message}" if row.outcome.code else ""
+    ours += f" | {row.typing}" if row.typing else ""
     ours += f" | {row.outcome.again}" if row.outcome.again else ""
     reread = row.reread
     ours += f" | print: {reread.line}: {reread.message}" if reread and not reread.accepted else ""

@@ -78,12 +78,12 @@ def _stage_of(name: str) -> StageName:
 
 def _check(name: str, stage: StageName, options: ReadOptions) -> Checked:
     from shadercache.ast.large import allow_deep_trees
-    from shadercache.sema.examine import examine
+    from shadercache.sema.read import read
 
     allow_deep_trees()
     try:
         source = read_source(name)
-        _, facts = examine(source, stage, options)
+        _, facts = read(source, stage, options)
     except InputError as error:
         return Checked(name, stage, error.diagnostics)
     return Checked(name, stage, facts.warnings)

@@ -21,15 +21,15 @@ _PAIRS = {")": "(", "]": "[", "}": "{"}
 
 
 def beginnings(lexemes: Lexemes, offset: int) -> Iterator[tuple[Lexemes, int]]:
-    """Beginnings of a text that end before an offset, the longest first.
+    """Beginnings of a text that end before an offset, the longest first, with their lengths.
 
-    The first ends behind the last ``;``, ``{`` or ``}`` of a block and has as many ``}`` added as
-    blocks are open (their number is given with it). The second ends behind a declaration.
+    The first ends behind the last ``;``, ``{`` or ``}`` of a block, and behind that length has as
+    many ``}`` added as blocks are open. The second ends behind a declaration.
     """
     inner, blocks, outer = _ends(lexemes.texts[: _index(lexemes, offset)])
     if inner > outer:
-        yield _beginning(lexemes, inner, blocks), blocks
-    yield _beginning(lexemes, outer, 0), 0
+        yield _beginning(lexemes, inner, blocks), inner
+    yield _beginning(lexemes, outer, 0), outer
 
 
 def _index(lexemes: Lexemes, offset: int) -> int:

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from threading import Lock
 from typing import Any
 
 from shadercache.ast.large import without_collector
 from shadercache.ast.nodes import Module
 from shadercache.diagnostics import Diagnostic, InputError
+from shadercache.front.attributes import without_attributes
 from shadercache.front.beginnings import beginnings
 from shadercache.front.comments import find_comments
 from shadercache.front.dialects import host_of
 from shadercache.front.lexis import Lexemes
 from shadercache.front.options import DEFAULTS, ReadOptions
-from shadercache.front.preprocess import Preprocessed, preprocess, read
+from shadercache.front.preprocess import Preprocessed, preprocess, preprocess_broken
 from shadercache.front.version import NO_VERSION
 from shadercache.source import Source, Span
 
@@ -33,7 +35,9 @@ def parse(source: Source, options: ReadOptions = DEFAULTS) -> Module:
     """
     host = host_of(source, options.dialect)
     prepared = preprocess(source, options, host.version if host else NO_VERSION)
-    lexemes = host.surround(prepared.lexemes, len(source.text)) if host else prepared.lexemes
+    lexemes = without_attributes(prepared.lexemes, prepared.directives)
+    if host is not None:
+        lexemes = host.surround(lexemes, len(source.text))
     _check_depth(source, lexemes)
     return _build(source, prepared, lexemes)
 
@@ -46,13 +50,15 @@ def parse_before(source: Source, options: ReadOptions, offset: int) -> Module | 
     in front.
     """
     host = host_of(source, options.dialect)
-    prepared = read(source, options, host.version if host else NO_VERSION)[0]
-    for lexemes, closers in beginnings(prepared.lexemes, offset):
-        size = len(lexemes.texts)
-        try:
-            return _build(source, prepared, lexemes, size - closers)
-        except _CannotEndError:
-            continue
+    prepared = preprocess_broken(source, options, host.version if host else NO_VERSION)[0]
+    whole = without_attributes(prepared.lexemes, prepared.directives)
+    for lexemes, own in beginnings(whole, offset):
+        if host is not None:
+            own -= len(lexemes.texts) + len(host.main)
+            lexemes = host.surround(lexemes, len(source.text))
+            own += len(lexemes.texts)
+        with suppress(_CannotEndError):
+            return _build(source, prepared, lexemes, own)
     return None
 
 

@@ -78,13 +78,13 @@ def preprocess(
     ``default`` is the version of a file that names none. Raises :class:`InputError` with every
     error it finds.
     """
-    prepared, errors = read(source, options, default)
+    prepared, errors = preprocess_broken(source, options, default)
     if errors:
         raise InputError(errors)
     return prepared
 
 
-def read(
+def preprocess_broken(
     source: Source, options: ReadOptions, default: Version
 ) -> tuple[Preprocessed, list[Diagnostic]]:
     """:func:`preprocess` for a file that may be broken: what can be made of it, and its errors."""

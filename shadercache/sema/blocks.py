@@ -34,7 +34,6 @@ class BlockChecker:
     def declare(self, block: BlockDecl) -> None:
         """Members of a block without instance name are global names; otherwise they are fields
         of the instance."""
-        context = self._context
         storage = self._variables.storage(block.qualifiers)
         self._check_storage(block, storage)
         if block.name == _BUILTIN_BLOCK:

@@ -15,8 +15,12 @@ from shadercache.sema.check import check
 from shadercache.sema.facts import Facts, Stage
 from shadercache.source import Source
 
+# What may be said only when all of the file, or all of its last function, is known.
+_OF_WHOLE_FILES = frozenset(("SC215", "SC217"))
+_OF_WHOLE_FUNCTIONS = frozenset(("SC211", "SC220"))
 
-def examine(
+
+def read(
     source: Source,
     stage: Stage = "fragment",
     options: ReadOptions = DEFAULTS,
@@ -60,14 +64,15 @@ def _mistakes(module: Module, source: Source, stage: Stage, offset: int) -> tupl
     try:
         check(module, source, stage)
     except InputError as error:
-        last = module.decls[-1].span
-        return tuple(
-            item
-            for item in _in_front(error, offset)
-            if item.code not in ("SC215", "SC217")
-            and not (item.code == "SC211" and item.span and item.span.start == last.start)
-        )
+        return tuple(item for item in _in_front(error, offset) if _stays(item, module))
     return ()
+
+
+def _stays(item: Diagnostic, module: Module) -> bool:
+    """Is it a mistake whatever follows?"""
+    last = module.decls[-1].span.start if module.decls else 0
+    in_last = item.span is not None and item.span.start >= last
+    return item.code not in _OF_WHOLE_FILES and not (in_last and item.code in _OF_WHOLE_FUNCTIONS)
 
 
 def _in_front(error: InputError, offset: int) -> tuple[Diagnostic, ...]:
