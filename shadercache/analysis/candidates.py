@@ -26,7 +26,7 @@ from shadercache.source import Source, Span
 MAX_CHANNELS = 3
 """Payload channels of a cache texel; the fourth holds the depth."""
 
-MAX_TEXT = 500
+MAX_TEXT = 2_000
 """Characters of a node's text: each of 10,000 sums in a row holds those before it."""
 
 
