@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from shaders import analysed, find
 
+from shadercache.analysis.candidates import MAX_TEXT
 from shadercache.diagnostics import InputError, UsageError
 
 FUNCTIONS = """
@@ -138,7 +139,7 @@ def test_the_length_of_a_shader_is_capped(terms: int, names: int, found: str) ->
 def test_the_text_of_a_long_node_is_cut_off() -> None:
     analysis = analysed(f"o_color = vec4(v_uv.x{' + v_uv.y' * 1_000});")
     text = max((node.text for node in analysis.nodes), key=len)
-    assert len(text) == 500
+    assert len(text) == MAX_TEXT
     assert text.startswith("o_color = vec4(v_uv.x + v_uv.y + ")
     assert text.endswith("…")
 
