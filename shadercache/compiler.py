@@ -4,51 +4,52 @@ The passes, in order (each in its own file):
 
 1.  :mod:`front.parse`              text to tree
 2.  :mod:`sema.check`               names and types; every error of the user is found here
-3.  :mod:`transform.unique_names`   every identifier means one thing, so the rest works by name
-4.  :mod:`transform.split`          one declarator to a declaration
-5.  :mod:`sema.check`               types of the tree that the rest works on
-6.  :mod:`analysis.candidates`      every node, offered or refused
+3.  :mod:`transform.raise_version`  older versions, in words of the first that has what it takes
+4.  :mod:`transform.unique_names`   every identifier means one thing, so the rest works by name
+5.  :mod:`transform.split`          one declarator to a declaration
+6.  :mod:`sema.check`               types of the tree that the rest works on
+7.  :mod:`analysis.candidates`      every node, offered or refused
 
 and for one node, for each pass of each algorithm:
 
-7.  :mod:`transform.specialise`     cut the node out of clones of the functions on its call path
-8.  :mod:`emit.assemble`            add the look-up, the store and a new ``main``
-9.  :mod:`transform.remove_dead`    keep what the pass's outputs need, in turns with
-10. :mod:`transform.drop_parameters`
-11. :mod:`transform.make_precise`   in proof mode only
-12. :mod:`emit.printer`             tree to text
+8.  :mod:`transform.specialise`     cut the node out of clones of the functions on its call path
+9.  :mod:`emit.assemble`            add the look-up, the store and a new ``main``
+10. :mod:`transform.remove_dead`    keep what the pass's outputs need, in turns with
+11. :mod:`transform.drop_parameters`
+12. :mod:`transform.make_precise`   in proof mode only
+13. :mod:`emit.printer`             tree to text
 """
 
 from __future__ import annotations
 
-import sys
-from dataclasses import dataclass
+import re
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 from shadercache.analysis.candidates import Candidate, Candidates, find_candidates
 from shadercache.analysis.effects import EffectTable
-from shadercache.analysis.restrictions import check_stages, find_color
+from shadercache.analysis.restrictions import check_size, check_stages, find_color
 from shadercache.ast import nodes as n
+from shadercache.ast.large import allow_deep_trees
 from shadercache.ast.walk import walk
 from shadercache.diagnostics import Diagnostic, InputError, UsageError, input_error
 from shadercache.emit import program_set
 from shadercache.emit.fragment import FragmentProgram
 from shadercache.emit.printer import print_node
 from shadercache.emit.vertex import VertexEmitter
-from shadercache.front.parse import parse
+from shadercache.front.options import ReadOptions
 from shadercache.manifest import build_manifest, original_manifest
 from shadercache.options import ALGORITHMS, Mode, Options
 from shadercache.sema.check import check
 from shadercache.sema.facts import Facts, Stage
+from shadercache.sema.read import read
 from shadercache.source import Source
-from shadercache.transform.make_precise import PRECISE_VERSION
+from shadercache.transform.make_precise import precise_version
 from shadercache.transform.names import fresh_prefix
+from shadercache.transform.raise_version import Raised, StageTree, raise_versions
 from shadercache.transform.split import split_declarations
 from shadercache.transform.unique_names import later_keywords, make_names_unique
-
-RECURSION_LIMIT = 20_000
-"""Statements are walked recursively; Python's own limit is meant for C stacks of old."""
 
 
 @dataclass(frozen=True)
@@ -59,13 +60,28 @@ class Analysis:
     vertex: Source | None
     candidates: Candidates
     program: FragmentProgram
-    vertex_parsed: n.Module | None
+    raised: tuple[Raised, ...]
     vertex_module: n.Module | None
 
     @property
     def nodes(self) -> tuple[Candidate, ...]:
         """Every node, in order of call paths and source."""
         return self.candidates.nodes
+
+    @property
+    def notes(self) -> tuple[Diagnostic, ...]:
+        """What became of the stages where they were of an older version."""
+        return tuple(note for stage in self.raised for note in stage.notes)
+
+    @property
+    def renamed(self) -> dict[str, str]:
+        """What an engine knows by another name than the user's text has: old name to new."""
+        return {old: new for stage in self.raised for old, new in stage.renamed.items()}
+
+    @property
+    def reads_fixed_function(self) -> bool:
+        """Does it use attributes or state that only the compatibility profile has?"""
+        return any(re.match(r"gl_(?!Frag(Color|Data))", name) for name in self.renamed)
 
     @cached_property
     def _by_id(self) -> dict[str, Candidate]:
@@ -110,25 +126,34 @@ class Emission:
     manifest: dict[str, Any]
 
 
-def analyse(fragment: Source, vertex: Source | None = None) -> Analysis:
+def analyse(
+    fragment: Source, vertex: Source | None = None, reading: ReadOptions | None = None
+) -> Analysis:
     """Parse, check and judge every expression of a fragment shader.
+
+    ``reading`` holds for both shaders, but the dialect is the fragment shader's.
 
     Raises :class:`InputError` with every diagnostic of the first stage that finds any.
     """
-    sys.setrecursionlimit(max(sys.getrecursionlimit(), RECURSION_LIMIT))
-    prefix = fresh_prefix(fragment.text, vertex.text if vertex else "")
-    parsed = parse(fragment)
-    module, facts = _normalise(parsed, fragment, "fragment")
-    color = find_color(module, fragment)
-    printed = _printed(parsed, module)
-    candidates = find_candidates(module, facts, fragment, printed, EffectTable(module))
-    program = FragmentProgram(parsed, module, facts, candidates, color, prefix)
-    vertex_parsed = vertex_module = None
+    allow_deep_trees()
+    reading = reading or ReadOptions()
+    texts = (fragment.text, vertex.text if vertex else "")
+    prefix = fresh_prefix(*texts)
+    trees = [_checked(fragment, "fragment", reading)]
+    check_size(trees[0].module, fragment)
     if vertex is not None:
-        vertex_parsed = parse(vertex)
-        vertex_module, _ = _normalise(vertex_parsed, vertex, "vertex")
+        trees.append(_checked(vertex, "vertex", replace(reading, dialect="glsl")))
+    raised = raise_versions(trees, fresh_prefix(*texts, stem="legacy"))
+    module, facts = _normalise(raised[0], fragment, "fragment")
+    color = find_color(module, fragment)
+    printed = _printed(trees[0].module, module)
+    candidates = find_candidates(module, facts, fragment, printed, EffectTable(module))
+    program = FragmentProgram(raised[0].module, module, facts, candidates, color, prefix)
+    vertex_module = None
+    if vertex is not None:
+        vertex_module, _ = _normalise(raised[1], vertex, "vertex")
         check_stages(module, fragment, vertex_module, vertex)
-    return Analysis(fragment, vertex, candidates, program, vertex_parsed, vertex_module)
+    return Analysis(fragment, vertex, candidates, program, tuple(raised), vertex_module)
 
 
 def rewrite(
@@ -155,7 +180,7 @@ def rewrite(
     if not programs.variants:
         raise InputError(_unfit(analysis, node, programs))
     manifest = build_manifest(analysis.fragment, _vertex_source(analysis), node, options, programs)
-    return Emission(programs.files, manifest)
+    return Emission(programs.files, manifest | {"renamed": analysis.renamed})
 
 
 def emit_original(analysis: Analysis, mode: Mode = "plain") -> Emission:
@@ -181,9 +206,9 @@ def _check_names(analysis: Analysis, mode: Mode) -> None:
         for node in walk(module) if module is not None and later else ():
             name = getattr(node, "name", "")
             if name in later and isinstance(node, n.Declarator | n.BlockDecl | n.StructDef):
-                message = (
-                    f"proof mode needs #version {PRECISE_VERSION}, where '{name}' is a keyword"
-                )
+                assert module is not None
+                version = precise_version(module)
+                message = f"proof mode needs #version {version}, where '{name}' is a keyword"
                 problems.append(Diagnostic("SC408", message, source, node.span))
     if problems:
         raise InputError(problems)
@@ -196,9 +221,9 @@ def _unfit(analysis: Analysis, node: Candidate, programs: program_set.ProgramSet
 
 
 def _vertex(analysis: Analysis) -> VertexEmitter:
-    if analysis.vertex_module is None or analysis.vertex_parsed is None:
+    if analysis.vertex_module is None:
         raise input_error("SC402", "a vertex shader is needed to rewrite a shader", "give --vert")
-    return VertexEmitter(analysis.vertex_parsed, analysis.vertex_module, analysis.program.prefix)
+    return VertexEmitter(analysis.raised[1].module, analysis.vertex_module, analysis.program.prefix)
 
 
 def _vertex_source(analysis: Analysis) -> Source:
@@ -206,9 +231,14 @@ def _vertex_source(analysis: Analysis) -> Source:
     return analysis.vertex
 
 
-def _normalise(module: n.Module, source: Source, stage: Stage) -> tuple[n.Module, Facts]:
-    """Passes 2 to 5: check, then bring the tree into the form that the rest works on."""
-    facts = check(module, source, stage)
+def _checked(source: Source, stage: Stage, reading: ReadOptions) -> StageTree:
+    module, facts = read(source, stage, reading, needs_main=True)
+    return StageTree(module, facts, source, stage)
+
+
+def _normalise(raised: Raised, source: Source, stage: Stage) -> tuple[n.Module, Facts]:
+    """Passes 4 to 6: bring a checked tree into the form that the rest works on."""
+    module, facts = raised.module, raised.facts
     plain = split_declarations(make_names_unique(module, facts))
     return (module, facts) if plain is module else (plain, check(plain, source, stage))
 

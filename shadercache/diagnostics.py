@@ -9,12 +9,25 @@ SC4xx shaders that cannot be cached, SC5xx scenes, SC6xx OpenGL and rendering.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
 from shadercache.source import Source, Span
+
+MAX_SHOWN = 200
+"""Characters of a source line that a diagnostic shows."""
+
+MAX_QUOTED = 60
+"""Characters of a name or text that a message quotes."""
+
+MAX_MESSAGE = 500
+"""Characters of a message or hint."""
+
+# A little longer than what is left of one, so that a checksum in the name of a file stays whole.
+_LONG_WORD = re.compile(r"\w{73,}")
 
 
 class Severity(StrEnum):
@@ -36,11 +49,17 @@ class Diagnostic:
     hint: str | None = None
     severity: Severity = Severity.ERROR
 
+    def __post_init__(self) -> None:
+        """Shorten what is said: the names and numbers that it quotes may be of any length."""
+        object.__setattr__(self, "message", _readable(self.message))
+        object.__setattr__(self, "hint", self.hint and _readable(self.hint))
+
     def render(self) -> str:
         """``file:line:col: error: message [SCnnn]``, the source line and a caret, the hint."""
         lines = [f"{self._place()}{self.severity}: {self.message} [{self.code}]"]
         if self.source is not None and self.span is not None:
             lines += self._snippet(self.source, self.span)
+            lines += self._included(self.source, self.span)
         if self.hint:
             lines.append(f"  hint: {self.hint}")
         return "\n".join(lines)
@@ -50,25 +69,38 @@ class Diagnostic:
             return ""
         if self.span is None:
             return f"{self.source.name}: "
-        line, column = self.source.position(self.span.start)
-        return f"{self.source.name}:{line}:{column}: "
+        return f"{_place(self.source, self.span.start)}: "
 
     @staticmethod
     def _snippet(source: Source, span: Span) -> list[str]:
         line, column = source.position(span.start)
-        text = source.line(line)
+        text, column = _window(source.part(span.start).line(line), column)
         width = max(1, min(span.end - span.start, len(text) - column + 1))
         # Tabs are kept in the padding, so that the caret stands right at any tab width.
         pad = "".join("\t" if char == "\t" else " " for char in text[: column - 1])
         gutter = f"{line:5d} | "
         return [gutter + text, " " * (len(gutter) - 2) + "| " + pad + "^" + "~" * (width - 1)]
 
+    @staticmethod
+    def _included(source: Source, span: Span) -> list[str]:
+        """Where the file was included, if it was."""
+        lines = []
+        origin = source.part(span.start).origin
+        while origin is not None:
+            lines.append(f"  included at {_place(source, origin)}")
+            origin = source.part(origin).origin
+        return lines
+
     def to_json(self) -> dict[str, Any]:
         """A plain dictionary: file, line, column, severity, message, code, hint."""
         place: dict[str, Any] = {"file": self.source.name if self.source else None}
         if self.source is not None and self.span is not None:
+            part = self.source.part(self.span.start)
+            place["file"] = part.name
             line, column = self.source.position(self.span.start)
-            end_line, end_column = self.source.position(self.span.end)
+            # A span that runs on into another file ends with its own.
+            end = min(self.span.end, part.base + len(part.text))
+            end_line, end_column = self.source.position(end)
             place |= {"line": line, "column": column}
             place |= {"end_line": end_line, "end_column": end_column}
         return place | {
@@ -77,6 +109,30 @@ class Diagnostic:
             "code": self.code,
             "hint": self.hint,
         }
+
+
+def shortened(text: str, limit: int = MAX_QUOTED) -> str:
+    """``text``, or its beginning and ``…`` where it has more than ``limit`` characters."""
+    return text if len(text) <= limit else f"{text[: limit - 1]}…"
+
+
+def _readable(message: str) -> str:
+    return shortened(_LONG_WORD.sub(lambda word: shortened(word[0]), message), MAX_MESSAGE)
+
+
+def _window(text: str, column: int) -> tuple[str, int]:
+    """A line and a column in it; of a very long line only what stands around the column."""
+    if len(text) <= MAX_SHOWN:
+        return text, column
+    start = max(0, min(column - 1, len(text)) - MAX_SHOWN // 2)
+    before = "..." if start else ""
+    after = "..." if start + MAX_SHOWN < len(text) else ""
+    return f"{before}{text[start : start + MAX_SHOWN]}{after}", column - start + len(before)
+
+
+def _place(source: Source, offset: int) -> str:
+    line, column = source.position(offset)
+    return f"{source.part(offset).name}:{line}:{column}"
 
 
 class DiagnosticError(Exception):

@@ -14,6 +14,7 @@ from shadercache.diagnostics import (
     GraphicsError,
     InputError,
     UsageError,
+    shortened,
 )
 from shadercache.source import Source, Span
 
@@ -29,6 +30,25 @@ def test_an_error_survives_the_way_from_another_process(kind: type[DiagnosticErr
     assert type(again) is kind
     assert [item.code for item in again.diagnostics] == ["SC999", "SC998"]
     assert str(again) == str(error)
+
+
+def test_long_names_are_shortened_where_they_are_quoted() -> None:
+    name, sum_ = "a" * 10_000, "0123456789abcdef" * 4
+    error = Diagnostic("SC999", f"'{name}' is not in '{sum_}.glsl'", hint=f"leave {name}")
+    assert error.message == f"'{'a' * 59}…' is not in '{sum_}.glsl'"
+    assert error.hint == f"leave {'a' * 59}…"
+    assert Diagnostic("SC999", "no").hint is None
+
+
+def test_a_message_has_an_end() -> None:
+    error = Diagnostic("SC999", "1 + " * 10_000, hint="2 + " * 10_000)
+    assert error.message == "1 + " * 124 + "1 +…"
+    assert error.hint is not None
+    assert len(error.hint) == 500
+
+
+def test_shortened() -> None:
+    assert [shortened("abcd", limit) for limit in (5, 4, 3)] == ["abcd", "abcd", "ab…"]
 
 
 def test_every_code_is_documented() -> None:

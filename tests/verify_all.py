@@ -22,13 +22,13 @@ from typing import Any
 import shadercache
 from shadercache.analysis.candidates import Candidate
 from shadercache.cli.progress import progress
-from shadercache.compiler import analyse
 from shadercache.diagnostics import DiagnosticError
 from shadercache.harness.context import open_context
 from shadercache.harness.files import write_bytes
-from shadercache.harness.parallel import read_shaders, verify_in_parallel
+from shadercache.harness.parallel import verify_in_parallel
 from shadercache.harness.results import environment, machine_name
 from shadercache.harness.scene import Scene, load_scene
+from shadercache.harness.shaders import analyse_scene
 from shadercache.harness.verify import MAX_TIES, Difference, Verdict, Verifier
 from shadercache.paths import data_path
 
@@ -147,11 +147,12 @@ def fingerprint(scene: Scene) -> str:
 def prepare(path: Path, output: Path | None, resume: bool) -> Report:
     """Check law 1, count depth ties, and take over what an earlier run found if ``resume``."""
     scene = load_scene(path)
-    analysis = analyse(*read_shaders(scene))
+    scene, analysis = analyse_scene(scene)
     with open_context() as gpu:
         about = environment(gpu)
         with closing(Verifier(gpu, scene, analysis)) as verifier:
             law_1, ties = verifier.round_trip(), verifier.ties
+    assert law_1 is not None, "the corpus is in versions that every driver takes"
     head = {
         "schema_version": SCHEMA_VERSION,
         "scene": scene.name,

@@ -18,12 +18,16 @@ from shadercache.analysis.slices import DERIVATIVE, Slice, SliceTable
 from shadercache.analysis.spine import written_anywhere
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import expressions
+from shadercache.diagnostics import shortened
 from shadercache.lang.types import Type
 from shadercache.sema.facts import Facts
-from shadercache.source import Source
+from shadercache.source import Source, Span
 
 MAX_CHANNELS = 3
 """Payload channels of a cache texel; the fourth holds the depth."""
+
+MAX_TEXT = 2_000
+"""Characters of a node's text: each of 10,000 sums in a row holds those before it."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -33,7 +37,7 @@ class Candidate:
     ``cost`` is the static cost P of computing its value alone (its backward slice), in scalar
     operations; ``ratio`` is P/T with T the cost of the whole shader. ``inputs`` are the uniforms,
     varyings and built-in variables that the value depends on; ``text`` the expression as written,
-    on one line.
+    on one line, cut off behind :data:`MAX_TEXT` characters.
     """
 
     id: str
@@ -220,7 +224,9 @@ def _varyings(module: n.Module) -> set[str]:
 
 
 def _text(source: Source, expr: n.Expr) -> str:
-    return " ".join(source.text[expr.span.start : expr.span.end].split())
+    start, end = expr.span
+    text = " ".join(source.excerpt(Span(start, min(end, start + 2 * MAX_TEXT))).split())
+    return shortened(text if end <= start + 2 * MAX_TEXT else f"{text}…", MAX_TEXT)
 
 
 def _digest(*parts: str) -> str:

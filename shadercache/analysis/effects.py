@@ -16,8 +16,7 @@ from enum import Flag, auto
 
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import children
-from shadercache.lang.builtins import Signature
-from shadercache.lang.builtins import functions as builtin_functions
+from shadercache.lang.builtins import Signature, overloads
 
 
 class Does(Flag):
@@ -51,10 +50,12 @@ NO_EFFECTS = Effects()
 
 def union(effects: Iterable[Effects]) -> Effects:
     """All of them together."""
-    total = NO_EFFECTS
-    for item in effects:
-        total = total | item
-    return total
+    items = tuple(effects)
+    does = Does.NOTHING
+    for item in items:
+        does |= item.does
+    reads = frozenset[str]().union(*(item.reads for item in items))
+    return Effects(reads, frozenset[str]().union(*(item.writes for item in items)), does)
 
 
 def root_variable(target: n.Expr) -> str | None:
@@ -74,7 +75,6 @@ class EffectTable:
 
     def __init__(self, module: n.Module) -> None:
         self.functions = {d.name: d for d in module.decls if isinstance(d, n.FunctionDef)}
-        self.version = module.version
         self._table: dict[n.Node, Effects] = {}
         self._summaries: dict[str, Effects] = {}
 
@@ -135,7 +135,7 @@ class EffectTable:
         if node.name in self.functions:
             total = total | self.summary(node.name)
         else:
-            total = total | Effects(does=_builtin_does(node, self.version))
+            total = total | Effects(does=_builtin_does(node))
         for arg, out in zip(node.args, out_arguments(node, self), strict=True):
             if out:
                 total = total | _written(arg)
@@ -147,25 +147,24 @@ def out_arguments(call: n.Call, table: EffectTable) -> tuple[bool, ...]:
     function = table.functions.get(call.name)
     if function is not None:
         return tuple(param.writes_back for param in function.proto.params)
-    signatures = _signatures(call, table.version)
+    signatures = _signatures(call)
     return tuple(
         any(item.params[i].direction != "in" for item in signatures) for i in range(len(call.args))
     )
 
 
-def _signatures(call: n.Call, version: int) -> list[Signature]:
-    found = builtin_functions(call.name, version)
-    return [item for item in found if len(item.params) == len(call.args)]
+def _signatures(call: n.Call) -> list[Signature]:
+    return [item for item in overloads(call.name) if len(item.params) == len(call.args)]
 
 
 def needs_derivative(call: n.Call, table: EffectTable) -> bool:
     """Is it a built-in that takes a derivative, openly or for a level of detail?"""
-    return call.name not in table.functions and bool(_builtin_does(call, table.version))
+    return call.name not in table.functions and bool(_builtin_does(call))
 
 
-def _builtin_does(call: n.Call, version: int) -> Does:
+def _builtin_does(call: n.Call) -> Does:
     does = Does.NOTHING
-    for item in _signatures(call, version):
+    for item in _signatures(call):
         if item.derivative:
             does |= Does.DERIVATIVE
         if item.implicit_lod:

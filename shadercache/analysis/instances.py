@@ -20,6 +20,12 @@ from shadercache.diagnostics import input_error
 MAX_INSTANCES = 20_000
 """Call paths are capped here (a call graph of 20 functions calling twice has a million)."""
 
+MAX_NODES = 300_000
+"""Expressions on all call paths are capped here, too: they take half a minute."""
+
+MAX_STEPS = 60_000
+"""Statements on all call paths: for each it is noted on which of the others it depends."""
+
 
 class Use(Enum):
     """How an expression stands in its function."""
@@ -134,7 +140,8 @@ class Instance:
 def find_instances(table: EffectTable) -> tuple[Instance, ...]:
     """All instances reached from ``main``, callers before callees, in order of evaluation text.
 
-    Raises :class:`InputError` SC401 where there are more than :data:`MAX_INSTANCES`.
+    Raises :class:`InputError` SC401 where there are more than :data:`MAX_INSTANCES`, or where they
+    have more than :data:`MAX_NODES` expressions or :data:`MAX_STEPS` statements in all.
     """
     places: dict[str, Places] = {}
     count = _count("main", table, places, {})
@@ -146,7 +153,15 @@ def find_instances(table: EffectTable) -> tuple[Instance, ...]:
     found = [main]
     for instance in found:  # grows while it runs
         found.extend(_callees(instance, places, len(found)))
+    _check_total("expressions", sum(len(item.places.all) for item in found), MAX_NODES)
+    _check_total("statements", sum(len(item.places.spine.steps) for item in found), MAX_STEPS)
     return tuple(found)
+
+
+def _check_total(what: str, count: int, limit: int) -> None:
+    if count > limit:
+        message = f"the shader has {count} {what} on all its call paths"
+        raise input_error("SC401", f"{message}; at most {limit} are analysed")
 
 
 def _count(name: str, table: EffectTable, places: dict[str, Places], counts: dict[str, int]) -> int:

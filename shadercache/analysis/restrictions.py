@@ -5,13 +5,33 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from shadercache.ast import nodes as n
-from shadercache.ast.walk import walk
+from shadercache.ast.walk import EXPRESSIONS, walk
 from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.source import Source
 
 MIN_VERSION = 330
 
+MAX_EXPRESSIONS = 100_000
+"""Expressions of a shader that is analysed. (The largest of 14,000 public ones has 63,000.)"""
+
+MAX_PAIRS = 50_000_000
+"""Expressions times names: so much may have to be noted of what depends on what."""
+
 _BUILTIN_OUTPUTS = ("gl_FragColor", "gl_FragData", "gl_FragDepth", "gl_SampleMask")
+
+
+def check_size(module: n.Module, source: Source) -> None:
+    """Refuse a shader that would take minutes or all memory: :class:`InputError` SC401."""
+    count = 0
+    names: set[str] = set()
+    for node in walk(module):
+        count += isinstance(node, EXPRESSIONS)
+        if isinstance(node, n.Name):
+            names.add(node.name)
+    if count > MAX_EXPRESSIONS or count * len(names) > MAX_PAIRS:
+        message = f"{source.name} is too long to analyse: {count} expressions, {len(names)} names"
+        hint = f"at most {MAX_EXPRESSIONS} expressions, fewer with more than 500 names"
+        raise InputError(Diagnostic("SC401", message, hint=hint))
 
 
 def find_color(module: n.Module, source: Source) -> str:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import compress
 
 from shadercache.analysis.cost import CostTable
 from shadercache.analysis.effects import Does, EffectTable
@@ -47,6 +48,7 @@ class SliceTable:
         self._table = table
         self._cost = cost
         self._leaf_bits: dict[str, int] = {}
+        self._leaf_names: dict[int, frozenset[str]] = {}
         self._atom_costs: list[float] = []
         self._totals: dict[int, float] = {0: 0.0}
         self._globals = _global_initialisers(module)
@@ -76,17 +78,18 @@ class SliceTable:
 
     def leaf_names(self, leaves: int) -> frozenset[str]:
         """The inputs in a bit set."""
-        return frozenset(name for name, bit in self._leaf_bits.items() if bit & leaves)
+        found = self._leaf_names.get(leaves)
+        if found is None:
+            names = (name for name, bit in self._leaf_bits.items() if bit & leaves)
+            found = self._leaf_names[leaves] = frozenset(names)
+        return found
 
     def cost(self, atoms: int) -> float:
         """Static cost of executing the given atoms once."""
         found = self._totals.get(atoms)
         if found is None:
             bits = bin(atoms)[:1:-1]
-            found = sum(
-                cost for cost, bit in zip(self._atom_costs, bits, strict=False) if bit == "1"
-            )
-            self._totals[atoms] = found
+            found = self._totals[atoms] = sum(compress(self._atom_costs, map(int, bits)))
         return found
 
     def _new_atom(self, cost: float) -> int:

@@ -8,6 +8,7 @@ form of reaching definitions is exact where it matters and safe elsewhere.
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
@@ -54,11 +55,12 @@ class Spine:
         Returns their indices, and whether the value at the function's entry may still be there.
         """
         found: list[int] = []
-        for index, kills in reversed(self._writes.get(name, ())):
-            if index < before:
-                found.append(index)
-                if kills:
-                    return tuple(found), False
+        writes = self._writes.get(name, [])
+        for at in range(bisect_left(writes, (before, False)) - 1, -1, -1):
+            index, kills = writes[at]
+            found.append(index)
+            if kills:
+                return tuple(found), False
         return tuple(found), True
 
     def _collect(self, stmts: Iterable[n.Stmt], table: EffectTable) -> None:

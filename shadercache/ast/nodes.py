@@ -128,6 +128,13 @@ class Length(Node):
     object: Expr
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class InitList(Node):
+    """``{a, {b, c}}``, which only an initialiser may be or hold (GLSL 4.20, section 4.1.11)."""
+
+    items: tuple[Expr, ...]
+
+
 Expr: TypeAlias = (
     Name
     | Literal
@@ -142,6 +149,7 @@ Expr: TypeAlias = (
     | Member
     | Index
     | Length
+    | InitList
 )
 
 
@@ -364,7 +372,7 @@ class Return(Node):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Jump(Node):
-    """``break``, ``continue`` or ``discard``."""
+    """``break``, ``continue``, ``discard`` or ``demote``."""
 
     word: str
 
@@ -384,14 +392,33 @@ class Directive(Node):
     text: str
 
 
+@dataclass(frozen=True, slots=True)
+class Comment:
+    """A comment, and where it belongs: no node, for it may stand anywhere.
+
+    ``anchor`` is the offset at which the declaration or statement begins that the comment stands
+    before, or (``behind``) at which the one ends that it stands behind. Nodes keep their spans
+    when a tree is rewritten, so a comment goes or stays with what it is about.
+    """
+
+    span: Span
+    text: str
+    anchor: int
+    behind: bool = False
+
+
 Decl: TypeAlias = VarDecl | BlockDecl | PrecisionDecl | QualifierDecl | FunctionProto | FunctionDef
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Module(Node):
-    """A translation unit: ``#version version profile``, the kept directives, the declarations."""
+    """A translation unit: ``#version version profile``, the kept directives, the declarations.
+
+    Comments that stand before all else have the start of the module for their anchor.
+    """
 
     version: int
     profile: str | None
     directives: tuple[Directive, ...]
     decls: tuple[Decl, ...]
+    comments: tuple[Comment, ...] = ()

@@ -38,6 +38,7 @@ from shadercache.ast.nodes import (
     FunctionProto,
     If,
     Index,
+    InitList,
     LayoutItem,
     Length,
     Member,
@@ -252,7 +253,7 @@ def _param(n: Param, p: _Parts) -> Node:
 
 def _module(n: Module, p: _Parts) -> Node:
     directives = p.some(len(n.directives))
-    return Module(n.span, n.version, n.profile, directives, p.spliced())
+    return Module(n.span, n.version, n.profile, directives, p.spliced(), n.comments)
 
 
 def _block_decl(n: BlockDecl, p: _Parts) -> Node:
@@ -273,6 +274,7 @@ _REBUILD: dict[type[Node], Callable[[Any, _Parts], Node]] = {
     Member: lambda n, p: Member(n.span, p.one(), n.name),
     Index: lambda n, p: Index(n.span, p.one(), p.one()),
     Length: lambda n, p: Length(n.span, p.one()),
+    InitList: lambda n, p: InitList(n.span, p.some(len(n.items))),
     LayoutItem: lambda n, p: LayoutItem(n.span, n.name, p.one()),
     Qualifiers: lambda n, p: Qualifiers(n.span, n.words, p.some(len(n.layout))),
     TypeSpec: _type_spec,

@@ -26,6 +26,7 @@ from shadercache.cli.failures import Reporter, explain_os_error, explain_usage
 from shadercache.diagnostics import DiagnosticError, usage_error
 
 COMMANDS = {
+    "check": "shadercache.cli.check",
     "nodes": "shadercache.cli.nodes",
     "rewrite": "shadercache.cli.rewrite",
     "verify": "shadercache.cli.verify",
@@ -95,6 +96,7 @@ def _build(args: Sequence[str], reporter: Reporter) -> typer.Typer:
 
     @app.callback(help="Cache an intermediate value of a GLSL shader from frame to frame.")
     def root(
+        context: typer.Context,
         version: Annotated[
             bool,
             typer.Option(
@@ -107,6 +109,7 @@ def _build(args: Sequence[str], reporter: Reporter) -> typer.Typer:
         ] = Format.TEXT,
     ) -> None:
         reporter.json = diagnostics is Format.JSON
+        context.obj = reporter
 
     for name in [name for name in COMMANDS if name in args] or COMMANDS:
         module = import_module(COMMANDS[name])

@@ -59,20 +59,19 @@ def command(
     Everything is drawn interleaved in one process; the ratio's interval is a 95 % bootstrap.
     Writes JSON (with raw samples), CSV and two plots for each period and block into DIR.
     """
-    from shadercache.compiler import analyse
     from shadercache.harness.context import open_context
     from shadercache.harness.measure import measure
     from shadercache.harness.measurement import MeasureOptions
     from shadercache.harness.mesh import load_mesh
-    from shadercache.harness.parallel import read_shaders
     from shadercache.harness.results import environment, to_json
     from shadercache.harness.scene import load_scene
+    from shadercache.harness.shaders import analyse_scene
     from shadercache.harness.sweep import make_entry
 
     algorithms, extent = parse_passes(passes), parse_size(size)
     choices = [(n, k) for n in parse_periods(period) for k in parse_blocks(block)]
     scene = load_scene(find_scene(target))
-    analysis = analyse(*read_shaders(scene))
+    scene, analysis = analyse_scene(scene)
     if nodes:
         chosen = choose_nodes(scene, analysis, split_list(nodes))
     else:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from shadercache.harness.context import Gpu
     from shadercache.harness.measurement import Measurement, NodeResult, Shot
     from shadercache.harness.scene import Scene
+    from shadercache.harness.shaders import analyse_scene
     from shadercache.harness.sheet import SheetRow
 
 SCENES = ("dragon", "trashcan")
@@ -68,26 +69,25 @@ def _measure(
     cache_format: CacheFormat,
     mesh: Path | None,
 ) -> Measurement:
-    from shadercache.compiler import analyse
     from shadercache.harness.measure import measure
     from shadercache.harness.measurement import MeasureOptions
     from shadercache.harness.mesh import load_mesh
-    from shadercache.harness.parallel import read_shaders
     from shadercache.harness.sweep import make_entry
 
-    if scene.demo is None:
+    demo = scene.demo
+    if demo is None:
         raise input_error("SC508", f"{scene.path} has no [demo]")
-    analysis = analyse(*read_shaders(scene))
+    scene, analysis = analyse_scene(scene)
     options = Options(cache_format=cache_format)
     entries = [
         make_entry(analysis, label, node, options)
-        for label, node in choose_nodes(scene, analysis, scene.demo.nodes)
+        for label, node in choose_nodes(scene, analysis, demo.nodes)
     ]
     how = MeasureOptions(
         extent,
         frames,
-        period=scene.demo.period,
-        block=scene.demo.block,
+        period=demo.period,
+        block=demo.block,
         picture_frame=frames - 1,
     )
     with step_progress(f"measuring {scene.name}") as tell:

@@ -10,7 +10,16 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import typer
 
 from shadercache.cli.io import read_source
+from shadercache.cli.reading import (
+    DefineOption,
+    DialectOption,
+    IncludeOption,
+    TokensOption,
+    UndefineOption,
+    read_options,
+)
 from shadercache.cli.tables import format_table, shorten, terminal_width
+from shadercache.front.options import MAX_TOKENS
 
 if TYPE_CHECKING:
     from shadercache.analysis.candidates import Candidate
@@ -32,6 +41,11 @@ def command(
     sort: Annotated[
         Literal["source", "ratio"], typer.Option(help="By call path and place, or by P/T.")
     ] = "source",
+    define: DefineOption = None,
+    undefine: UndefineOption = None,
+    include: IncludeOption = None,
+    dialect: DialectOption = "glsl",
+    max_tokens: TokensOption = MAX_TOKENS,
     as_json: Annotated[bool, typer.Option("--json", help="The same as JSON.")] = False,
 ) -> None:
     """List every value of a shader, its cost, and whether it may be cached.
@@ -42,8 +56,9 @@ def command(
     """
     from shadercache.compiler import analyse
 
+    options = read_options(define, undefine, include, dialect, max_tokens)
     source = read_source(fragment)
-    nodes = analyse(source, read_source(vert) if vert else None).nodes
+    nodes = analyse(source, read_source(vert) if vert else None, options).nodes
     shown = [node for node in nodes if node.offered or not offered]
     if sort == "ratio":
         shown.sort(key=lambda node: node.ratio)

@@ -9,6 +9,15 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from shadercache.cli.io import MANIFEST, atomic_folder, folder, read_pair
+from shadercache.cli.reading import (
+    DefineOption,
+    DialectOption,
+    IncludeOption,
+    TokensOption,
+    UndefineOption,
+    read_options,
+)
+from shadercache.front.options import MAX_TOKENS
 from shadercache.options import ALGORITHMS, CacheFormat, Mode, Options
 
 if TYPE_CHECKING:
@@ -16,6 +25,7 @@ if TYPE_CHECKING:
 
 
 def command(
+    context: typer.Context,
     fragment: Annotated[str, typer.Argument(metavar="FRAG", help="Fragment shader; - is stdin.")],
     node: Annotated[str, typer.Option(metavar="ID", help="The node to cache, from 'nodes'.")],
     out: Annotated[
@@ -33,11 +43,16 @@ def command(
         CacheFormat, typer.Option("--format", help="Texel format of the cache.")
     ] = "rgba16f",
     mode: Annotated[
-        Mode, typer.Option(help="proof pins the arithmetic down (#version 400).")
+        Mode, typer.Option(help="proof pins the arithmetic down (#version 400, 320 es).")
     ] = "plain",
     unprofitable: Annotated[
         bool, typer.Option("--unprofitable", help="Also a node that costs less than a fetch.")
     ] = False,
+    define: DefineOption = None,
+    undefine: UndefineOption = None,
+    include: IncludeOption = None,
+    dialect: DialectOption = "glsl",
+    max_tokens: TokensOption = MAX_TOKENS,
 ) -> None:
     """Write the shaders that cache one node, and how to run them.
 
@@ -45,7 +60,8 @@ def command(
     """
     from shadercache.compiler import analyse, rewrite
 
-    analysis = analyse(*read_pair(fragment, vert))
+    options = read_options(define, undefine, include, dialect, max_tokens)
+    analysis = analyse(*read_pair(fragment, vert), options)
     emission = rewrite(
         analysis,
         analysis.node(node),
@@ -54,6 +70,7 @@ def command(
         unprofitable=unprofitable,
     )
     _write(emission, out)
+    context.obj.show(analysis.notes)
     print(f"wrote {len(emission.files)} shaders and {MANIFEST} to {out}")
 
 

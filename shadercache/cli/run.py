@@ -51,19 +51,18 @@ def command(
     ] = Path("out/run"),
 ) -> None:
     """Run a variant from a reset up to a frame; write original, cached, 10x difference, hit map."""
-    from shadercache.compiler import analyse
     from shadercache.harness.context import open_context
     from shadercache.harness.measure import measure
     from shadercache.harness.measurement import MeasureOptions
     from shadercache.harness.mesh import load_mesh
-    from shadercache.harness.parallel import read_shaders
     from shadercache.harness.scene import load_scene
+    from shadercache.harness.shaders import analyse_scene
     from shadercache.harness.sweep import make_entry
 
     extent = parse_size(size)
     every, edge = parse_periods(str(period))[0], parse_blocks(str(block))[0]
     scene = load_scene(find_scene(target))
-    analysis = analyse(*read_shaders(scene))
+    scene, analysis = analyse_scene(scene)
     [(label, chosen)] = choose_nodes(scene, analysis, [node])
     options = Options(cache_format=cache_format, epsilon=epsilon)
     entry = make_entry(analysis, label, chosen, options, (passes,), unprofitable=unprofitable)

@@ -92,10 +92,10 @@ def interface(module: n.Module) -> Shader:
     return Shader(module, tuple(inputs), tuple(uniforms))
 
 
-def variable(kind: str, name: str) -> n.VarDecl:
+def variable(kind: str, name: str, precision: str | None = None) -> n.VarDecl:
     """A plain global variable."""
-    item = n.Declarator(NOWHERE, name)
-    return n.VarDecl(NOWHERE, n.NO_QUALIFIERS, n.TypeSpec(NOWHERE, kind), (item,))
+    words = n.Qualifiers(NOWHERE, (precision,)) if precision else n.NO_QUALIFIERS
+    return n.VarDecl(NOWHERE, words, n.TypeSpec(NOWHERE, kind), (n.Declarator(NOWHERE, name),))
 
 
 def call_all(name: str, callees: Iterable[str]) -> n.FunctionDef:

@@ -9,6 +9,7 @@ from shadercache.analysis.candidates import Candidate, Candidates
 from shadercache.analysis.effects import Does, EffectTable
 from shadercache.analysis.instances import Use
 from shadercache.analysis.neighbours import SharedUse
+from shadercache.analysis.precision import PrecisionTable
 from shadercache.ast import nodes as n
 from shadercache.emit.assemble import (
     Shader,
@@ -50,6 +51,7 @@ class FragmentEmitter:
         assert node.instance is not None and node.place is not None
         self.program, self.node = program, node
         self.components = node.type.components or 1
+        self.precisions = PrecisionTable(program.module, program.facts)
         self.payload = program.prefix + "payload"
         self.store = program.prefix + "store"
         found = program.candidates.slices.before(node.instance, node.place.step.index, node.expr)
@@ -80,8 +82,7 @@ class FragmentEmitter:
         if kept:
             extra.append(keep(self._own("compute"), [self._own(compute)]))
         clones.append(self._clone(names, "shade", (self._node_cut("use"),)))
-        types = self.program.facts.types
-        extra += [variable(str(types[use.place.expr]), self._own(name)) for use, name in fetched]
+        extra += [self._fetched(use.place.expr, name) for use, name in fetched]
         return self._finish("passes/one", clones, extra, both=True)
 
     def _left_changed(self, made: Shader) -> tuple[Symbol, ...]:
@@ -150,6 +151,11 @@ class FragmentEmitter:
                 )
         return None
 
+    def _fetched(self, expr: n.Expr, name: str) -> n.VarDecl:
+        """The variable that holds a texture fetch, as precise as the fetch."""
+        kind = str(self.program.facts.types[expr])
+        return variable(kind, self._own(name), self.precisions.of(expr))
+
     def _own(self, name: str) -> str:
         return self.program.prefix + name
 
@@ -188,7 +194,8 @@ class FragmentEmitter:
         prefix = self.program.prefix
         # ``main`` comes last: GLSL wants functions declared before they are called.
         names = ("lookup", "store", template)
-        parts = [load_part(name, self.components, prefix) for name in names]
+        precision = self.precisions.of(self.node.expr)
+        parts = [load_part(name, self.components, prefix, precision) for name in names]
         user = insert_clones(self.program.module, *clones)
         module = merge(self.program.module, without_main(user), extra, *parts)
         made = {clone.name for group in clones for _, clone in group.made}

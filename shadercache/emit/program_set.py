@@ -17,6 +17,7 @@ from shadercache.emit.vertex import VertexEmitter
 from shadercache.options import Options
 from shadercache.sema.facts import Stage
 from shadercache.transform.make_precise import make_precise
+from shadercache.transform.precisions import with_precisions
 
 COLOR, CACHE, MASK = "color", "cache", "mask"
 PREVIOUS, CURRENT = "previous-cache", "current-cache"
@@ -151,7 +152,7 @@ class _Writer:
         return replace(item, uniforms=uniforms, attributes=vertex.inputs)
 
     def _text(self, item: Pass, shader: Shader, stage: Stage) -> str:
-        module = shader.module
+        module = with_precisions(shader.module)
         if self.options.mode == "proof":
             module = make_precise(module, self.vertex.prefix, stage)
         version, rest = print_module(module).split("\n", 1)

@@ -12,6 +12,7 @@ from pathlib import Path
 from shadercache.ast import nodes as n
 from shadercache.front.parse import parse
 from shadercache.source import Source
+from shadercache.transform.forget_places import without_places
 from shadercache.transform.names import PREFIX
 
 OUTCOMES = {"hit": 1, "refresh": 2, "outside": 3, "depth": 4}
@@ -26,11 +27,16 @@ _CHANNELS = ("x", "xy", "xyz")
 
 
 @cache
-def load_part(name: str, components: int, prefix: str) -> tuple[n.Decl, ...]:
-    """The declarations of one file, for a payload of 1 to 3 floats, with the given name prefix."""
+def load_part(
+    name: str, components: int, prefix: str, precision: str | None = None
+) -> tuple[n.Decl, ...]:
+    """The declarations of one file, for a payload of 1 to 3 floats, with the given name prefix.
+
+    ``precision`` is the payload's, in GLSL ES.
+    """
     kind = "float" if components == 1 else f"vec{components}"
     macros = {
-        "PAYLOAD": kind,
+        "PAYLOAD": f"{precision} {kind}" if precision else kind,
         "CHANNELS": _CHANNELS[components - 1],
         "SC_SPREAD": str(SPREAD),
         "PADDING": ", 0.0" * (3 - components),
@@ -39,7 +45,7 @@ def load_part(name: str, components: int, prefix: str) -> tuple[n.Decl, ...]:
     lines = ["#version 330", *(f"#define {key} {value}" for key, value in macros.items())]
     text = (FOLDER / f"{name}.glsl").read_text(encoding="utf-8")
     source = Source(f"{name}.glsl", "\n".join([*lines, text.replace(PREFIX, prefix)]))
-    return parse(source).decls
+    return tuple(without_places(decl) for decl in parse(source).decls)
 
 
 @cache

@@ -13,6 +13,7 @@ from shadercache.ast.nodes import (
     Expr,
     FunctionDef,
     FunctionProto,
+    InitList,
     LayoutItem,
     Param,
     PrecisionDecl,
@@ -88,6 +89,9 @@ class DeclarationBuilder(ExpressionBuilder):
     def layout_item(self, parts: list[Any]) -> LayoutItem:
         """``name`` or ``name = value``."""
         name = parts[0]
+        if name.type != "NAME" and name.text not in ("shared", "packed"):
+            span = Span(name.start, name.end)
+            self._refuse("SC106", f"'{name.text}' is a keyword and cannot be a layout", span)
         value: Expr | None = parts[2] if len(parts) == 3 else None
         end = name.end if value is None else self._end(value)
         return LayoutItem(Span(name.start, end), name.text, value)
@@ -167,13 +171,20 @@ class DeclarationBuilder(ExpressionBuilder):
         return parts[0], parts[1:]
 
     def var_decl_more(self, parts: list[Any]) -> tuple[FullType, list[Declarator]]:
-        """One more name."""
+        """One more name. (``float, a;`` is valid and the same as ``float a;``.)"""
         full, names = parts[0]
-        if not names:
-            comma = parts[1]
-            self._refuse("SC103", "expected a name before ','", Span(comma.start, comma.end))
         names.append(parts[2])
         return full, names
+
+    def init_list(self, parts: list[Any]) -> InitList:
+        """``{a, b}``, with or without a comma at its end."""
+        opening = parts[0]
+        language = self._stream.language
+        if not language.at_least(420, None, "GL_ARB_shading_language_420pack"):
+            message = "initialiser lists in braces need GLSL 4.20"
+            hint = "write a constructor, such as float[2](1.0, 2.0)"
+            self._refuse("SC110", message, Span(opening.start, opening.end), hint)
+        return InitList(Span(opening.start, parts[-1].end), tuple(parts[1]))
 
     def var_decl_end(self, parts: list[Any]) -> VarDecl:
         """The ``;`` after a declaration of variables."""

@@ -156,6 +156,9 @@ class ExpressionBuilder:
     def construct(self, parts: list[Any]) -> Construct:
         """``type(args)``."""
         type_spec = parts[0]
+        if type_spec.struct is not None:
+            message = "a struct cannot be defined in an expression"
+            self._refuse("SC110", message, type_spec.span)
         args = tuple(parts[2]) if len(parts) == 4 else ()
         return Construct(Span(type_spec.span[0], parts[-1].end), type_spec, args)
 

@@ -126,7 +126,7 @@ class Builder(DeclarationBuilder):
         return For(Span(start, body.span.end), init, condition, step, body)
 
     def jump_stmt(self, parts: list[Token]) -> Jump:
-        """``break;``, ``continue;`` or ``discard;``."""
+        """``break;``, ``continue;``, ``discard;`` or ``demote;``."""
         word, closing = parts
         return Jump(Span(word.start, closing.end), word.text)
 

@@ -8,21 +8,20 @@ below each recognise one kind of mistake; the first that does words the diagnost
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from typing import Any
 
 from lark.exceptions import UnexpectedToken
 
 from shadercache.ast.nodes import FunctionProto
 from shadercache.diagnostics import Diagnostic
+from shadercache.front import foreign
 from shadercache.front.build_declarations import FullType, Head
 from shadercache.front.lexis import is_word
-from shadercache.front.tokens import Token, TokenStream
-from shadercache.lang.words import STATEMENT_WORDS, keywords
-from shadercache.source import Source, Span
+from shadercache.front.tokens import Language, Token, TokenStream
+from shadercache.front.unexpected import CLOSERS, PAIRS, Unexpected, gather
+from shadercache.lang.words import STATEMENT_WORDS, keyword_since, keywords, type_names
+from shadercache.source import Span
 
-_PAIRS = {"(": ")", "[": "]", "{": "}"}
-_CLOSERS = {")": "RPAR", "]": "RSQB", "}": "RBRACE"}
 _STATEMENT_ENDS = frozenset((";", "{", "}", ")", ":", ""))
 _JUMPS = {
     "RETURN": "return",
@@ -33,56 +32,9 @@ _JUMPS = {
 }
 
 
-@dataclass(frozen=True)
-class _Mistake:
-    """What is known about a syntax error.
-
-    ``text``, ``before`` and ``earlier`` are the spellings of the unexpected token and of the two
-    before it, empty outside the file. ``openings`` has the brackets that are open, innermost last,
-    each with the spelling before it. ``right`` has the terminals that could have come.
-    """
-
-    source: Source
-    version: int
-    text: str
-    kind: str
-    span: Span
-    before: str
-    before_span: Span
-    earlier: str
-    openings: list[tuple[str, Span, str]]
-    right: frozenset[str]
-    values: list[Any]
-
-    def at(
-        self, span: Span, message: str, hint: str | None = None, code: str = "SC103"
-    ) -> Diagnostic:
-        return Diagnostic(code, message, self.source, span, hint)
-
-    def here(self, message: str, hint: str | None = None, code: str = "SC103") -> Diagnostic:
-        return self.at(self.span, message, hint, code)
-
-    def behind(self, message: str, hint: str | None = None) -> Diagnostic:
-        """At the end of the token before, where something is missing."""
-        return self.at(Span(self.before_span.end, self.before_span.end), message, hint)
-
-    @property
-    def place(self) -> str:
-        """The unexpected token as the end of a sentence."""
-        return f"before '{self.text}'" if self.text else "at the end of the file"
-
-    @property
-    def operand_missing(self) -> bool:
-        return "LITERAL" in self.right
-
-    @property
-    def same_line(self) -> bool:
-        return "\n" not in self.source.text[self.before_span.end : self.span.start]
-
-
 def explain(error: UnexpectedToken, stream: TokenStream) -> Diagnostic:
     """The diagnostic for the error that the parser met in a stream."""
-    mistake = _gather(error, stream)
+    mistake = gather(error, stream)
     for recognise in _RECOGNISERS:
         diagnostic = recognise(mistake)
         if diagnostic is not None:
@@ -92,72 +44,47 @@ def explain(error: UnexpectedToken, stream: TokenStream) -> Diagnostic:
     return mistake.here(f"expected {wanted} {mistake.place}" if wanted else f"unexpected {shown}")
 
 
-def _gather(error: UnexpectedToken, stream: TokenStream) -> _Mistake:
-    lexemes = stream.lexemes
-    index = len(lexemes.texts) if error.token.type == "$END" else stream.index
-    parser: Any = error.interactive_parser
-    openings: list[tuple[str, Span, str]] = []
-    for at, text in enumerate(lexemes.texts[:index]):
-        if text in _PAIRS:
-            openings.append((text, _place(stream, at), _spelling(stream, at - 1)))
-        elif text in _CLOSERS:
-            openings.pop()
-    return _Mistake(
-        source=stream.source,
-        version=stream.version,
-        text=_spelling(stream, index),
-        kind=error.token.type,
-        span=_place(stream, index),
-        before=_spelling(stream, index - 1),
-        before_span=_place(stream, index - 1),
-        earlier=_spelling(stream, index - 2),
-        openings=openings,
-        right=frozenset(parser.accepts()),
-        values=parser.parser_state.value_stack,
-    )
-
-
-def _spelling(stream: TokenStream, index: int) -> str:
-    texts = stream.lexemes.texts
-    return texts[index] if 0 <= index < len(texts) else ""
-
-
-def _place(stream: TokenStream, index: int) -> Span:
-    lexemes = stream.lexemes
-    if 0 <= index < len(lexemes.texts):
-        return Span(lexemes.starts[index], lexemes.ends[index])
-    end = len(stream.source.text.rstrip()) if index >= 0 else 0
-    return Span(end, end)
-
-
 # --- kinds of mistakes ----------------------------------------------------------------------------
 
 
-def _reserved(mistake: _Mistake) -> Diagnostic | None:
+def _reserved(mistake: Unexpected) -> Diagnostic | None:
+    if mistake.text == "subroutine":
+        hint = "call the function directly, or choose it with a switch on a uniform"
+        return mistake.here("subroutines are not supported", hint, "SC111")
     if mistake.kind != "RESERVED":
         return None
-    message = f"'{mistake.text}' is a reserved word of GLSL {mistake.version}"
-    return mistake.here(message, "choose another name", "SC106")
+    message = f"'{mistake.text}' is a reserved word of {mistake.language}"
+    return mistake.here(message, _reserved_hint(mistake), "SC106")
 
 
-def _later_keyword(mistake: _Mistake) -> Diagnostic | None:
-    """A word that only a later version knows, as in ``precise float x;``."""
-    for text, span in ((mistake.text, mistake.span), (mistake.before, mistake.before_span)):
-        if is_word(text) and text in keywords(460) and text not in keywords(mistake.version):
-            since = min(v for v in (400, 420, 430) if text in keywords(v))
-            message = f"'{text}' has no meaning in GLSL {mistake.version}"
-            return mistake.at(span, message, f"it needs #version {since} or later", "SC106")
+def _reserved_hint(mistake: Unexpected) -> str:
+    if "NAME" in mistake.right and "BASIC_TYPE" not in mistake.right:
+        return "choose another name"
+    instead = foreign.INSTEAD_OF_RESERVED.get(mistake.text)
+    return instead or _needs(mistake.text, mistake.language) or "choose another name"
+
+
+def _needs(word: str, language: Language) -> str | None:
+    """The hint which version a word needs; ``None`` where no later one has it."""
+    since = keyword_since(word, language.es)
+    if since is None or since <= language.version:
+        return None
+    return f"it needs #version {since}{' es' if language.es else ''} or later"
+
+
+def _later_keyword(mistake: Unexpected) -> Diagnostic | None:
+    """A word that only another version knows, as in ``precise float x;``."""
+    language = mistake.language
+    here, before = (mistake.text, mistake.span), (mistake.before, mistake.before_span)
+    for text, span in (here, before, (mistake.callee, mistake.span)):
+        if is_word(text) and text not in keywords(*language):
+            hint = _needs(text, language)
+            if hint is not None:
+                return mistake.at(span, f"'{text}' has no meaning in {language}", hint, "SC106")
     return None
 
 
-def _brace_initialiser(mistake: _Mistake) -> Diagnostic | None:
-    if mistake.text != "{" or mistake.before not in ("=", "{", ","):
-        return None
-    message = "initialiser lists in braces are not supported"
-    return mistake.here(message, "write a constructor, such as float[2](1.0, 2.0)", "SC110")
-
-
-def _stray_word(mistake: _Mistake) -> Diagnostic | None:
+def _stray_word(mistake: Unexpected) -> Diagnostic | None:
     if mistake.text == "else" and mistake.before in (";", "{", "}"):
         hint = "several statements before 'else' need braces" if mistake.before == ";" else None
         return mistake.here("'else' without an 'if'", hint)
@@ -166,60 +93,80 @@ def _stray_word(mistake: _Mistake) -> Diagnostic | None:
     return None
 
 
-def _wrong_closer(mistake: _Mistake) -> Diagnostic | None:
+def _wrong_closer(mistake: Unexpected) -> Diagnostic | None:
     """A closing bracket that does not fit the innermost open one."""
-    if mistake.text not in _CLOSERS:
+    if mistake.text not in CLOSERS:
         return None
     opening, _, _ = mistake.openings[-1] if mistake.openings else ("{", Span(0, 0), "")
     if not mistake.openings or (opening == "{" and mistake.text != "}"):
         return mistake.here(f"this '{mistake.text}' closes nothing")
-    closer = _PAIRS[opening]
-    if mistake.text == closer or _CLOSERS[closer] not in mistake.right:
+    closer = PAIRS[opening]
+    if mistake.text == closer or CLOSERS[closer] not in mistake.right:
         return None
     return mistake.behind(f"expected '{closer}' {mistake.place}", _opened(mistake))
 
 
-def _never_closed(mistake: _Mistake) -> Diagnostic | None:
+def _never_closed(mistake: Unexpected) -> Diagnostic | None:
     """A bracket that is open at the end of the file."""
     if mistake.text or not mistake.openings:
         return None
     opening, span, _ = mistake.openings[-1]
-    complete = mistake.before in (";", "}", "{") or _CLOSERS[_PAIRS[opening]] in mistake.right
+    complete = mistake.before in (";", "}", "{") or CLOSERS[PAIRS[opening]] in mistake.right
     return mistake.at(span, f"this '{opening}' is never closed") if complete else None
 
 
-def _opened(mistake: _Mistake) -> str:
+def _opened(mistake: Unexpected) -> str:
     opening, span, _ = mistake.openings[-1]
     line, column = mistake.source.position(span.start)
     return f"the '{opening}' at {line}:{column} is open"
 
 
-def _unknown_type(mistake: _Mistake) -> Diagnostic | None:
+def _unknown_type(mistake: Unexpected) -> Diagnostic | None:
     """``Foo bar``, where nothing says that ``Foo`` is a type."""
     if mistake.kind != "NAME":
         return None
     if "NAME" not in mistake.right and "TYPE_NAME" in mistake.right:
-        return mistake.here(f"'{mistake.text}' is not the name of a type", _outside_hint(mistake))
+        span, name = mistake.span, mistake.text
+        return mistake.at(span, _no_type(name), _type_hint(mistake, name))
     starts = mistake.same_line and mistake.earlier in _STATEMENT_ENDS
-    if starts and is_word(mistake.before) and mistake.before not in keywords(mistake.version):
-        message = f"'{mistake.before}' is not the name of a type"
-        return mistake.at(mistake.before_span, message)
+    if starts and is_word(mistake.before) and mistake.before not in keywords(*mistake.language):
+        span, name = mistake.before_span, mistake.before
+        return mistake.at(span, _no_type(name), _type_hint(mistake, name))
     return None
 
 
-def _outside_hint(mistake: _Mistake) -> str | None:
+def _no_type(name: str) -> str:
+    return f"'{name}' is not the name of a type"
+
+
+def _type_hint(mistake: Unexpected, name: str) -> str | None:
+    known = {*type_names(*mistake.language), *mistake.types}
+    if mistake.before == "," and mistake.openings and mistake.openings[-1][0] == "(":
+        return "each parameter has a type of its own"
+    return foreign.type_hint(name, known) or _outside_hint(mistake)
+
+
+def _outside_hint(mistake: Unexpected) -> str | None:
     return None if mistake.openings else "outside functions there are only declarations"
 
 
-def _keyword_as_name(mistake: _Mistake) -> Diagnostic | None:
+def _unfinished_block(mistake: Unexpected) -> Diagnostic | None:
+    """``struct S { float a; } void main() { }``"""
+    if mistake.before != "}" or not {"NAME", "SEMICOLON"} <= mistake.right:
+        return None
+    is_keyword = mistake.text in keywords(*mistake.language)
+    return mistake.behind("expected ';' after the block") if is_keyword else None
+
+
+def _keyword_as_name(mistake: Unexpected) -> Diagnostic | None:
     """``float in = 1.0;``"""
     wanted = "NAME" in mistake.right and not mistake.operand_missing and mistake.same_line
-    if wanted and mistake.text in keywords(mistake.version):
+    if wanted and mistake.text in keywords(*mistake.language):
         return mistake.here(f"'{mistake.text}' is a keyword and cannot be a name", code="SC106")
     return None
 
 
-def _missing_type(mistake: _Mistake) -> Diagnostic | None:
+def _missing_type(mistake: Unexpected) -> Diagnostic | None:
     """``const x = 1.0;``, ``uniform Foo bar;``, ``uniform;``"""
     if {"LBRACE", "COMMA"} <= mistake.right and mistake.kind in ("EQUAL", "LSQB", "LPAR"):
         return mistake.at(mistake.before_span, f"expected a type before '{mistake.before}'")
@@ -231,23 +178,39 @@ def _missing_type(mistake: _Mistake) -> Diagnostic | None:
     return None
 
 
-def _missing_name(mistake: _Mistake) -> Diagnostic | None:
+def _missing_name(mistake: Unexpected) -> Diagnostic | None:
     if "NAME" not in mistake.right or mistake.operand_missing or mistake.before in _STATEMENT_ENDS:
         return None
-    return mistake.behind(f"expected a name after '{mistake.before}'")
+    hint = foreign.operand_hint(mistake)
+    return mistake.behind(f"expected a name after '{mistake.before}'", hint)
 
 
-def _missing_semicolon(mistake: _Mistake) -> Diagnostic | None:
+def _missing_sign(mistake: Unexpected) -> Diagnostic | None:
+    """``float a 1.0;``, ``void main { }``, ``a 1.0``"""
+    if mistake.text == "{" and {"LPAR", "SEMICOLON"} <= mistake.right and is_word(mistake.before):
+        return mistake.behind(f"expected '(' after '{mistake.before}'")
+    if mistake.kind != "LITERAL" or mistake.operand_missing or not mistake.same_line:
+        return None
+    if "EQUAL" in mistake.right and _construct(mistake) == "declaration":
+        return mistake.here(f"expected '=' {mistake.place}")
+    operator = "BINARY" in mistake.right and mistake.openings
+    return mistake.here(f"expected an operator {mistake.place}") if operator else None
+
+
+def _missing_semicolon(mistake: Unexpected) -> Diagnostic | None:
     unfinished = mistake.operand_missing and mistake.before != "return"
     if "SEMICOLON" not in mistake.right or unfinished or mistake.before in (";", "{", ""):
         return None
     if mistake.text == ")":
         return mistake.behind("expected ';' before ')'")
     apart = not mistake.same_line or mistake.text in ("", "{", "}") or is_word(mistake.text)
-    return mistake.behind(f"expected ';' after {_construct(mistake)}") if apart else None
+    if not apart:
+        return None
+    hint = _opened(mistake) if isinstance(mistake.values[-1], FunctionProto) else None
+    return mistake.behind(f"expected ';' after {_construct(mistake)}", hint)
 
 
-def _construct(mistake: _Mistake) -> str:
+def _construct(mistake: Unexpected) -> str:
     """What stands unfinished on the parser's stack, in words."""
     for value in reversed(mistake.values):
         if isinstance(value, Token) and value.type in _JUMPS:
@@ -265,35 +228,36 @@ def _is_declaration(value: tuple[Any, ...]) -> bool:
     return bool(value) and isinstance(value[0], FullType)
 
 
-def _missing_closer(mistake: _Mistake) -> Diagnostic | None:
+def _missing_closer(mistake: Unexpected) -> Diagnostic | None:
     """``f(a b)``, ``a[1;``: the innermost bracket could have been closed here."""
     opening, _, before = mistake.openings[-1] if mistake.openings else ("{", Span(0, 0), "")
     if opening == "{" or mistake.operand_missing:
         return None
-    closer = _PAIRS[opening]
-    if _CLOSERS[closer] not in mistake.right:
+    closer = PAIRS[opening]
+    if CLOSERS[closer] not in mistake.right:
         return None
     listed = opening == "(" and is_word(before) and before not in STATEMENT_WORDS
     wanted = f"',' or '{closer}'" if listed and mistake.text != ";" else f"'{closer}'"
     return mistake.behind(f"expected {wanted} {mistake.place}", _opened(mistake))
 
 
-def _missing_colon(mistake: _Mistake) -> Diagnostic | None:
+def _missing_colon(mistake: Unexpected) -> Diagnostic | None:
     if "COLON" not in mistake.right:
         return None
     asked = any(isinstance(value, Token) and value.text == "?" for value in mistake.values)
     return mistake.behind(f"expected ':' after the {'second part of ?:' if asked else 'label'}")
 
 
-def _missing_operand(mistake: _Mistake) -> Diagnostic | None:
+def _missing_operand(mistake: Unexpected) -> Diagnostic | None:
     if not mistake.operand_missing:
         return None
     if "IF" in mistake.right:
         return mistake.here(f"expected a statement {mistake.place}")
-    return mistake.here(f"expected an expression after '{mistake.before}'")
+    hint = foreign.operand_hint(mistake)
+    return mistake.here(f"expected an expression after '{mistake.before}'", hint)
 
 
-def _missing_declaration(mistake: _Mistake) -> Diagnostic | None:
+def _missing_declaration(mistake: Unexpected) -> Diagnostic | None:
     if "BASIC_TYPE" not in mistake.right:
         return None
     if mistake.before in ("", ";", "}") and not mistake.openings:
@@ -303,16 +267,24 @@ def _missing_declaration(mistake: _Mistake) -> Diagnostic | None:
     return mistake.here(f"expected a type {mistake.place}")
 
 
-_RECOGNISERS: tuple[Callable[[_Mistake], Diagnostic | None], ...] = (
+_RECOGNISERS: tuple[Callable[[Unexpected], Diagnostic | None], ...] = (
     _reserved,
     _later_keyword,
-    _brace_initialiser,
+    foreign.operator,
+    foreign.cast,
+    foreign.else_if,
+    foreign.struct_variable,
+    foreign.return_type,
+    foreign.second_type,
     _stray_word,
     _wrong_closer,
     _never_closed,
+    _unfinished_block,
     _unknown_type,
+    foreign.semantic,
     _keyword_as_name,
     _missing_closer,
+    _missing_sign,
     _missing_colon,
     _missing_type,
     _missing_name,

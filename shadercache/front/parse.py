@@ -1,14 +1,22 @@
-"""The one door of the front end: :func:`parse`."""
+"""The door of the front end: :func:`parse`, and for broken files :func:`parse_before`."""
 
 from __future__ import annotations
 
+from contextlib import suppress
 from threading import Lock
 from typing import Any
 
+from shadercache.ast.large import without_collector
 from shadercache.ast.nodes import Module
 from shadercache.diagnostics import Diagnostic, InputError
+from shadercache.front.attributes import without_attributes
+from shadercache.front.beginnings import beginnings
+from shadercache.front.comments import find_comments
+from shadercache.front.dialects import host_of
 from shadercache.front.lexis import Lexemes
-from shadercache.front.preprocess import preprocess
+from shadercache.front.options import DEFAULTS, ReadOptions
+from shadercache.front.preprocess import Preprocessed, preprocess, preprocess_broken
+from shadercache.front.version import NO_VERSION
 from shadercache.source import Source, Span
 
 MAX_BRACKETS = 1000
@@ -19,33 +27,76 @@ _CLOSING = frozenset(")]}")
 _one_at_a_time = Lock()
 
 
-def parse(source: Source) -> Module:
+def parse(source: Source, options: ReadOptions = DEFAULTS) -> Module:
     """The syntax tree of a shader, with spans into ``source``.
 
     Raises :class:`InputError`: with all errors of the preprocessor, or with the first error of
     syntax.
     """
-    prepared = preprocess(source)
-    _check_depth(source, prepared.lexemes)
+    host = host_of(source, options.dialect)
+    prepared = preprocess(source, options, host.version if host else NO_VERSION)
+    lexemes = without_attributes(prepared.lexemes, prepared.directives)
+    if host is not None:
+        lexemes = host.surround(lexemes, len(source.text))
+    _check_depth(source, lexemes)
+    return _build(source, prepared, lexemes)
+
+
+def parse_before(source: Source, options: ReadOptions, offset: int) -> Module | None:
+    """The tree of what stands in front of an offset at which there is a mistake.
+
+    It ends behind the last complete statement, or else behind the last complete declaration;
+    ``None`` where that gives no tree. Raises :class:`InputError` for a mistake that stands further
+    in front.
+    """
+    host = host_of(source, options.dialect)
+    prepared = preprocess_broken(source, options, host.version if host else NO_VERSION)[0]
+    whole = without_attributes(prepared.lexemes, prepared.directives)
+    for lexemes, own in beginnings(whole, offset):
+        if host is not None:
+            own -= len(lexemes.texts) + len(host.main)
+            lexemes = host.surround(lexemes, len(source.text))
+            own += len(lexemes.texts)
+        with suppress(_CannotEndError):
+            return _build(source, prepared, lexemes, own)
+    return None
+
+
+class _CannotEndError(Exception):
+    """The text cannot end where it was made to."""
+
+
+def _build(source: Source, prepared: Preprocessed, lexemes: Lexemes, own: int = -1) -> Module:
+    """The tree of the lexemes; those behind the first ``own`` are ours and no fault of the user."""
+    with _one_at_a_time, without_collector():
+        decls = _decls(source, prepared, lexemes, own)
+    span = Span(0, len(source.text))
+    comments = find_comments(source, prepared.lexemes)
+    return Module(span, prepared.version, prepared.profile, prepared.directives, decls, comments)
+
+
+def _decls(source: Source, prepared: Preprocessed, lexemes: Lexemes, own: int) -> Any:
+    # Threads that import lark for the first time at once would wait for each other for ever.
     from lark.exceptions import UnexpectedToken
 
     from shadercache.front.grammar import load_parser
-    from shadercache.front.tokens import TokenStream
+    from shadercache.front.tokens import Language, TokenStream, enabled_extensions
 
-    stream = TokenStream(source, prepared.version, prepared.lexemes)
-    with _one_at_a_time:
-        lark, builder = load_parser()
-        builder.begin(stream)
-        try:
-            decls: Any = lark.parse(stream)
-        except UnexpectedToken as error:
-            from shadercache.front.errors import explain
+    extensions = enabled_extensions(directive.text for directive in prepared.directives)
+    language = Language(prepared.version, prepared.profile == "es", extensions)
+    stream = TokenStream(source, language, lexemes)
+    lark, builder = load_parser()
+    builder.begin(stream)
+    try:
+        return lark.parse(stream)
+    except UnexpectedToken as error:
+        if 0 <= own <= stream.index or (own >= 0 and error.token.type == "$END"):
+            raise _CannotEndError from None
+        from shadercache.front.errors import explain
 
-            raise InputError(explain(error, stream)) from None
-        finally:
-            builder.end()
-    span = Span(0, len(source.text))
-    return Module(span, prepared.version, prepared.profile, prepared.directives, decls)
+        raise InputError(explain(error, stream)) from None
+    finally:
+        builder.end()
 
 
 def _check_depth(source: Source, lexemes: Lexemes) -> None:

@@ -1,39 +1,50 @@
-"""The preprocessor: ``#version``, kept directives and object-like macros.
+"""The preprocessor: ``#version``, conditions, macros, included files and kept directives.
 
 Before::
 
     #version 330
     #define TAU (2.0 * PI)
+    #ifdef SLOW
+    float turn = 0.0;
+    #else
     float turn = TAU;
+    #endif
 
 After: version 330 and the lexemes ``float turn = ( 2.0 * PI ) ;`` where the five of the macro all
 have the place of its use. A directive is handled by the entry of :data:`_HANDLERS` with its name;
 one without an entry is refused.
 
-Source: The OpenGL Shading Language 3.30, section 3.3.
+Source: The OpenGL Shading Language 4.60, section 3.3; GLSL ES 3.20, section 3.4.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field
+from pathlib import Path
 
 from shadercache.ast.nodes import Directive
-from shadercache.diagnostics import Diagnostic, InputError
-from shadercache.front.lexis import Lexemes, clean, is_word, spellings
+from shadercache.diagnostics import Diagnostic, InputError, shortened
+from shadercache.front import include
+from shadercache.front.conditions import evaluate, replace_defined
+from shadercache.front.directives import CONDITIONALS, HANDLERS, Line
+from shadercache.front.extensions import extension_macros
+from shadercache.front.groups import Groups
+from shadercache.front.lexis import CleanText, Lexemes, clean, joins_comments, spellings
+from shadercache.front.macros import Expander, Macro, define
+from shadercache.front.mistakes import LIMIT_HINT, MistakeError, RunawayError, StopReading
+from shadercache.front.options import DEFAULTS, ReadOptions
+from shadercache.front.version import NO_VERSION, Version, check_place, read_version
 from shadercache.source import Source, Span
 
-VERSIONS = (330, 400, 410, 420, 430, 440, 450, 460)
-PROFILES = ("core", "compatibility")
+MAX_ERRORS = 100
+"""Mistakes that are told; after that many no one reads on."""
 
-MAX_EXPANSION = 1_000_000
-"""Words that may be read in the macros of one file; a few nested macros can ask for billions."""
-
-_DIRECTIVE = re.compile(r"^[ \t\v\f]*#[^\n]*", re.MULTILINE)
+_DIRECTIVE = re.compile(r"^[ \t\v\f\r]*#[^\n]*", re.MULTILINE)
 _PARTS = re.compile(r"\s*#\s*(\w*)\s*(.*)", re.DOTALL | re.ASCII)
-_DEFINE = re.compile(r"([A-Za-z_]\w*)(\()?\s*(.*)", re.DOTALL | re.ASCII)
-_VERSION = re.compile(r"(\d+)(?:\s+(\w+))?", re.ASCII)
+_VERSION = re.compile(r"\s*(#[ \t\v\f]*version\b([^\n]*))", re.ASCII)
+_ANY_CHARACTER = frozenset(("define", "error", "include"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,212 +58,224 @@ class Preprocessed:
 
 
 @dataclass(slots=True)
-class _State:
-    """What is known while the file is read from top to bottom."""
+class _File:
+    """A file that is being read: the user's own, or one that is included."""
 
-    source: Source
-    errors: list[Diagnostic] = field(default_factory=list)
-    version: int | None = None
-    profile: str | None = None
-    directives: list[Directive] = field(default_factory=list)
-    macros: dict[str, tuple[str, ...]] = field(default_factory=dict)
-    lexemes: Lexemes = field(default_factory=Lexemes)
-    expanded: int = 0
-
-    def refuse(self, code: str, message: str, span: Span, hint: str | None = None) -> None:
-        self.errors.append(Diagnostic(code, message, self.source, span, hint))
+    part: Source
+    text: CleanText
+    folder: Path | None
+    groups: Groups = field(default_factory=Groups)
+    # What `#line` says: how much to add to the numbers of lines, and the number of the file.
+    shift: int = 0
+    number: str = "0"
 
 
-def preprocess(source: Source) -> Preprocessed:
-    """Read the directives of a file and expand its macros.
+def preprocess(
+    source: Source, options: ReadOptions = DEFAULTS, default: Version = NO_VERSION
+) -> Preprocessed:
+    """Read the directives of a file, take the groups that hold, and expand the macros.
 
-    Raises :class:`InputError` with every error it finds.
+    ``default`` is the version of a file that names none. Raises :class:`InputError` with every
+    error it finds.
     """
-    state = _State(source)
-    text = clean(source, state.errors)
-    at = 0
-    for match in _DIRECTIVE.finditer(text):
-        _read_code(state, text, at, match.start())
-        _read_directive(state, match)
-        at = match.end()
-    _read_code(state, text, at, len(text))
-    if state.version is None and not any(error.code == "SC100" for error in state.errors):
-        _refuse_missing_version(state, text)
-    if state.errors or state.version is None:
-        raise InputError(sorted(state.errors, key=lambda error: error.span or Span(0, 0)))
-    return Preprocessed(state.version, state.profile, tuple(state.directives), state.lexemes)
+    prepared, errors = preprocess_broken(source, options, default)
+    if errors:
+        raise InputError(errors)
+    return prepared
 
 
-def _refuse_missing_version(state: _State, text: str) -> None:
-    start = len(text) - len(text.lstrip())
-    end = text.find("\n", start)
-    message = "without #version the file is GLSL 1.10; version 330 or 400 to 460 is needed"
-    span = Span(start, end if end >= 0 else len(text))
-    state.refuse("SC100", message, span, hint="begin the file with #version 330")
+def preprocess_broken(
+    source: Source, options: ReadOptions, default: Version
+) -> tuple[Preprocessed, list[Diagnostic]]:
+    """:func:`preprocess` for a file that may be broken: what can be made of it, and its errors."""
+    reader = Reader(source, options, default)
+    with suppress(StopReading):
+        reader.read_source()
+    # A file that is included twice has each mistake once.
+    errors = {(error.span, error.message): error for error in reader.errors}.values()
+    version = reader.version
+    directives = tuple(reader.directives)
+    prepared = Preprocessed(version.number, version.profile, directives, reader.lexemes)
+    return prepared, sorted(errors, key=lambda error: error.span or Span(-1, -1))
 
 
-# --- directives -----------------------------------------------------------------------------------
+class Reader:
+    """What is known while the files are read from top to bottom."""
 
+    def __init__(self, source: Source, options: ReadOptions, default: Version) -> None:
+        self.source = source
+        self.options = options
+        self.joined = joins_comments(source.text)
+        self.version = default
+        self.errors: list[Diagnostic] = []
+        self.directives: list[Directive] = []
+        self.lexemes = Lexemes()
+        self.expander = Expander(options.max_tokens, self.line_number)
+        self.macros = self.expander.macros
+        self.enabled: set[str] = set()
+        self.files: list[_File] = []
+        self.once: set[Source] = set()
+        self.place = Span(0, 0)  # Of the directive or macro that is being read.
+        self.room = include.MAX_TEXT
 
-@dataclass(frozen=True, slots=True)
-class _Line:
-    """One directive: its name, what follows the name, and where it stands."""
+    @property
+    def file(self) -> _File:
+        return self.files[-1]
 
-    name: str
-    rest: str
-    span: Span
+    def line_number(self) -> str:
+        """What ``__LINE__`` stands for here."""
+        return str(self.source.position(self.place.start).line + self.file.shift)
 
+    def set_file_number(self, number: str) -> None:
+        """Change what ``__FILE__`` stands for."""
+        self.file.number = number
+        self.macros["__FILE__"] = Macro("__FILE__", None, (number,))
 
-def _read_directive(state: _State, match: re.Match[str]) -> None:
-    raw = match[0]
-    start = match.start() + raw.index("#")
-    span = Span(start, start + len(raw.strip()))
-    parts = _PARTS.match(raw)
-    assert parts is not None
-    name, rest = parts[1], parts[2].strip()
-    if not raw.isascii():
-        state.refuse("SC101", "a directive holds a character that is not ASCII", span)
-    elif handler := _HANDLERS.get(name):
-        handler(state, _Line(name, rest, span))
-    elif name or rest:
-        _refuse_directive(state, _Line(name, rest, span))
+    def tell(self, mistake: MistakeError, span: Span) -> None:
+        """Note a mistake, and go on if that makes sense."""
+        error = Diagnostic(mistake.code, mistake.message, self.source, span, mistake.hint)
+        self.errors.append(error)
+        if isinstance(mistake, RunawayError) or len(self.errors) >= MAX_ERRORS:
+            raise StopReading
 
+    # --- files
 
-def _refuse_directive(state: _State, line: _Line) -> None:
-    if line.name in _INNER and any(error.code == "SC107" for error in state.errors):
-        return  # It belongs to an #if that has been refused.
-    if line.name in _LATER or line.name in _INNER:
-        message = f"#{line.name} is not supported yet"
-        state.refuse("SC107", message, line.span, hint="preprocess the shader first")
-    else:
-        state.refuse("SC108", f"there is no directive #{line.name or line.rest}", line.span)
+    def read_source(self) -> None:
+        """Read the user's own file."""
+        text = clean(self.source, self.joined, self.errors, self.source)
+        path = Path(self.source.name)
+        self.files.append(_File(self.source, text, path.parent if _is_file(path) else None))
+        begin = 0
+        if match := _VERSION.match(text.text):
+            begin = match.end()
+            span = text.span(match.start(1), match.start(1) + len(match[1].rstrip()))
+            try:
+                self.version = read_version(match[2].strip())
+                check_place(self.version, self.source.text[: span.start])
+            except MistakeError as mistake:
+                self.tell(mistake, span)
+        self.define_first_macros()
+        self.expander.allow(len(self.source.text))
+        self.read_file(begin)
 
+    def read_included(self, path: Path) -> None:
+        """Read a file that an ``#include`` names, unless it is to be read once only."""
+        text = include.read(path, self.room)
+        self.room -= max(len(text), include.MIN_TEXT)
+        part = self.source.include(str(path), text, self.place.start)
+        if part not in self.once:
+            cleaned = clean(part, self.joined, self.errors, self.source)
+            self.files.append(_File(part, cleaned, path.parent))
+            self.set_file_number("0")
+            self.expander.allow(len(text))
+            self.read_file(0)
+            self.files.pop()
+            self.set_file_number(self.file.number)
 
-def _read_version(state: _State, line: _Line) -> None:
-    if state.version is not None or state.lexemes.texts or state.directives or state.macros:
-        state.refuse("SC100", "#version must come first, and only once", line.span)
-        return
-    match = _VERSION.fullmatch(line.rest)
-    number, profile = (int(match[1]), match[2]) if match else (0, None)
-    if number not in VERSIONS or profile not in (None, *PROFILES):
-        message = f"GLSL version '{line.rest}' is not supported"
-        hint = "the versions 330 and 400 to 460 are, with 'core', 'compatibility' or no profile"
-        state.refuse("SC100", message, line.span, hint)
-        return
-    state.version, state.profile = number, profile
-
-
-def _keep(state: _State, line: _Line) -> None:
-    text = " ".join(f"#{line.name} {line.rest}".split())
-    state.directives.append(Directive(line.span, text))
-
-
-def _read_define(state: _State, line: _Line) -> None:
-    match = _DEFINE.fullmatch(line.rest)
-    if match is None:
-        state.refuse("SC108", "#define needs the name of a macro", line.span)
-        return
-    name, body = match[1], spellings(match[3])
-    if match[2]:
-        message = f"macro '{name}' has parameters, which is not supported yet"
-        state.refuse("SC107", message, line.span, hint="preprocess the shader first")
-    elif _is_fixed(name):
-        state.refuse("SC108", f"the macro name '{name}' belongs to the language", line.span)
-    elif state.macros.get(name, body) != body:
-        message = f"macro '{name}' is defined again in another way"
-        state.refuse("SC108", message, line.span, hint=f"#undef {name} first")
-    else:
-        state.macros[name] = body
-
-
-def _read_undef(state: _State, line: _Line) -> None:
-    if not is_word(line.rest) or _is_fixed(line.rest):
-        state.refuse("SC108", "#undef needs the name of a macro", line.span)
-    state.macros.pop(line.rest, None)
-
-
-def _read_error(state: _State, line: _Line) -> None:
-    state.refuse("SC108", f"#error {line.rest}".rstrip(), line.span)
-
-
-_HANDLERS: dict[str, Callable[[_State, _Line], None]] = {
-    "version": _read_version,
-    "extension": _keep,
-    "pragma": _keep,
-    "define": _read_define,
-    "undef": _read_undef,
-    "error": _read_error,
-}
-_LATER = frozenset(("if", "ifdef", "ifndef", "line", "include"))
-_INNER = frozenset(("elif", "else", "endif"))
-
-
-# --- macros ---------------------------------------------------------------------------------------
-
-_FIXED = frozenset(("__LINE__", "__FILE__", "__VERSION__", "GL_core_profile", "defined"))
-
-
-def _is_fixed(name: str) -> bool:
-    return name in _FIXED or name.startswith("GL_")
-
-
-def _read_code(state: _State, text: str, start: int, end: int) -> None:
-    lexemes = Lexemes()
-    lexemes.scan(text, start, end)
-    used = set(lexemes.texts)
-    if used.isdisjoint(_FIXED) and state.macros.keys().isdisjoint(used):
-        state.lexemes.texts += lexemes.texts
-        state.lexemes.starts += lexemes.starts
-        state.lexemes.ends += lexemes.ends
-    else:
-        _expand_all(state, lexemes)
-
-
-def _expand_all(state: _State, lexemes: Lexemes) -> None:
-    out = state.lexemes
-    for text, start, end in zip(lexemes.texts, lexemes.starts, lexemes.ends, strict=True):
-        body = _body(state, text, start)
-        made = (text,) if body is None else _expand(state, text, body, Span(start, end))
-        for word in made:
-            out.texts.append(word)
-            out.starts.append(start)
-            out.ends.append(end)
-
-
-def _body(state: _State, name: str, at: int) -> tuple[str, ...] | None:
-    """What a macro stands for; ``None`` where the name is not one."""
-    match name:
-        case "__LINE__":
-            return (str(state.source.position(at).line),)
-        case "__FILE__":
-            return ("0",)
-        case "__VERSION__":
-            return (str(state.version),)
-        case "GL_core_profile":
-            return None if state.profile == "compatibility" else ("1",)
-        case _:
-            return state.macros.get(name)
-
-
-def _expand(state: _State, name: str, body: tuple[str, ...], use: Span) -> Iterator[str]:
-    """The lexemes of a macro, with the macros in it expanded, but never one inside itself."""
-    open_names = [name]
-    open_bodies = [iter(body)]
-    hidden = {name}
-    while open_bodies:
-        for text in open_bodies[-1]:
-            state.expanded += 1
-            if state.expanded > MAX_EXPANSION:
-                message = f"macros expand to more than {MAX_EXPANSION} words"
-                raise InputError(Diagnostic("SC109", message, state.source, use))
-            inner = None if text in hidden else _body(state, text, use.start)
-            if inner is None:
-                yield text
+    def define_first_macros(self) -> None:
+        """Define what is a macro before the first line."""
+        version, es = self.version.number, self.version.es
+        for name in (*self.version.macros, *extension_macros(version, es)):
+            self.macros[name] = Macro(name, None, ("1",), "1")
+        self.macros["__VERSION__"] = Macro("__VERSION__", None, (str(version),))
+        self.set_file_number("0")
+        self.macros["__LINE__"] = Macro("__LINE__", None, ())
+        for name in self.options.undefined:
+            self.macros.pop(name, None)
+        for name, value in self.options.defines:
+            try:
+                macro = define(f"{name} {value}")
+            except MistakeError as mistake:
+                message = f"cannot define '{name}': {mistake.message}"
+                self.errors.append(Diagnostic(mistake.code, message, hint=mistake.hint))
             else:
-                open_names.append(text)
-                open_bodies.append(iter(inner))
-                hidden.add(text)
-                break
-        else:
-            open_bodies.pop()
-            hidden.discard(open_names.pop())
+                self.macros[macro.name] = macro
+
+    def read_file(self, at: int) -> None:
+        """Read the innermost open file from an offset on."""
+        text, groups = self.file.text.text, self.file.groups
+        for match in _DIRECTIVE.finditer(text, at):
+            if groups.live:
+                self.read_code(at, match.start())
+            self.read_directive(match)
+            at = match.end()
+        if groups.live:
+            self.read_code(at, len(text))
+        for span in groups.unclosed():
+            self.tell(MistakeError("SC121", "this condition has no #endif"), span)
+
+    # --- code
+
+    def read_code(self, start: int, end: int) -> None:
+        """Add the lexemes between two directives, macros expanded."""
+        lexemes, limit = self.lexemes, self.options.max_tokens
+        first = len(lexemes.texts)
+        lexemes.scan(self.file.text, start, end, limit)
+        if not self.macros.keys().isdisjoint(set(lexemes.texts[first:])):
+            found = lexemes.cut(first)
+            self.expand(found)
+        if len(lexemes.texts) > limit:
+            span = Span(lexemes.starts[limit], lexemes.ends[limit])
+            message = f"the shader has more than {limit} tokens"
+            self.tell(RunawayError("SC120", message, LIMIT_HINT), span)
+
+    def expand(self, found: Lexemes) -> None:
+        """Add lexemes; those of a macro get the place of its use."""
+        at = 0
+        for index, text in enumerate(found.texts):
+            if index < at or text not in self.macros:
+                continue
+            self.lexemes.add(found, at, index)
+            self.place = Span(found.starts[index], found.ends[index])
+            try:
+                made = self.expander.expand_use(found.texts, index)
+            except MistakeError as mistake:
+                self.tell(mistake, self.place)
+                made = []
+            at = self.expander.behind
+            self.lexemes.repeat(made, self.place.start, found.ends[at - 1])
+        self.lexemes.add(found, at, len(found.texts))
+
+    # --- directives
+
+    def read_directive(self, match: re.Match[str]) -> None:
+        """Obey a directive, or skip it."""
+        raw = match[0].rstrip()
+        start = match.start() + raw.index("#")
+        span = self.place = self.file.text.span(start, match.start() + len(raw))
+        parts = _PARTS.match(raw)
+        assert parts is not None
+        line = Line(parts[1], parts[2], span)
+        try:
+            if line.name in CONDITIONALS:
+                CONDITIONALS[line.name](self, line)
+            elif self.file.groups.live:
+                self.obey(line)
+        except MistakeError as mistake:
+            self.tell(mistake, span)
+
+    def obey(self, line: Line) -> None:
+        """Carry out a directive that is no condition."""
+        handler = HANDLERS.get(line.name)
+        if line.rest.endswith("\\"):
+            hint = "the line break must follow the '\\' at once"
+            raise MistakeError("SC104", "this '\\' continues no line", hint)
+        if handler is None and (line.name or line.rest):
+            name = shortened(line.name or line.rest)
+            raise MistakeError("SC108", f"there is no directive #{name}")
+        if not line.rest.isascii() and line.name not in _ANY_CHARACTER:
+            raise MistakeError("SC101", "a directive holds a character that is not ASCII")
+        if handler is not None:
+            handler(self, line)
+
+    def value(self, rest: str) -> int:
+        """The value of an expression in a directive."""
+        words = self.expander.expand_all(replace_defined(spellings(rest), self.macros))
+        return evaluate(words, self.version.es)
+
+
+def _is_file(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except (OSError, ValueError):
+        return False

@@ -8,16 +8,15 @@ a scope closes, the parser has already seen the token that follows it; that toke
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator
-from functools import cache
-from typing import Any
+from collections.abc import Container, Iterable, Iterator
+from typing import Any, NamedTuple
 
 from lark.common import LexerConf
 from lark.lexer import Lexer, LexerState
 from lark.parsers.lalr_parser_state import ParserState
 
 from shadercache.diagnostics import Diagnostic, InputError
-from shadercache.front.lexis import Lexemes, is_number, is_word
+from shadercache.front.lexis import MAX_WORD, Lexemes, is_number, is_word
 from shadercache.lang import words
 from shadercache.source import Source, Span
 
@@ -26,6 +25,39 @@ MAX_OPERATORS = 1000
 
 _CHECK_EVERY = 500
 _OPERATORS = frozenset(("SIGN", "PREFIX", "STEP", "EQUAL", "ASSIGN", "QMARK", "COLON"))
+
+
+class Language(NamedTuple):
+    """Which GLSL a file is written in: version, embedded or not, extensions that are on."""
+
+    version: int
+    es: bool = False
+    extensions: frozenset[str] = frozenset()
+
+    def at_least(self, desktop: int | None, es: int | None, *extensions: str) -> bool:
+        """Is it this version or a later one, or is one of the extensions on?
+
+        ``None``: neither a version nor an extension has it there.
+        """
+        since = es if self.es else desktop
+        if since is None:
+            return False
+        return self.version >= since or not self.extensions.isdisjoint(extensions)
+
+    def __str__(self) -> str:
+        """``GLSL ES 3.00``, as a programmer says it."""
+        return f"GLSL{' ES' if self.es else ''} {self.version // 100}.{self.version % 100:02}"
+
+
+def enabled_extensions(directives: Iterable[str]) -> frozenset[str]:
+    """The extensions that the ``#extension name : behaviour`` lines of a file leave on."""
+    names: set[str] = set()
+    for text in directives:
+        if text.startswith("#extension"):
+            name, _, behaviour = text.removeprefix("#extension").partition(":")
+            change = names.discard if behaviour.strip() == "disable" else names.add
+            change(name.strip())
+    return frozenset(names)
 
 
 class Token:
@@ -52,8 +84,8 @@ class Scopes:
     __slots__ = ("_frames", "pending", "types")
 
     def __init__(self) -> None:
-        self._frames: list[dict[str, bool]] = [{}]
-        self.types: set[str] = set()
+        self._frames: list[dict[str, bool]] = [dict.fromkeys(words.BUILTIN_STRUCTS, True)]
+        self.types: set[str] = set(words.BUILTIN_STRUCTS)
         self.pending: Token | None = None
 
     def open(self) -> int:
@@ -90,9 +122,9 @@ class Scopes:
 class TokenStream:
     """What is parsed: the lexemes of one file, and the scopes that the parser keeps for it."""
 
-    def __init__(self, source: Source, version: int, lexemes: Lexemes) -> None:
+    def __init__(self, source: Source, language: Language, lexemes: Lexemes) -> None:
         self.source = source
-        self.version = version
+        self.language = language
         self.lexemes = lexemes
         self.scopes = Scopes()
         self.index = -1
@@ -114,13 +146,13 @@ class TokenLexer(Lexer):
             for term in lexer_conf.terminals
             if term.pattern is not None and term.pattern.type == "str"
         }
-        self._kinds: dict[int, dict[str, str]] = {}
+        self._kinds: dict[Language, dict[str, str]] = {}
 
     def lex(self, lexer_state: LexerState, parser_state: ParserState[int]) -> Iterator[Any]:
         """The tokens of a stream, each made when the parser asks for it."""
         stream: Any = lexer_state.text
         scopes = stream.scopes
-        kinds = self._kinds_of(stream.version).copy()
+        kinds = self._kinds_of(stream.language).copy()
         check_at = MAX_OPERATORS
         stack = parser_state.state_stack
         states = parser_state.parse_conf.states
@@ -141,10 +173,17 @@ class TokenLexer(Lexer):
             scopes.pending = token
             yield token
 
-    def _kinds_of(self, version: int) -> dict[str, str]:
-        kinds = self._kinds.get(version)
+    def _kinds_of(self, language: Language) -> dict[str, str]:
+        """The terminals of all words and signs that a language has."""
+        kinds = self._kinds.get(language)
         if kinds is None:
-            kinds = self._kinds[version] = {**_word_kinds(version), **self._fixed}
+            keywords = words.keywords(*language)
+            spelled_out = {
+                text: kind
+                for text, kind in self._fixed.items()
+                if text in keywords or not is_word(text)
+            }
+            kinds = self._kinds[language] = {**_word_kinds(language), **spelled_out}
         return kinds
 
 
@@ -165,13 +204,12 @@ def _check_operators(values: list[Any], stream: TokenStream) -> None:
         raise stream.error("SC105", f"more than {MAX_OPERATORS} operators nest here")
 
 
-@cache
-def _word_kinds(version: int) -> dict[str, str]:
+def _word_kinds(language: Language) -> dict[str, str]:
     """The terminals of the words and operators that the grammar does not spell out."""
     return {
-        **dict.fromkeys(words.reserved_words(version), "RESERVED"),
-        **dict.fromkeys(words.type_names(version), "BASIC_TYPE"),
-        **dict.fromkeys(words.qualifier_words(version), "QUALIFIER"),
+        **dict.fromkeys(words.reserved_words(*language), "RESERVED"),
+        **dict.fromkeys(words.type_names(*language), "BASIC_TYPE"),
+        **dict.fromkeys(words.qualifier_words(*language), "QUALIFIER"),
         **dict.fromkeys(words.TRUTH_WORDS, "LITERAL"),
         **dict.fromkeys(words.PRECEDENCE, "BINARY"),
         **dict.fromkeys(words.ASSIGN_OPS, "ASSIGN"),
@@ -183,12 +221,36 @@ def _word_kinds(version: int) -> dict[str, str]:
 
 def _kind_of(text: str, stream: TokenStream) -> str:
     """The terminal of a name or number; an error for what is neither."""
+    if len(text) > MAX_WORD:
+        raise stream.error("SC102", f"'{text}' has more than {MAX_WORD} characters")
     if is_word(text) and text.isascii():
         return "NAME"
     if text[0].isdigit() or (text[0] == "." and len(text) > 1):
         if is_number(text):
+            _check_suffix(text, stream)
             return "LITERAL"
         raise stream.error("SC102", f"'{text}' is not a number of GLSL")
     shown = f"'{text}'" if text.isprintable() else f"U+{ord(text):04X}"
     kind = "" if text.isascii() else ", which is not ASCII and may stand in comments only"
-    raise stream.error("SC101", f"unexpected character {shown}{kind}")
+    hint = "GLSL has no strings" if text in ('"', "'") else None
+    raise stream.error("SC101", f"unexpected character {shown}{kind}", hint)
+
+
+_FP64 = ("GL_ARB_gpu_shader_fp64",)
+_SUFFIXES: dict[str, tuple[int | None, int | None, tuple[str, ...]]] = {
+    "u": (130, 300, ("GL_EXT_gpu_shader4",)),
+    "f": (120, 300, ()),
+    "lf": (400, None, _FP64),
+}
+"""Since when a number may end in this: desktop, ES (``None``: never), or with which extensions."""
+
+
+def _check_suffix(text: str, stream: TokenStream) -> None:
+    """Refuse the suffix of a literal where the version has none such (section 4.1)."""
+    if text[-1] not in "fFuU" or (text[:2] in ("0x", "0X") and text[-1] in "fF"):
+        return
+    suffix = text[-2:] if text[-2] in "lL" else text[-1]
+    desktop, es, extensions = _SUFFIXES[suffix.lower()]
+    if not stream.language.at_least(desktop, es, *extensions):
+        message = f"{stream.language} has no numbers that end in '{suffix}'"
+        raise stream.error("SC102", message, f"write {text.removesuffix(suffix)}")

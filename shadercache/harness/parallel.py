@@ -12,11 +12,11 @@ from contextlib import closing
 from multiprocessing import get_context
 from pathlib import Path
 
-from shadercache.compiler import analyse
+from shadercache.front.options import ReadOptions
 from shadercache.harness.context import open_context
-from shadercache.harness.scene import Scene, load_scene
+from shadercache.harness.scene import load_scene
+from shadercache.harness.shaders import analyse_scene
 from shadercache.harness.verify import Verdict, Verifier
-from shadercache.source import Source
 
 _verifier: Verifier | None = None
 """The worker process's own; set once when the process starts."""
@@ -28,18 +28,19 @@ def verify_in_parallel(
     jobs: int,
     plain: bool = True,
     told: Callable[[Verdict], None] | None = None,
+    reading: ReadOptions | None = None,
 ) -> list[Verdict]:
     """Verdicts for the nodes (by id) of a scene, in the order of ``nodes``.
 
-    ``jobs`` processes; 1 works in this one. ``told`` hears of each verdict as it comes. Raises as
-    :class:`Verifier`.
+    ``jobs`` processes; 1 works in this one. ``told`` hears of each verdict as it comes; ``reading``
+    is how the shaders are read. Raises as :class:`Verifier`.
     """
     if jobs == 1:
-        with closing(_open(scene)) as verifier:
+        with closing(_open(scene, reading)) as verifier:
             return [_tell(_check(verifier, node, plain), told) for node in nodes]
     found: dict[str, Verdict] = {}
     spawn = get_context("spawn")  # a forked child would share the parent's driver state
-    with ProcessPoolExecutor(jobs, spawn, _start, (scene,)) as pool:
+    with ProcessPoolExecutor(jobs, spawn, _start, (scene, reading)) as pool:
         waiting = [pool.submit(_work, node, plain) for node in nodes]
         try:
             for future in as_completed(waiting):
@@ -51,24 +52,15 @@ def verify_in_parallel(
     return [found[node] for node in nodes]
 
 
-def read_shaders(scene: Scene) -> tuple[Source, Source]:
-    """The scene's fragment and vertex shader."""
-    return (
-        Source(str(scene.fragment), scene.fragment.read_text(encoding="utf-8")),
-        Source(str(scene.vertex), scene.vertex.read_text(encoding="utf-8")),
-    )
+def _open(path: Path, reading: ReadOptions | None) -> Verifier:
+    return Verifier(open_context(), *analyse_scene(load_scene(path), reading))
 
 
-def _open(path: Path) -> Verifier:
-    scene = load_scene(path)
-    return Verifier(open_context(), scene, analyse(*read_shaders(scene)))
-
-
-def _start(path: Path) -> None:
+def _start(path: Path, reading: ReadOptions | None) -> None:
     global _verifier
     # One rasteriser thread a process, or llvmpipe's threads fight over the cores.
     os.environ.setdefault("LP_NUM_THREADS", "1")
-    _verifier = _open(path)
+    _verifier = _open(path, reading)
 
 
 def _work(node: str, plain: bool) -> Verdict:

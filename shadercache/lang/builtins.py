@@ -6,27 +6,19 @@ types expanded, when its name is asked for. The notation is explained at the hea
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from shadercache.lang.types import FLOAT, Type, array_of, builtin_type, struct_type
+from shadercache.lang.generics import expanded
+from shadercache.lang.types import Type, array_of, builtin_type, struct_type
+from shadercache.lang.words import type_names
 
 _FILE = Path(__file__).with_name("builtins.txt")
 
-_GENERIC = re.compile(r"gen[IUBD]?Type|d?matCR|[iubd]?vecN")
-_GVEC = re.compile(r"\bg(?=vec4|sampler)")
-_GEN_NAMES = {"genType": "", "genIType": "i", "genUType": "u", "genBType": "b", "genDType": "d"}
-_SCALARS = {"": "float", "i": "int", "u": "uint", "b": "bool", "d": "double"}
-_SIZES = ("2", "3", "4")
-
-_FIRST_DOUBLE = 400
-_FOREVER = 9999
-
-# GLSL ES as the desktop version that has about the same built-ins.
-_ES_AS_DESKTOP = {100: 120, 300: 330, 310: 330, 320: 330}
+_NEVER = 9999
+NO_EXTENSIONS: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -46,8 +38,9 @@ class Signature:
     """One overload of a built-in function.
 
     ``derivative``: it is a derivative. ``implicit_lod``: it takes its level of detail from
-    derivatives. ``texture``: it looks into a texture. ``fragment_only``: vertex shaders do not
-    have it. ``foldable``: with constant arguments it is a constant expression (section 4.3.3).
+    derivatives. ``texture``: it looks into a texture. ``memory``: it reads or writes an image, an
+    atomic counter or a buffer. ``fragment_only``: vertex shaders do not have it. ``foldable``:
+    with constant arguments it is a constant expression (section 4.3.3).
     """
 
     name: str
@@ -56,6 +49,7 @@ class Signature:
     derivative: bool = False
     implicit_lod: bool = False
     texture: bool = False
+    memory: bool = False
     fragment_only: bool = False
     foldable: bool = True
 
@@ -81,53 +75,100 @@ class BuiltinVariable:
 
 @dataclass(frozen=True, slots=True)
 class _Availability:
-    """Where something exists: a range of desktop versions, the first ES version, one stage."""
+    """Where something exists: ranges of versions, one stage, extensions."""
 
-    since: int = 0
-    until: int = _FOREVER
-    es: int | None = None
+    since: int = 110
+    until: int = _NEVER
+    es: int = 100
+    es_until: int = _NEVER
     stage: str | None = None
+    extensions: frozenset[str] = NO_EXTENSIONS
+    extended_since: int = 0
 
-    def holds(self, version: int, profile: str | None, stage: str) -> bool:
+    def holds(
+        self, version: int, profile: str | None, stage: str, extensions: frozenset[str]
+    ) -> bool:
         """Does a shader of this version, profile and stage have it?"""
         if self.stage not in (None, stage):
             return False
+        if version >= self.extended_since and not self.extensions.isdisjoint(extensions):
+            return True
         if profile == "es":
-            if self.es is not None:
-                return version >= self.es
-            old = self.until < _FOREVER
-            return self.since <= _ES_AS_DESKTOP.get(version, 330) and not (old and version >= 300)
+            return self.es <= version <= self.es_until
         return self.since <= version and (version <= self.until or profile == "compatibility")
+
+
+@dataclass(frozen=True, slots=True)
+class _Line:
+    """A line of the data file; ``words`` are its own, then those of the ``@`` above it."""
+
+    text: str
+    words: tuple[str, ...]
 
 
 @cache
 def functions(
-    name: str, version: int = 330, profile: str | None = None, stage: str = "fragment"
+    name: str,
+    version: int = 330,
+    profile: str | None = None,
+    stage: str = "fragment",
+    extensions: frozenset[str] = NO_EXTENSIONS,
 ) -> tuple[Signature, ...]:
-    """All overloads of the built-in function ``name``; none if there is no such function."""
+    """All overloads of the built-in function ``name``; none if there is no such function.
+
+    ``profile`` is ``"es"`` for GLSL ES (1.00 too); ``extensions`` are the names of those that
+    ``#extension`` turned on.
+    """
+    kinds = type_names(version, profile == "es", extensions)
+    return _distinct(
+        signature
+        for signature, where in _all_signatures(name)
+        if where.holds(version, profile, stage, extensions)
+        and signature.result.name in kinds
+        and all(param.type.name in kinds for param in signature.params)
+    )
+
+
+@cache
+def overloads(name: str) -> tuple[Signature, ...]:
+    """The overloads of a built-in function in all versions, stages and extensions."""
+    return _distinct(signature for signature, _ in _all_signatures(name))
+
+
+def _distinct(found: Iterator[Signature]) -> tuple[Signature, ...]:
     # max(genType, float) and max(genType, genType) are the same for a scalar: keyed by parameters.
-    found: dict[tuple[Type, ...], Signature] = {}
-    for line in _index()["functions"].get(name, ()):
-        for signature, where in _signatures(name, line):
-            if where.holds(version, profile, stage):
-                found.setdefault(tuple(param.type for param in signature.params), signature)
-    return tuple(found.values())
+    kept: dict[tuple[Type, ...], Signature] = {}
+    for signature in found:
+        kept.setdefault(tuple(param.type for param in signature.params), signature)
+    return tuple(kept.values())
 
 
 @cache
 def variable(
-    name: str, stage: str = "fragment", version: int = 330, profile: str | None = None
+    name: str,
+    stage: str = "fragment",
+    version: int = 330,
+    profile: str | None = None,
+    extensions: frozenset[str] = NO_EXTENSIONS,
 ) -> BuiltinVariable | None:
     """The built-in variable or constant ``name`` of a stage, or ``None``."""
-    for line in _index()["variables"].get(name, ()):
-        storage, kind, _, *words = line.split()
-        if _availability(words).holds(version, profile, stage):
-            return BuiltinVariable(name, _named_type(kind), storage)
-    for line in _index()["constants"].get(name, ()):
-        kind, _, value, *words = line.split()
-        if _availability(words).holds(version, profile, stage):
-            return BuiltinVariable(name, _named_type(kind), "const", int(value))
+    for section in ("variables", "constants"):
+        for line in _index()[section].get(name, ()):
+            if _availability(line.words).holds(version, profile, stage, extensions):
+                storage, kind, value = _fields(section, line.text)
+                return BuiltinVariable(name, _named_type(kind), storage, value)
     return None
+
+
+def _fields(section: str, text: str) -> tuple[str, str, int | None]:
+    """Storage, type and value of a variable or constant."""
+    first, second, third = text.split()[:3]
+    return (first, second, None) if section == "variables" else ("const", first, int(third))
+
+
+def struct(name: str) -> Type | None:
+    """The built-in struct of that name (``gl_DepthRangeParameters``), or ``None``."""
+    return _named_type(name) if name in _index()["structs"] else None
 
 
 def function_names() -> tuple[str, ...]:
@@ -140,46 +181,74 @@ def variable_names() -> tuple[str, ...]:
     return (*_index()["variables"], *_index()["constants"])
 
 
+# --- reading the file -----------------------------------------------------------------------------
+
+
 @cache
-def _index() -> Mapping[str, dict[str, list[str]]]:
+def _index() -> Mapping[str, dict[str, list[_Line]]]:
     """Lines of the data file by section and name."""
-    sections: dict[str, dict[str, list[str]]] = {}
-    section: dict[str, list[str]] = {}
-    for line in _FILE.read_text(encoding="utf-8").splitlines():
-        if line.startswith("["):
-            section = sections.setdefault(line.strip("[]"), {})
-        elif line and not line.startswith("#"):
-            names = line.split("(", 1)[0].split()
-            # A function line is "result names(...)", others have the name second or third.
-            at = 2 if names[0] in ("in", "out", "uniform") else 1
-            for name in names[at].split("|"):
+    sections: dict[str, dict[str, list[_Line]]] = {}
+    section: dict[str, list[_Line]] = {}
+    at = 1
+    shared: tuple[str, ...] = ()
+    for text in _FILE.read_text(encoding="utf-8").splitlines():
+        if text.startswith("["):
+            title, shared = text.strip("[]"), ()
+            section = sections.setdefault(title, {})
+            at = {"structs": 0, "variables": 2}.get(title, 1)
+        elif text.startswith("@"):
+            shared = tuple(text[1:].split())
+        elif text and not text.startswith("#"):
+            names = text.partition("(")[0].partition(":")[0].split()[at]
+            line = _Line(text, (*_own_words(text, at), *shared))
+            for name in names.split("|"):
                 section.setdefault(name, []).append(line)
     return sections
 
 
-def _availability(words: list[str]) -> _Availability:
-    numbers = {key: int(value) for key, _, value in (w.partition("=") for w in words) if value}
-    stage = next((word for word in words if word in ("fragment", "vertex")), None)
+def _own_words(text: str, at: int) -> list[str]:
+    _, bracket, tail = text.partition(")")
+    return tail.split() if bracket else text.split()[at + 1 :]
+
+
+@cache
+def _availability(words: tuple[str, ...]) -> _Availability:
+    given: dict[str, str] = {}
+    for key, _, value in (word.partition("=") for word in words):
+        given.setdefault(key, value)
+    first, _, last = given.get("es", "100").replace("-", " -").partition(" ")
     return _Availability(
-        numbers.get("since", 0), numbers.get("until", _FOREVER), numbers.get("es"), stage
+        _number(given.get("since", "110")),
+        int(given.get("until", _NEVER)),
+        _number(first or "-"),
+        int(last[1:]) if first and last else _NEVER,
+        next((stage for stage in ("fragment", "vertex") if stage in given), None),
+        frozenset("GL_" + ext for ext in given.get("ext", "").split("|") if ext),
+        int(given.get("from", 0)),
     )
 
 
-def _signatures(name: str, line: str) -> Iterator[tuple[Signature, _Availability]]:
+def _number(text: str) -> int:
+    return _NEVER if text == "-" else int(text)
+
+
+@cache
+def _all_signatures(name: str) -> tuple[tuple[Signature, _Availability], ...]:
+    lines = _index()["functions"].get(name, ())
+    return tuple(found for line in lines for found in _signatures(name, line))
+
+
+def _signatures(name: str, line: _Line) -> Iterator[tuple[Signature, _Availability]]:
     """Expand one line for one of its names."""
-    head, _, tail = line.partition(")")
+    head, _, _ = line.text.partition(")")
     result, _, rest = head.partition(" ")
     params = rest.partition("(")[2]
-    words = tail.split()
-    for double, text in _double_variants(f"{result}, {params}"):
-        since = [f"since={_FIRST_DOUBLE}"] if double and "since=" not in tail else []
-        for expanded in _variants(text):
-            for fragment, types in _optional(expanded):
-                own = [*words, *since, *(["fragment"] if fragment else [])]
-                yield _signature(name, types, own), _availability(own)
+    for variant in expanded(f"{result}, {params}" if params else result):
+        words = (*line.words, "fragment") if variant.fragment else line.words
+        yield _signature(name, variant.types, words), _availability(words)
 
 
-def _signature(name: str, types: list[str], words: list[str]) -> Signature:
+def _signature(name: str, types: tuple[str, ...], words: tuple[str, ...]) -> Signature:
     result, *params = types
     return Signature(
         name,
@@ -188,8 +257,9 @@ def _signature(name: str, types: list[str], words: list[str]) -> Signature:
         derivative="derivative" in words,
         implicit_lod="lod" in words,
         texture="texture" in words,
+        memory="image" in words,
         fragment_only="fragment" in words,
-        foldable="texture" not in words and "variable" not in words,
+        foldable=not {"texture", "variable"}.intersection(words),
     )
 
 
@@ -200,63 +270,20 @@ def _parameter(text: str) -> Parameter:
     return Parameter(_named_type(kind), word or "in")
 
 
-def _double_variants(text: str) -> list[tuple[bool, str]]:
-    """``genFDType`` stands for two lines: floats, and doubles from 4.00 on."""
-    if "genFDType" not in text:
-        return [(False, text)]
-    single = text.replace("genFDType", "genType").replace("floatD", "float")
-    double = text.replace("genFDType", "genDType").replace("floatD", "double")
-    return [(False, single), (True, double.replace("genType", "genDType"))]
-
-
-def _variants(text: str) -> Iterator[str]:
-    """Replace the generic types by every size, and ``g`` by every prefix."""
-    if "Type" in text:
-        sizes: tuple[str, ...] = ("1", *_SIZES)
-    elif "matCR" in text:
-        sizes = tuple(f"{c}x{r}" for c in _SIZES for r in _SIZES)
-    elif "vecN" in text:
-        sizes = _SIZES
-    else:
-        for prefix in ("", "i", "u") if _GVEC.search(text) else ("",):
-            yield _GVEC.sub(prefix, text)
-        return
-    generic = set(_GENERIC.findall(text))
-    for size in sizes:
-        expanded = text
-        for word in generic:
-            expanded = expanded.replace(word, _sized(word, size))
-        yield expanded
-
-
-def _sized(generic: str, size: str) -> str:
-    """``genIType``, 1 -> ``int``; ``bvecN``, 3 -> ``bvec3``; ``matCR``, 2x3 -> ``mat2x3``."""
-    prefix = _GEN_NAMES.get(generic)
-    if prefix is None:
-        return generic.removesuffix("N").removesuffix("CR") + size
-    return _SCALARS[prefix] if size == "1" else f"{prefix}vec{size}"
-
-
-def _optional(text: str) -> Iterator[tuple[bool, list[str]]]:
-    """Expand a last ``bias?`` or ``comp?``; the flag says: for fragment shaders only."""
-    types = [part for part in text.split(", ") if part]
-    if not types[-1].endswith("?"):
-        yield False, types
-        return
-    *types, last = types
-    yield False, types
-    yield last == "bias?", [*types, "float" if last == "bias?" else "const int"]
-
-
 @cache
 def _named_type(text: str) -> Type:
     name, _, size = text.partition("[")
-    if name == "gl_DepthRangeParameters":
-        return struct_type(name, dict.fromkeys(("near", "far", "diff"), FLOAT))
-    kind = builtin_type(name)
-    if kind is None:
-        raise ValueError(f"{_FILE.name}: no type {text!r}")
+    kind = builtin_type(name) or _struct(name)
     if not size:
         return kind
     digits = size.rstrip("]")
     return array_of(kind, int(digits) if digits else None)
+
+
+@cache
+def _struct(name: str) -> Type:
+    lines = _index()["structs"].get(name)
+    if not lines:
+        raise ValueError(f"{_FILE.name}: no type {name!r}")
+    fields = (field.split() for field in lines[0].text.partition(":")[2].split(","))
+    return struct_type(name, {name: _named_type(kind) for kind, name in fields})

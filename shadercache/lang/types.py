@@ -10,20 +10,44 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from math import prod
 
-SCALARS = ("float", "int", "uint", "bool", "double")
-
-_PREFIX = {"float": "", "int": "i", "uint": "u", "bool": "b", "double": "d"}
+_PREFIX = {
+    **{"float": "", "int": "i", "uint": "u", "bool": "b", "double": "d"},
+    **{"int64_t": "i64", "uint64_t": "u64"},
+}
+SCALARS = tuple(_PREFIX)
 
 _SHADOW_SHAPES = ("1D", "2D", "Cube", "2DRect", "1DArray", "2DArray", "CubeArray")
-_SAMPLER_SHAPES = (*_SHADOW_SHAPES, "3D", "Buffer", "2DMS", "2DMSArray")
+_SHAPES_OF_ALL = (*_SHADOW_SHAPES, "3D", "Buffer", "2DMS", "2DMSArray")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class StructType:
-    """A struct or the contents of an interface block: its name and fields in order."""
+    """A struct or the contents of an interface block: its name and fields in order.
+
+    What is inside is counted once: forty structs of two of the one before have 2^40 fields.
+    """
 
     name: str
     fields: dict[str, Type]
+    bases: frozenset[str | None] = field(init=False)
+    components: int | None = field(init=False)
+    slots: int = field(init=False)
+    holds_array: bool = field(init=False)
+    holds_opaque: bool = field(init=False)
+
+    def __post_init__(self) -> None:
+        kinds = self.fields.values()
+        numbers = [kind.components for kind in kinds]
+        known = [number for number in numbers if number is not None]
+        found = {
+            "bases": frozenset[str | None]().union(*(kind.bases for kind in kinds)),
+            "components": sum(known) if len(known) == len(numbers) else None,
+            "slots": sum(kind.slots for kind in kinds),
+            "holds_array": any(kind.holds_array for kind in kinds),
+            "holds_opaque": any(kind.holds_opaque for kind in kinds),
+        }
+        for name, value in found.items():
+            object.__setattr__(self, name, value)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -55,7 +79,7 @@ class Type:
 
     @property
     def is_scalar(self) -> bool:
-        """``float``, ``int``, ``uint``, ``bool`` or ``double``."""
+        """``float``, ``int``, ``uint``, ``bool``, ``double`` or an integer of 64 bits."""
         return self.base is not None and self.rows == 1 and self.cols == 1 and not self.dims
 
     @property
@@ -102,8 +126,29 @@ class Type:
     def holds_opaque(self) -> bool:
         """Is it opaque, or an array or struct with something opaque inside?"""
         if self.struct is not None:
-            return any(kind.holds_opaque for kind in self.struct.fields.values())
+            return self.struct.holds_opaque
         return self.base is None and self is not VOID
+
+    @property
+    def holds_array(self) -> bool:
+        """Is it an array, or a struct with an array inside?"""
+        if self.struct is not None and not self.dims:
+            return self.struct.holds_array
+        return bool(self.dims)
+
+    @property
+    def bases(self) -> frozenset[str | None]:
+        """The scalar types of what is inside; ``None`` for something opaque."""
+        return frozenset((self.base,)) if self.struct is None else self.struct.bases
+
+    @property
+    def slots(self) -> int:
+        """Number of locations that a variable of this type takes (section 4.3.8.1)."""
+        if self.struct is not None:
+            one = self.struct.slots
+        else:
+            one = self.cols * (2 if self.base == "double" and self.rows > 2 else 1)
+        return one * prod(size or 1 for size in self.dims)
 
     @property
     def is_unsized(self) -> bool:
@@ -135,8 +180,7 @@ class Type:
     def components(self) -> int | None:
         """Number of scalars inside; ``None`` for opaque, unsized and ``void`` types."""
         if self.struct is not None:
-            inner = [kind.components for kind in self.struct.fields.values()]
-            one = None if None in inner else sum(n for n in inner if n is not None)
+            one = self.struct.components
         else:
             one = None if self.base is None else self.rows * self.cols
         sizes = [n for n in self.dims if n is not None]
@@ -181,7 +225,7 @@ def matrix(base: str, cols: int, rows: int) -> Type:
 
 
 def builtin_type(name: str) -> Type | None:
-    """The built-in type called ``name`` (GLSL 3.30 and 4.00), or ``None``."""
+    """The built-in type called ``name`` (of any version), or ``None``."""
     return _BY_NAME.get(name)
 
 
@@ -201,8 +245,14 @@ def _numeric_types() -> dict[str, Type]:
 
 
 def _opaque_types() -> dict[str, Type]:
-    names = [prefix + "sampler" + shape for prefix in ("", "i", "u") for shape in _SAMPLER_SHAPES]
+    names = [
+        f"{prefix}{sort}{shape}"
+        for sort in ("sampler", "image")
+        for prefix in ("", "i", "u")
+        for shape in _SHAPES_OF_ALL
+    ]
     names += ["sampler" + shape + "Shadow" for shape in _SHADOW_SHAPES]
+    names += ["atomic_uint", "samplerExternalOES"]
     return {name: Type(name) for name in names}
 
 
@@ -215,3 +265,5 @@ INT = _BY_NAME["int"]
 UINT = _BY_NAME["uint"]
 BOOL = _BY_NAME["bool"]
 DOUBLE = _BY_NAME["double"]
+INT64 = _BY_NAME["int64_t"]
+UINT64 = _BY_NAME["uint64_t"]

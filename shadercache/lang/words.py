@@ -1,93 +1,207 @@
 """The words and operators of GLSL: keywords, type names, reserved words, precedences.
 
-Source: The OpenGL Shading Language 3.30, sections 3.6 (keywords) and 5.1 (operators), with the
-words that versions 4.00 to 4.60 add. The parser folds operator chains by the same precedence
-table that the printer sets parentheses by, so the two cannot disagree.
+Source: section 3.6 (keywords) of the specifications from 1.10 to 4.60 and of GLSL ES 1.00 to 3.20,
+and section 5.1 (operators). Where compilers are laxer than the text (``image1DShadow`` is reserved
+and every driver takes it) they are followed. The parser folds operator chains by the same
+precedence table that the printer sets parentheses by, so the two cannot disagree.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from dataclasses import dataclass
 from functools import cache
+from typing import Literal
 
-# --- type names -----------------------------------------------------------------------------------
+# --- keywords and reserved words ------------------------------------------------------------------
+
+_NEVER = 9999
+_NO_EXTENSIONS: frozenset[str] = frozenset()
+_Kind = Literal["type", "qualifier", "statement"]
 
 
-def _with_int_kinds(*samplers: str) -> tuple[str, ...]:
+@dataclass(frozen=True, slots=True)
+class _Row:
+    """Words with the same history: since (and until) which version they are keywords or reserved.
+
+    ``extensions``: the words are keywords where any of these is on, in the version
+    ``extended_since`` and later ones.
+    """
+
+    kind: _Kind
+    words: frozenset[str]
+    desktop: int
+    es: int
+    reserved: int = _NEVER
+    reserved_es: int = _NEVER
+    es_until: int = _NEVER
+    extensions: frozenset[str] = _NO_EXTENSIONS
+    extended_since: int = 0
+
+    def is_keyword(self, version: int, es: bool, extensions: frozenset[str]) -> bool:
+        """Has a shader of this version these keywords?"""
+        since = self.es if es else self.desktop
+        if since <= version <= (self.es_until if es else _NEVER):
+            return True
+        extended = not self.extensions.isdisjoint(extensions)
+        return extended and version >= self.extended_since
+
+
+def _row(
+    kind: _Kind,
+    words: str | Iterable[str],
+    desktop: int,
+    es: int,
+    *,
+    reserved: tuple[int, int] = (_NEVER, _NEVER),
+    es_until: int = _NEVER,
+    ext: str = "",
+    ext_since: int = 0,
+) -> _Row:
+    split = words.split() if isinstance(words, str) else words
+    extensions = frozenset("GL_" + name for name in ext.split())
+    return _Row(kind, frozenset(split), desktop, es, *reserved, es_until, extensions, ext_since)
+
+
+def _with_int_kinds(names: str) -> tuple[str, ...]:
     """Each opaque type with its signed and unsigned integer twin."""
-    return tuple(kind + name for name in samplers for kind in ("", "i", "u"))
+    return tuple(kind + name for name in names.split() for kind in ("", "i", "u"))
 
 
-TYPES_330: frozenset[str] = frozenset(
-    (
-        *("void", "bool", "int", "uint", "float"),
-        *(f"{kind}vec{size}" for kind in ("", "b", "i", "u") for size in (2, 3, 4)),
-        *(f"mat{size}" for size in (2, 3, 4)),
-        *(f"mat{columns}x{rows}" for columns in (2, 3, 4) for rows in (2, 3, 4)),
-        *_with_int_kinds("sampler1D", "sampler2D", "sampler3D", "samplerCube"),
-        *_with_int_kinds("sampler1DArray", "sampler2DArray", "sampler2DRect"),
-        *_with_int_kinds("samplerBuffer", "sampler2DMS", "sampler2DMSArray"),
-        *("sampler1DShadow", "sampler2DShadow", "samplerCubeShadow"),
-        *("sampler1DArrayShadow", "sampler2DArrayShadow", "sampler2DRectShadow"),
-    )
-)
-"""The names of the types that are built into GLSL 3.30."""
+def _int_kinds(names: str) -> tuple[str, ...]:
+    """The signed and unsigned integer twins of opaque types."""
+    return tuple(kind + name for name in names.split() for kind in ("i", "u"))
 
-TYPES_400: frozenset[str] = frozenset(
-    (
-        "double",
-        *(f"dvec{size}" for size in (2, 3, 4)),
-        *(f"dmat{size}" for size in (2, 3, 4)),
-        *(f"dmat{columns}x{rows}" for columns in (2, 3, 4) for rows in (2, 3, 4)),
-        *_with_int_kinds("samplerCubeArray"),
-        "samplerCubeArrayShadow",
-    )
-)
-"""The names of the types that version 4.00 adds."""
 
-TYPES_420: frozenset[str] = frozenset(
-    (
-        "atomic_uint",
-        *_with_int_kinds("image1D", "image2D", "image3D", "imageCube", "image2DRect"),
-        *_with_int_kinds("image1DArray", "image2DArray", "imageCubeArray", "imageBuffer"),
-        *_with_int_kinds("image2DMS", "image2DMSArray"),
-    )
-)
-"""The names of the types that version 4.20 adds."""
+_MATRICES = tuple(f"mat{columns}x{rows}" for columns in (2, 3, 4) for rows in (2, 3, 4))
+_IMAGES = "ARB_shader_image_load_store EXT_shader_image_load_store"
+_GPU5 = "EXT_gpu_shader5 OES_gpu_shader5 ARB_gpu_shader5 ANDROID_extension_pack_es31a"
+_CUBE_ARRAYS = "ARB_texture_cube_map_array EXT_texture_cube_map_array OES_texture_cube_map_array"
+_BUFFERS = "EXT_texture_buffer OES_texture_buffer ANDROID_extension_pack_es31a"
+_FP64 = "ARB_gpu_shader_fp64 ARB_vertex_attrib_64bit"
+_INT64 = "ARB_gpu_shader_int64 EXT_shader_explicit_arithmetic_types_int64"
+_RECTANGLES = "ARB_texture_rectangle"
 
-# --- other keywords -------------------------------------------------------------------------------
+_TYPES = (
+    _row("type", "void bool int float vec2 vec3 vec4 bvec2 bvec3 bvec4 ivec2 ivec3 ivec4", 0, 0),
+    _row("type", "mat2 mat3 mat4 sampler2D samplerCube", 0, 0),
+    _row("type", "sampler1D sampler1DShadow", 0, _NEVER, reserved=(0, 0)),
+    _row("type", "sampler2DShadow", 0, 300, reserved=(0, 0), ext="EXT_shadow_samplers"),
+    _row("type", "sampler3D", 0, 300, reserved=(0, 0), ext="OES_texture_3D"),
+    _row("type", _MATRICES, 120, 300),
+    _row("type", "uint uvec2 uvec3 uvec4", 130, 300, ext="EXT_gpu_shader4"),
+    _row("type", _int_kinds("sampler2D sampler2DArray sampler3D samplerCube"), 130, 300,
+         ext="EXT_gpu_shader4"),
+    _row("type", "sampler2DArray", 130, 300, ext="EXT_gpu_shader4 EXT_texture_array"),
+    _row("type", "sampler2DArrayShadow", 130, 300, ext="EXT_gpu_shader4 EXT_texture_array"),
+    _row("type", "samplerCubeShadow", 130, 300, ext="EXT_gpu_shader4"),
+    _row("type", "sampler1DArray sampler1DArrayShadow", 130, _NEVER, reserved=(_NEVER, 300),
+         ext="EXT_gpu_shader4 EXT_texture_array"),
+    _row("type", _int_kinds("sampler1D sampler1DArray"), 130, _NEVER, reserved=(_NEVER, 300),
+         ext="EXT_gpu_shader4"),
+    _row("type", "sampler2DRect sampler2DRectShadow", 140, _NEVER, reserved=(0, 0),
+         ext=_RECTANGLES),
+    _row("type", _int_kinds("sampler2DRect"), 140, _NEVER, reserved=(_NEVER, 300),
+         ext="EXT_gpu_shader4"),
+    _row("type", "samplerBuffer", 130, 320, reserved=(_NEVER, 300),
+         ext=f"{_BUFFERS} EXT_gpu_shader4"),
+    _row("type", "isamplerBuffer usamplerBuffer", 140, 320, reserved=(_NEVER, 300),
+         ext=f"{_BUFFERS} EXT_gpu_shader4 ARB_texture_buffer_object"),
+    _row("type", _with_int_kinds("sampler2DMS"), 150, 310, reserved=(_NEVER, 300),
+         ext="ARB_texture_multisample"),
+    _row("type", _with_int_kinds("sampler2DMSArray"), 150, 320, reserved=(_NEVER, 300),
+         ext="ARB_texture_multisample OES_texture_storage_multisample_2d_array"),
+    _row("type", "double dvec2 dvec3 dvec4", 400, _NEVER, reserved=(0, 0), ext=_FP64,
+         ext_since=150),
+    _row("type", (f"d{name}" for name in ("mat2", "mat3", "mat4", *_MATRICES)), 400, _NEVER,
+         reserved=(_NEVER, 300), ext=_FP64, ext_since=150),
+    _row("type", ("samplerCubeArrayShadow", *_with_int_kinds("samplerCubeArray")), 400, 320,
+         reserved=(0, 0), ext=f"{_CUBE_ARRAYS} ANDROID_extension_pack_es31a"),
+    _row("type", "atomic_uint", 420, 310, reserved=(_NEVER, 300),
+         ext="ARB_shader_atomic_counters"),
+    _row("type", _with_int_kinds("image2D image2DArray image3D imageCube"), 420, 310,
+         reserved=(130, 300), ext=_IMAGES),
+    _row("type", _with_int_kinds("image1D image1DArray image2DRect"), 420, _NEVER,
+         reserved=(130, 300), ext=_IMAGES),
+    _row("type", _with_int_kinds("imageBuffer"), 420, 320, reserved=(130, 300),
+         ext=f"{_IMAGES} {_BUFFERS}"),
+    _row("type", _with_int_kinds("imageCubeArray"), 420, 320, reserved=(_NEVER, 310),
+         ext=f"{_IMAGES} {_CUBE_ARRAYS} ANDROID_extension_pack_es31a"),
+    _row("type", _with_int_kinds("image2DMS image2DMSArray"), 420, _NEVER,
+         reserved=(_NEVER, 310), ext=_IMAGES),
+    _row("type", "int64_t uint64_t", _NEVER, _NEVER, ext=_INT64, ext_since=400),
+    _row("type", (f"{sign}64vec{size}" for sign in "iu" for size in (2, 3, 4)),
+         _NEVER, _NEVER, ext=_INT64, ext_since=400),
+    _row("type", "samplerExternalOES", _NEVER, _NEVER,
+         ext="OES_EGL_image_external OES_EGL_image_external_essl3"),
+)  # fmt: skip
+
+_QUALIFIERS = (
+    _row("qualifier", "const in out inout uniform", 0, 0),
+    _row("qualifier", "attribute varying", 0, 0, es_until=100, reserved=(_NEVER, 300)),
+    _row("qualifier", "highp mediump lowp", 130, 0),
+    _row("qualifier", "invariant", 120, 0),
+    _row("qualifier", "centroid", 120, 300, ext="EXT_gpu_shader4"),
+    _row("qualifier", "flat", 130, 300, reserved=(_NEVER, 0), ext="EXT_gpu_shader4"),
+    _row("qualifier", "smooth", 130, 300),
+    _row("qualifier", "noperspective", 130, _NEVER, reserved=(_NEVER, 300),
+         ext="EXT_gpu_shader4 NV_shader_noperspective_interpolation"),
+    _row("qualifier", "precise", 400, 320, reserved=(_NEVER, 310), ext=_GPU5),
+    _row("qualifier", "patch", 400, 320, reserved=(_NEVER, 300),
+         ext="ARB_tessellation_shader EXT_tessellation_shader OES_tessellation_shader"),
+    _row("qualifier", "sample", 400, 320, reserved=(_NEVER, 300),
+         ext="ARB_gpu_shader5 OES_shader_multisample_interpolation ANDROID_extension_pack_es31a"),
+    _row("qualifier", "volatile", 420, 310, reserved=(0, 0), ext=_IMAGES),
+    _row("qualifier", "coherent restrict readonly writeonly", 420, 310, reserved=(_NEVER, 300),
+         ext=f"{_IMAGES} ARB_shader_storage_buffer_object"),
+    _row("qualifier", "buffer", 430, 310, ext="ARB_shader_storage_buffer_object"),
+    _row("qualifier", "shared", 140, 300),
+)  # fmt: skip
+
+_STATEMENTS = (
+    _row("statement", "if else for while do break continue return discard struct", 0, 0),
+    _row("statement", "switch case default", 130, 300, reserved=(0, 0), ext="EXT_gpu_shader4"),
+    _row("statement", "precision", 130, 0),
+    _row("statement", "layout", 140, 300,
+         ext="ARB_explicit_attrib_location ARB_shading_language_420pack "
+             "ARB_uniform_buffer_object ARB_fragment_coord_conventions"),
+    _row("statement", "demote", _NEVER, _NEVER, ext="EXT_demote_to_helper_invocation"),
+)  # fmt: skip
+
+_RESERVED = (
+    _row("statement", "active asm cast class common enum extern external filter fixed",
+         _NEVER, _NEVER, reserved=(0, 0)),
+    _row("statement", "goto half inline input interface long namespace noinline output partition",
+         _NEVER, _NEVER, reserved=(0, 0)),
+    _row("statement", "public sampler3DRect short sizeof static template this typedef union",
+         _NEVER, _NEVER, reserved=(0, 0)),
+    _row("statement", "unsigned using hvec2 hvec3 hvec4 fvec2 fvec3 fvec4", _NEVER, _NEVER,
+         reserved=(0, 0)),
+    _row("statement", "superp", _NEVER, _NEVER, reserved=(130, 0)),
+    _row("statement", "resource", _NEVER, _NEVER, reserved=(420, 300)),
+    # The keyword of subroutines, which are refused.
+    _row("statement", "subroutine", _NEVER, _NEVER, reserved=(400, 300)),
+)  # fmt: skip
+
+_PACKED_UNTIL = 130
+_ROWS = (*_TYPES, *_QUALIFIERS, *_STATEMENTS, *_RESERVED)
 
 PRECISIONS = frozenset(("highp", "mediump", "lowp"))
-
-QUALIFIERS_330: frozenset[str] = PRECISIONS | {
-    *("const", "in", "out", "inout", "uniform", "attribute", "varying"),
-    *("centroid", "flat", "smooth", "noperspective", "invariant"),
-}
-QUALIFIERS_400 = frozenset(("precise", "patch", "sample"))
-QUALIFIERS_420 = frozenset(("coherent", "volatile", "restrict", "readonly", "writeonly"))
-QUALIFIERS_430 = frozenset(("buffer", "shared"))
-
-STATEMENT_WORDS = frozenset(
+BUILTIN_STRUCTS = frozenset(
     (
-        *("if", "else", "for", "while", "do", "switch", "case", "default"),
-        *("break", "continue", "return", "discard", "struct", "layout", "precision"),
+        *("gl_DepthRangeParameters", "gl_PointParameters", "gl_MaterialParameters"),
+        *("gl_LightSourceParameters", "gl_LightModelParameters", "gl_LightModelProducts"),
+        *("gl_LightProducts", "gl_FogParameters"),
     )
 )
+"""The structs that are declared from the start (section 7.4.1 of 4.60)."""
 
 TRUTH_WORDS = frozenset(("true", "false"))
+STATEMENT_WORDS: frozenset[str] = frozenset(word for row in _STATEMENTS for word in row.words)
+"""The words that begin or divide statements, in any version."""
 
-_RESERVED_330: frozenset[str] = frozenset(
-    (
-        *("common", "partition", "active", "asm", "class", "union", "enum", "typedef"),
-        *("template", "this", "goto", "inline", "noinline", "volatile", "public"),
-        *("static", "extern", "external", "interface", "long", "short", "double", "half"),
-        *("fixed", "unsigned", "superp", "input", "output", "filter", "sizeof", "cast"),
-        *("namespace", "using", "sampler3DRect", "shared"),
-        *(f"{kind}vec{size}" for kind in ("h", "d", "f") for size in (2, 3, 4)),
-        *_with_int_kinds("image1D", "image2D", "image3D", "imageCube"),
-        *_with_int_kinds("image1DArray", "image2DArray", "imageBuffer"),
-        *("image1DShadow", "image2DShadow", "image1DArrayShadow", "image2DArrayShadow"),
-    )
-)
+VERSIONS = (110, 120, 130, 140, 150, 330, 400, 410, 420, 430, 440, 450, 460)
+ES_VERSIONS = (100, 300, 310, 320)
 
 QUALIFIER_ORDER: dict[str, int] = {
     word: rank
@@ -107,41 +221,58 @@ QUALIFIER_ORDER: dict[str, int] = {
 """The order that versions before 4.20 demand of qualifiers; layouts may stand anywhere in it."""
 
 
-def type_names(version: int) -> frozenset[str]:
-    """The built-in type names of a version (330 to 460)."""
-    names = TYPES_330
-    if version >= 400:
-        names |= TYPES_400
-    return names | TYPES_420 if version >= 420 else names
-
-
-def qualifier_words(version: int) -> frozenset[str]:
-    """The qualifier keywords of a version (330 to 460)."""
-    words = QUALIFIERS_330
-    for since, added in ((400, QUALIFIERS_400), (420, QUALIFIERS_420), (430, QUALIFIERS_430)):
-        if version >= since:
-            words |= added
-    return words
+def _words_of(
+    rows: tuple[_Row, ...], version: int, es: bool, extensions: frozenset[str]
+) -> frozenset[str]:
+    found = (row.words for row in rows if row.is_keyword(version, es, extensions))
+    return frozenset().union(*found)
 
 
 @cache
-def keywords(version: int) -> frozenset[str]:
+def type_names(
+    version: int, es: bool = False, extensions: frozenset[str] = _NO_EXTENSIONS
+) -> frozenset[str]:
+    """The names of the types that are built into a version.
+
+    ``version`` is the number of ``#version`` (100 to 460), ``es``: it is one of GLSL ES;
+    ``extensions`` are those that ``#extension`` turned on. The same for the other functions.
+    """
+    return _words_of(_TYPES, version, es, extensions)
+
+
+@cache
+def qualifier_words(
+    version: int, es: bool = False, extensions: frozenset[str] = _NO_EXTENSIONS
+) -> frozenset[str]:
+    """The qualifier keywords of a version."""
+    return _words_of(_QUALIFIERS, version, es, extensions)
+
+
+@cache
+def keywords(
+    version: int, es: bool = False, extensions: frozenset[str] = _NO_EXTENSIONS
+) -> frozenset[str]:
     """Every word that a version gives a meaning to."""
-    return type_names(version) | qualifier_words(version) | STATEMENT_WORDS | TRUTH_WORDS
+    return _words_of(_ROWS, version, es, extensions) | TRUTH_WORDS
 
 
 @cache
-def reserved_words(version: int) -> frozenset[str]:
+def reserved_words(
+    version: int, es: bool = False, extensions: frozenset[str] = _NO_EXTENSIONS
+) -> frozenset[str]:
     """Words that a version reserves without giving them a meaning."""
-    later = frozenset(("subroutine",)) if version >= 400 else frozenset()
-    return (_RESERVED_330 | later) - keywords(version)
+    found = (r.words for r in _ROWS if version >= (r.reserved_es if es else r.reserved))
+    packed = frozenset(("packed",)) if version <= _PACKED_UNTIL else frozenset()
+    return (packed.union(*found)) - keywords(version, es, extensions)
 
 
-ALL_WORDS: frozenset[str] = keywords(460) | reserved_words(330) | reserved_words(460)
-"""Every word that is a keyword or reserved in some version from 330 to 460.
+def keyword_since(word: str, es: bool = False) -> int | None:
+    """The first version that gives the word a meaning without an extension, or ``None``."""
+    return next((v for v in (ES_VERSIONS if es else VERSIONS) if word in keywords(v, es)), None)
 
-A fresh name keeps clear of all of them.
-"""
+
+ALL_WORDS: frozenset[str] = frozenset(("packed",)).union(*(r.words for r in _ROWS)) | TRUTH_WORDS
+"""Every word that is a keyword or reserved in some version. A fresh name keeps clear of them."""
 
 # --- operators ------------------------------------------------------------------------------------
 

@@ -7,9 +7,11 @@ from collections.abc import Mapping, Sequence
 from shadercache.ast.nodes import Call
 from shadercache.lang.builtins import Signature
 from shadercache.lang.types import Type
+from shadercache.lang.words import qualifier_words
 from shadercache.sema.constants import Constants
 from shadercache.sema.context import ERROR, Context
 from shadercache.sema.lvalues import why_not_writable
+from shadercache.sema.memory import check_memory
 from shadercache.sema.overloads import Candidate, convertible, exact_match, parameters
 from shadercache.sema.scopes import FunctionSet, Overload
 
@@ -22,6 +24,10 @@ class CallChecker:
     def __init__(self, context: Context, constants: Constants) -> None:
         self._context = context
         self._constants = constants
+        self._visible, self._mark = context.scopes.visible, context.scopes.function_mark
+        self._has_memory = "restrict" in qualifier_words(
+            context.version, context.es, context.extensions
+        )
         self._resolved: dict[
             tuple[str, tuple[Type, ...]], tuple[int, Candidate, tuple[int, ...]]
         ] = {}
@@ -30,7 +36,7 @@ class CallChecker:
         """Resolve a call whose arguments are typed; the type of its result."""
         types = self._context.types
         args = tuple([types[arg] for arg in node.args])
-        entry = self._context.scopes.visible.get(node.name)
+        entry = self._visible.get(node.name + self._mark)
         own = entry if isinstance(entry, FunctionSet) else None
         if entry is not None and own is None:
             what = "a type" if isinstance(entry, Type) else "a variable"
@@ -57,7 +63,12 @@ class CallChecker:
             if problem is not None:
                 message, place = problem
                 context.error("SC209", f"{message} by '{node.name}'", place)
-        if isinstance(found, Signature):
+        if not isinstance(found, Signature):
+            if self._has_memory:
+                check_memory(node, found, context)
+        else:
+            if found.memory:
+                check_memory(node, found, context)
             if found.foldable and not outs:
                 self._constants.call(node, found, node.args)
             elif found.texture:

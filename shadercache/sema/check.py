@@ -22,7 +22,7 @@ SC213  a field, swizzle or length() that does not exist
 SC214  an index of a wrong type or out of range, or something without elements
 SC215  a wrong array size
 SC216  recursion
-SC217  no main, or a wrong one
+SC217  no main (a warning, unless one is needed), or a wrong one
 SC218  discard, break or continue where there can be none
 SC219  wrong arguments of a constructor
 SC220  a wrong switch
@@ -33,6 +33,7 @@ SC224  declarations of a function that disagree, or a wrong result type
 SC225  arrays of arrays in a version without them
 SC226  an argument that has to be constant
 SC227  an integer that needs more than 32 bits
+SC228  a float, integer or sampler that has no precision (GLSL ES)
 SC290  warning: the drivers disagree about a call of an overloaded built-in function
 SC291  warning: a function that is called but not defined
 SC292  warning: a name with two underscores
@@ -41,6 +42,7 @@ SC292  warning: a name with two underscores
 
 from __future__ import annotations
 
+from shadercache.ast.large import without_collector
 from shadercache.ast.nodes import (
     BlockDecl,
     Decl,
@@ -55,23 +57,28 @@ from shadercache.sema.blocks import BlockChecker
 from shadercache.sema.context import Context, callee
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.functions import FunctionChecker
+from shadercache.sema.interlock import check_interlock
 from shadercache.sema.statements import StatementChecker
 from shadercache.sema.typespecs import TypeResolver
 from shadercache.sema.variables import VariableChecker
 from shadercache.source import Source
 
 
-def check(module: Module, source: Source, stage: Stage = "fragment") -> Facts:
+def check(
+    module: Module, source: Source, stage: Stage = "fragment", *, needs_main: bool = False
+) -> Facts:
     """Resolve all names and types of ``module``, which was parsed from ``source``.
 
+    A module without ``main`` may be a part of a program: it is warned of, unless ``needs_main``.
     Raises :class:`InputError` with every mistake found (SC2xx), in source order.
     """
-    return check_in(Context(module, source, stage))
+    return check_in(Context(module, source, stage), needs_main)
 
 
-def check_in(context: Context) -> Facts:
+def check_in(context: Context, needs_main: bool = False) -> Facts:
     """:func:`check` with the tables of a given, fresh context."""
-    return _Checker(context).run()
+    with without_collector():
+        return _Checker(context).run(needs_main)
 
 
 class _Checker:
@@ -85,10 +92,11 @@ class _Checker:
         self._functions = FunctionChecker(context, self._types)
         self._statements = StatementChecker(context, self._types, self._variables, self._functions)
 
-    def run(self) -> Facts:
+    def run(self, needs_main: bool) -> Facts:
         for decl in self._context.module.decls:
             self._declaration(decl)
-        self._functions.check_all()
+        self._functions.check_all(needs_main)
+        check_interlock(self._context)
         found = sorted(
             self._context.diagnostics, key=lambda item: item.span.start if item.span else 0
         )

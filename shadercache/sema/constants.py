@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
-from shadercache.ast.nodes import Binary, Conditional, Construct, Expr, Index, Member, Unary
+from shadercache.ast.nodes import (
+    Binary,
+    Conditional,
+    Construct,
+    Expr,
+    Index,
+    InitList,
+    Member,
+    Unary,
+)
 from shadercache.lang.builtins import BuiltinVariable, Signature
 from shadercache.lang.types import Type
 from shadercache.sema import fold
 from shadercache.sema.conversions import Conversions
 from shadercache.sema.facts import Scalar, Symbol
 from shadercache.sema.fold import Value
+from shadercache.sema.fold_calls import fold_call
 
 SWIZZLES = ("xyzw", "rgba", "stpq")
 
@@ -41,7 +51,7 @@ class Constants:
         """``symbol`` is a constant with the constant initialiser ``init``."""
         value = self.values.get(init)
         if value is not None and symbol.type.base is not None and not symbol.type.is_array:
-            value = fold.fold_construct(symbol.type, [value])
+            value = fold.converted(value, symbol.type.base)
         self._symbols[symbol] = value
         if init in self._driver:
             self._driver.add(symbol)
@@ -86,9 +96,10 @@ class Constants:
         one, two = self.values.get(node.left), self.values.get(node.right)
         left, right = self._types[node.left].base, self._types[node.right].base
         folded = None
-        if one is not None and two is not None and left and right:
-            base = self._conversions.common_base(left, right)
-            folded = fold.fold_binary(node.op, one, two, base, self._types[node])
+        if one is not None and two is not None:
+            base = self._conversions.common_base(left, right) if left and right else None
+            operands = (self._types[node.left], self._types[node.right])
+            folded = fold.fold_binary(node.op, one, two, operands, base, self._types[node])
         self.set(node, folded, node.left, node.right)
 
     def conditional(self, node: Conditional) -> None:
@@ -98,14 +109,14 @@ class Constants:
         value = None if condition is None else self.values.get(chosen)
         kind = self._types[node]
         if value is not None and kind.base and not kind.is_array:
-            value = fold.fold_construct(kind, [value])
+            value = fold.converted(value, kind.base)
         self.set(node, value, node.condition, node.then, node.other)
 
-    def construct(self, node: Construct) -> None:
-        """A constructor of constants."""
-        kind, values = self._types[node], self.all_known(node.args)
-        folds = values is not None and kind.base is not None and not kind.is_array
-        self.set(node, fold.fold_construct(kind, values or []) if folds else None, *node.args)
+    def construct(self, node: Construct | InitList) -> None:
+        """A constructor, or a list in braces, of constants."""
+        parts = node.args if isinstance(node, Construct) else node.items
+        kind, values = self._types[node], self.all_known(parts)
+        self.set(node, fold.fold_construct(kind, values) if values else None, *parts)
 
     def call(self, node: Expr, signature: Signature, args: tuple[Expr, ...]) -> None:
         """A built-in function; constant if its arguments are."""
@@ -115,16 +126,19 @@ class Constants:
         folded = None
         if values:
             params = [param.type for param in signature.params]
-            folded = fold.fold_call(signature.name, values, params, signature.result)
+            folded = fold_call(signature.name, values, params, signature.result)
         self.set(node, folded, *args)
 
     def member(self, node: Member) -> None:
         """A field or a swizzle of a constant."""
-        value = self.values.get(node.object)
+        value, whole = self.values.get(node.object), self._types[node.object]
         folded: Value | None = None
-        if isinstance(value, tuple):
+        if whole.struct is not None and isinstance(value, tuple):
+            folded = value[list(whole.struct.fields).index(node.name)]
+        elif value is not None:
             letters = next((s for s in SWIZZLES if node.name[0] in s), "")
-            picked = tuple(value[letters.index(char)] for char in node.name)
+            parts = value if isinstance(value, tuple) else (value,)
+            picked = tuple(parts[letters.index(char)] for char in node.name)
             folded = picked[0] if len(picked) == 1 else picked
         self.set(node, folded, node.object)
 

@@ -27,6 +27,12 @@ def construct_problem(kind: Type, args: list[Type], conversions: Conversions) ->
     return _components_problem(kind, args)
 
 
+def is_handle(kind: Type, args: list[Type]) -> bool:
+    """``sampler2D(uvec2)`` or ``uvec2(sampler2D)``: a handle (ARB_bindless_texture)."""
+    kinds = {kind.is_opaque: kind, **{arg.is_opaque: arg for arg in args}}
+    return len(args) == 1 and True in kinds and str(kinds.get(False)) == "uvec2"
+
+
 def _components_problem(kind: Type, args: list[Type]) -> str | None:
     """Enough components, and no argument that none of them comes from."""
     if kind.is_matrix and any(arg.is_matrix for arg in args):

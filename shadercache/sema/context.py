@@ -20,32 +20,28 @@ from shadercache.diagnostics import Diagnostic, Severity
 from shadercache.lang import builtins
 from shadercache.lang.builtins import BuiltinVariable, Signature
 from shadercache.lang.types import StructType, Type
+from shadercache.lang.words import type_names
 from shadercache.sema.conversions import Conversions
 from shadercache.sema.facts import Declares, Stage, Symbol
+from shadercache.sema.qualifiers import words_problem
 from shadercache.sema.scopes import Overload, Scopes
 from shadercache.source import Source
 
 ERROR = Type("<error>")
 """Type of an expression that was already complained about: whoever uses it stays silent."""
 
+NEVER = 9999
+"""A version that there will not be."""
+
 _HINTS = 20
 
-# Extensions that give an older version functions and conversions of a later one.
-_EXTENSION_VERSIONS = {
-    "GL_ARB_gpu_shader5": 400,
-    "GL_ARB_texture_gather": 400,
-    "GL_ARB_texture_query_lod": 400,
-    "GL_ARB_gpu_shader_fp64": 400,
-    "GL_ARB_shading_language_packing": 420,
-    "GL_ARB_texture_query_levels": 430,
-    "GL_ARB_derivative_control": 450,
-    "GL_ARB_sample_shading": 400,
-}
 _INTERFACE_VERSIONS = {
     "GL_ARB_separate_shader_objects": 410,
     "GL_ARB_explicit_uniform_location": 430,
 }
 _QUALIFIER_VERSIONS = {"GL_ARB_shading_language_420pack": 420}
+_INDEXING = ("GL_ARB_gpu_shader5", "GL_EXT_gpu_shader5", "GL_OES_gpu_shader5")
+_CONVERTING = ("GL_ARB_gpu_shader5", "GL_ARB_gpu_shader_fp64")
 
 
 @dataclass(slots=True)
@@ -55,7 +51,7 @@ class Context:
     module: Module
     source: Source
     stage: Stage
-    scopes: Scopes = field(default_factory=Scopes)
+    scopes: Scopes = field(init=False)
     types: dict[Expr, Type] = field(default_factory=dict)
     symbols: dict[Name, Symbol] = field(default_factory=dict)
     declared: dict[Declares, Symbol] = field(default_factory=dict)
@@ -66,7 +62,8 @@ class Context:
     diagnostics: list[Diagnostic] = field(default_factory=list)
     version: int = 330
     es: bool = False
-    function_version: int = 330
+    profile: str | None = None
+    extensions: frozenset[str] = frozenset()
     interface_version: int = 330
     qualifier_version: int = 330
     blocks: dict[str, set[str]] = field(default_factory=dict)
@@ -74,14 +71,69 @@ class Context:
     _undeclared: set[str] = field(default_factory=set)
 
     def __post_init__(self) -> None:
-        self.version = self.module.version
-        self.es = self.module.profile == "es"
-        extensions = enabled_extensions(self.module)
-        self.function_version = _lifted(self.version, extensions, _EXTENSION_VERSIONS)
+        self.version, self.profile = self.module.version, self.module.profile
+        self.es = self.profile == "es"
+        extensions = self.extensions = enabled_extensions(self.module)
+        if "GL_ARB_compatibility" in extensions and not self.es:
+            self.profile = "compatibility"
+        # 1.10 keeps the names of functions and of variables apart, and so do its compilers.
+        self.scopes = Scopes(separate=self.version == 110)
         self.interface_version = _lifted(self.version, extensions, _INTERFACE_VERSIONS)
         self.qualifier_version = _lifted(self.version, extensions, _QUALIFIER_VERSIONS)
-        lifts = "GL_ARB_gpu_shader5" in extensions and not self.es
+        lifts = not self.es and not extensions.isdisjoint(_CONVERTING)
         self.conversions = Conversions(max(self.version, 400 if lifts else 0), self.es)
+
+    def at_least(self, desktop: int, es: int) -> bool:
+        """Is it this version of GLSL, or this one of GLSL ES, or a later one?"""
+        return self.version >= (es if self.es else desktop)
+
+    @property
+    def es_version(self) -> int:
+        """The version of GLSL ES; 0 for desktop GLSL."""
+        return self.version if self.es else 0
+
+    def is_used(self, name: str) -> bool:
+        """Was the global variable that ``name`` means here used already?"""
+        entry = self.scopes.visible.get(name)
+        for symbol in self.symbols.values():
+            if symbol is entry or (entry is None and symbol.name == name and symbol.node is None):
+                return True
+        return False
+
+    def words_problem(self, words: tuple[str, ...]) -> str | None:
+        """What is wrong with these qualifiers beside each other."""
+        free = self.qualifier_version >= (310 if self.es else 420)
+        return words_problem(words, es=self.es, in_any_order=free)
+
+    @property
+    def arrays_are_values(self) -> bool:
+        """Can arrays be assigned, compared, returned, constructed and asked for their length?"""
+        return self.at_least(120, 300) or "GL_3DL_array_objects" in self.extensions
+
+    @property
+    def has_integer_operators(self) -> bool:
+        """Are there ``%``, ``&``, ``<<`` and the like (1.30 section 5.9)?"""
+        return self.at_least(130, 300) or "GL_EXT_gpu_shader4" in self.extensions
+
+    def has_type(self, kind: Type) -> bool:
+        """Is the built-in type one of this version?"""
+        return kind.name in type_names(self.version, self.es, self.extensions)
+
+    @property
+    def bindless(self) -> bool:
+        """Are samplers and images values like any other (ARB_bindless_texture)?"""
+        return "GL_ARB_bindless_texture" in self.extensions
+
+    def only_handles(self, kind: Type) -> bool:
+        """Does it hold a sampler or image, which is no value (4.60 section 4.1.7)?"""
+        return kind.holds_opaque and (kind.name == "atomic_uint" or not self.bindless)
+
+    @property
+    def indexes_samplers(self) -> bool:
+        """May an array of samplers be indexed with what is not constant (4.00 section 4.1.7)?"""
+        # Before 1.30 any index will do, and GLSL ES 1.00 leaves it to the driver (appendix A.5).
+        old = self.version < (300 if self.es else 130)
+        return old or self.at_least(400, 320) or not self.extensions.isdisjoint(_INDEXING)
 
     def error(self, code: str, message: str, node: Node, hint: str | None = None) -> Type:
         """Report a mistake at ``node``; returns the type that silences what depends on it."""
@@ -119,11 +171,11 @@ class Context:
 
     def builtin_functions(self, name: str) -> tuple[Signature, ...]:
         """The overloads of a built-in function in this version and stage."""
-        return builtins.functions(name, self.function_version, self.module.profile, self.stage)
+        return builtins.functions(name, self.version, self.profile, self.stage, self.extensions)
 
     def builtin_variable(self, name: str) -> BuiltinVariable | None:
         """The built-in variable or constant of that name in this version and stage."""
-        return builtins.variable(name, self.stage, self.function_version, self.module.profile)
+        return builtins.variable(name, self.stage, self.version, self.profile, self.extensions)
 
     def check_block_name(self, name: str, node: Node) -> None:
         """A global name cannot be that of an interface block too."""
@@ -141,18 +193,21 @@ class Context:
         return self.scopes.names() + [name for name in names if self.builtin_variable(name)]
 
 
-def _lifted(version: int, extensions: set[str], versions: dict[str, int]) -> int:
+def _lifted(version: int, extensions: frozenset[str], versions: dict[str, int]) -> int:
     return max([version, *(versions.get(name, 0) for name in extensions)])
 
 
-def enabled_extensions(module: Module) -> set[str]:
-    """Names of the extensions that the kept directives enable."""
-    found = set()
+def enabled_extensions(module: Module) -> frozenset[str]:
+    """Names of the extensions that the kept directives turn on."""
+    found: set[str] = set()
     for directive in module.directives:
         text = directive.text.replace("#", " ").replace(":", " : ").split()
-        if text[:1] == ["extension"] and text[-1] in ("enable", "require", "warn"):
-            found.add(text[1])
-    return found
+        if text[:1] == ["extension"] and len(text) > 2:
+            if text[-1] in ("enable", "require", "warn"):
+                found.add(text[1])
+            else:
+                found.discard(text[1])
+    return frozenset(found)
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str | None:

@@ -9,8 +9,10 @@ from shadercache.lang.types import Type
 _NONE: Mapping[str, tuple[str, ...]] = {}
 _DESKTOP: Mapping[str, tuple[str, ...]] = {"int": ("float",), "uint": ("float",)}
 _SINCE_400: Mapping[str, tuple[str, ...]] = {
-    "int": ("uint", "float", "double"),
-    "uint": ("float", "double"),
+    "int": ("uint", "int64_t", "uint64_t", "float", "double"),
+    "uint": ("uint64_t", "float", "double"),
+    "int64_t": ("uint64_t", "double"),
+    "uint64_t": ("double",),
     "float": ("double",),
 }
 

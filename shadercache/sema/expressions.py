@@ -28,15 +28,16 @@ from shadercache.ast.nodes import (
     TypeSpec,
     Unary,
 )
-from shadercache.lang.types import BOOL, INT, UINT, Type, array_of, vector
+from shadercache.lang.types import BOOL, INT, INT64, UINT, UINT64, Type, array_of, vector
 from shadercache.sema.calls import CallChecker
 from shadercache.sema.constants import SWIZZLES, Constants
-from shadercache.sema.constructors import construct_problem
+from shadercache.sema.constructors import construct_problem, is_handle
 from shadercache.sema.context import ERROR, Context
 from shadercache.sema.facts import Kind, Symbol
 from shadercache.sema.fold import literal
 from shadercache.sema.lvalues import why_not_writable
-from shadercache.sema.operators import binary_type, unary_type
+from shadercache.sema.memory import root
+from shadercache.sema.operators import EQUALITY, INTEGER_ONLY, binary_type, unary_type
 
 _OPERANDS: Mapping[type, Callable[[Any], tuple[Expr, ...]]] = {
     Binary: attrgetter("left", "right"),
@@ -110,7 +111,10 @@ class ExpressionChecker:
             found = self._literals[node.text] = literal(node.text)
         kind, value = found
         if value is None:
-            return self._context.error("SC227", "the integer needs more than 32 bits", node)
+            return self._context.error("SC227", "the integer needs more bits than it has", node)
+        if kind in (INT64, UINT64) and not self._context.has_type(kind):
+            message = "integers of 64 bits need GL_ARB_gpu_shader_int64"
+            return self._context.error("SC227", message, node)
         self.constants.expressions.add(node)
         self.constants.values[node] = value
         return kind
@@ -150,8 +154,8 @@ class ExpressionChecker:
         if operand is ERROR:
             return ERROR
         kind = unary_type(node.op, operand)
-        if kind is None:
-            return self._context.error("SC205", f"'{node.op}' does not apply to {operand}", node)
+        if kind is None or self._is_missing(node.op):
+            return self._no_operator(node, operand)
         if node.op in ("++", "--"):
             self._require_writable(node.operand)
         elif node.operand in self.constants.expressions:
@@ -165,7 +169,7 @@ class ExpressionChecker:
             return ERROR
         kind = unary_type(node.op, operand)
         if kind is None:
-            return self._context.error("SC205", f"'{node.op}' does not apply to {operand}", node)
+            return self._no_operator(node, operand)
         self._require_writable(node.operand)
         return kind
 
@@ -177,16 +181,30 @@ class ExpressionChecker:
         elif left is ERROR or right is ERROR:
             kind = ERROR
         else:
-            kind = binary_type(node.op, left, right, self._context.conversions)
+            kind = None
+            if not self._is_missing(node.op, left):
+                kind = binary_type(node.op, left, right, self._context.conversions)
             self._binary_types[key] = kind
         if kind is None:
-            message = f"'{node.op}' does not apply to {left} and {right}"
-            return self._context.error("SC205", message, node)
+            return self._no_operator(node, left, right)
         constant = self.constants.expressions
         if node.left in constant and node.right in constant and kind is not ERROR:
             self._types[node] = kind
             self.constants.binary(node)
         return kind
+
+    def _is_missing(self, op: str, left: Type = BOOL) -> bool:
+        """Does this version lack the operator?"""
+        if op in INTEGER_ONLY:
+            return not self._context.has_integer_operators
+        compares = op in EQUALITY and left.holds_array
+        return compares and not self._context.arrays_are_values
+
+    def _no_operator(self, node: Unary | Postfix | Binary, *operands: Type) -> Type:
+        kinds = " and ".join(map(str, operands))
+        hint = "this version of GLSL does not have it" if self._is_missing(node.op) else None
+        message = f"'{node.op}' does not apply to {kinds}"
+        return self._context.error("SC205", message, node, hint)
 
     def _conditional(self, node: Conditional) -> Type:
         condition, then, other = (
@@ -198,7 +216,7 @@ class ExpressionChecker:
         if ERROR in (condition, then, other):
             return ERROR
         kind = self._context.conversions.common(then, other)
-        if kind is None or kind.holds_opaque:
+        if kind is None or self._context.only_handles(kind):
             message = f"'?:' cannot choose between {then} and {other}"
             return self._context.error("SC205", message, node)
         if self.constants.expressions.issuperset((node.condition, node.then, node.other)):
@@ -219,8 +237,13 @@ class ExpressionChecker:
         conversions = self._context.conversions
         result: Type | None = value
         if node.op != "=":
-            result = binary_type(node.op[:-1], target, value, conversions)
-        if result is None or not conversions.converts(result, target) or target.holds_opaque:
+            missing = self._is_missing(node.op[:-1])
+            result = None if missing else binary_type(node.op[:-1], target, value, conversions)
+        elif (
+            target.holds_array and not self._context.arrays_are_values
+        ) or self._context.only_handles(target):
+            result = None
+        if result is None or not conversions.converts(result, target):
             message = f"cannot assign {value} to {target}"
             if node.op != "=":
                 message = f"'{node.op}' does not apply to {target} and {value}"
@@ -240,7 +263,7 @@ class ExpressionChecker:
             return ERROR
         key = (whole, node.name)
         if key not in self._members:
-            self._members[key] = member_type(whole, node.name, self._context.version)
+            self._members[key] = member_type(whole, node.name, self._context.qualifier_version)
         kind = self._members[key]
         if kind is None:
             return self._bad_member(node, whole)
@@ -285,38 +308,70 @@ class ExpressionChecker:
     def _check_dynamic(self, node: Index, whole: Type) -> None:
         """What only a constant may index: unsized arrays, and before 4.00 arrays of samplers."""
         if whole.is_unsized and whole.dims[0] is None:
+            if self._is_runtime_array(node.object):
+                return
             message = f"{whole} has no size yet: only a constant may index it"
             self._context.error("SC214", message, node.index)
-        elif whole.holds_opaque and self._context.function_version < 400:
+        elif whole.holds_opaque and not self._context.indexes_samplers:
             message = "before GLSL 4.00 only a constant may index an array of samplers"
             self._context.error("SC214", message, node.index)
+        elif whole.struct is not None and whole.dims and not self._context.at_least(0, 320):
+            symbol = root(node.object, self._context)
+            if symbol is not None and symbol.kind == "block":
+                message = "before GLSL ES 3.20 only a constant may index an array of blocks"
+                self._context.error("SC214", message, node.index)
 
     def _length(self, node: Length) -> Type:
         whole = self._types[node.object]
         if whole is ERROR:
             return ERROR
         size = whole.dims[0] if whole.dims else None
-        if whole.rows > 1 and not whole.dims and self._context.version >= 420:
+        if whole.rows > 1 and not whole.dims and self._context.qualifier_version >= 420:
             size = whole.cols if whole.is_matrix else whole.rows
-        if size is None:
+        if whole.dims and size is None and self._is_runtime_array(node.object):
+            return INT
+        if size is None or not self._context.arrays_are_values:
             return self._context.error("SC213", f"{whole} has no length()", node)
         self.constants.set(node, size)
         return INT
+
+    def _is_runtime_array(self, array: Expr) -> bool:
+        """Is it the last member of a buffer block, whose length is known at run time only?"""
+        symbol = root(array, self._context)
+        block = None if symbol is None else symbol.block
+        return block is not None and block.qualifiers.has("buffer")
 
     def _construct(self, node: Construct) -> Type:
         kind = self._resolve_spec(node.type)
         args = [self._types[arg] for arg in node.args]
         if kind is ERROR or ERROR in args:
             return ERROR
-        if kind.dims and kind.dims[0] is None and args:
-            kind = array_of(kind.element, len(args))
-        problem = construct_problem(kind, args, self._context.conversions)
+        if kind.dims and not self._context.arrays_are_values:
+            message = "this version of GLSL has no constructors of arrays"
+            return self._context.error("SC219", message, node)
+        if kind.dims and args:
+            kind = _sized(kind, args)
+        problem = None
+        if kind.struct is not None and self._context.only_handles(kind):
+            problem = f"{kind} holds samplers or images: only a uniform can be one"
+        elif not (self._context.bindless and is_handle(kind, args)):
+            problem = construct_problem(kind, args, self._context.conversions)
+        if kind.is_matrix and args[:1] and args[0].is_matrix and not self._context.at_least(120, 0):
+            problem = "GLSL 1.10 makes no matrix from a matrix"
         if problem is not None:
             return self._context.error("SC219", problem, node)
         if self.constants.expressions.issuperset(node.args):
             self._types[node] = kind
             self.constants.construct(node)
         return kind
+
+
+def _sized(kind: Type, args: list[Type]) -> Type:
+    """The type of an array constructor, with the sizes that its arguments give."""
+    element, size = kind.element, kind.dims[0]
+    if element.is_unsized and len(set(args)) == 1 and len(args[0].dims) == len(element.dims):
+        element = args[0]
+    return array_of(element, len(args) if size is None else size)
 
 
 def member_type(whole: Type, name: str, version: int) -> Type | None:

@@ -26,7 +26,7 @@ from shadercache.lang.types import StructType, Type
 Stage: TypeAlias = Literal["fragment", "vertex"]
 
 Kind: TypeAlias = Literal[
-    "local", "param", "global", "const", "uniform", "in", "out", "builtin", "block"
+    "local", "param", "global", "const", "uniform", "buffer", "in", "out", "builtin", "block"
 ]
 
 Declares: TypeAlias = Declarator | Param | BlockDecl
@@ -44,8 +44,8 @@ class Symbol:
 
     ``kind`` is how it is stored: a ``const`` may be local or global (``is_global``); a ``block``
     is the instance name of an interface block. A member of a block without instance name is a
-    ``uniform``, ``in`` or ``out`` with ``block`` set. ``node`` is the declaration, ``None`` for a
-    built-in variable. ``writable`` says whether it may be assigned to.
+    ``uniform``, ``buffer``, ``in`` or ``out`` with ``block`` set. ``node`` is the declaration,
+    ``None`` for a built-in variable. ``writable`` says whether it may be assigned to.
     """
 
     name: str

@@ -1,8 +1,9 @@
-"""Values of constant expressions.
+"""Values of constant expressions: literals, operators, constructors.
 
-A value is a ``bool``, ``int`` or ``float``, or a flat tuple of them for a vector or a matrix
-(column by column); ``None`` stands for a value that is not known. Integers wrap at 32 bits, floats
-are rounded to 32 bits; a driver may round the last bit of a built-in function otherwise.
+A value is a ``bool``, ``int`` or ``float``, or a tuple: of the components of a vector, the columns
+of a matrix, the elements of an array, the fields of a struct. ``None`` stands for a value that is
+not known. Integers wrap at their size, floats are rounded to 32 bits; a driver may round the last
+bit of a built-in function otherwise.
 """
 
 from __future__ import annotations
@@ -10,21 +11,25 @@ from __future__ import annotations
 import math
 import operator
 import struct
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any, TypeAlias
 
-from shadercache.lang.types import BOOL, DOUBLE, FLOAT, INT, UINT, Type
+from shadercache.lang.types import BOOL, DOUBLE, FLOAT, INT, INT64, UINT, UINT64, Type
 from shadercache.sema.facts import Scalar
 
-Value: TypeAlias = Scalar | tuple[Scalar, ...]
+Value: TypeAlias = "Scalar | tuple[Value, ...]"
+
+MAX_COMPONENTS = 1 << 16
+"""Scalars of a value that is kept: structs of structs can ask for billions."""
 
 _FLOAT32 = struct.Struct("f")
-_INT_LIMIT = 1 << 31
-_UINT_LIMIT = 1 << 32
+_BITS = {"int": 32, "uint": 32, "int64_t": 64, "uint64_t": 64}
+_SIGNED = ("int", "int64_t")
+_INTEGERS = {"": INT, "u": UINT, "l": INT64, "ul": UINT64}
 
 
 def literal(text: str) -> tuple[Type, Scalar | None]:
-    """Type and value of a literal; ``None`` for an integer that needs more than 32 bits."""
+    """Type and value of a literal; ``None`` for an integer that needs more bits than it has."""
     if text in ("true", "false"):
         return BOOL, text == "true"
     low = text.lower()
@@ -36,20 +41,21 @@ def literal(text: str) -> tuple[Type, Scalar | None]:
 
 
 def _integer(low: str) -> tuple[Type, int | None]:
-    digits = low.removesuffix("u")
-    kind = UINT if low.endswith("u") else INT
+    digits = low.rstrip("ul")
+    kind = _INTEGERS[low[len(digits) :]]
     octal = digits.startswith("0") and digits.isdigit()
     value = int(digits, 8) if octal and len(digits) > 1 else int(digits, 0)
-    if value >= _UINT_LIMIT:
+    if value >= 1 << _BITS[kind.name]:
         return kind, None
     # A literal above 2^31 has its bit pattern (section 4.1.3), so 0xFFFFFFFF is -1.
-    return kind, wrap(value, "int" if kind is INT else "uint")
+    return kind, wrap(value, kind.name)
 
 
 def wrap(value: int, base: str) -> int:
-    """``value`` in the 32 bits of ``int`` or ``uint``."""
-    value &= _UINT_LIMIT - 1
-    return value - _UINT_LIMIT if base == "int" and value >= _INT_LIMIT else value
+    """``value`` in the bits of an integer type."""
+    limit = 1 << _BITS[base]
+    value &= limit - 1
+    return value - limit if base in _SIGNED and value >= limit // 2 else value
 
 
 def convert(value: Scalar, base: str | None) -> Scalar | None:
@@ -64,10 +70,23 @@ def convert(value: Scalar, base: str | None) -> Scalar | None:
         except OverflowError:
             return math.copysign(math.inf, value)
     if isinstance(value, float):
-        if not -_INT_LIMIT <= value < _UINT_LIMIT or (base == "int" and value >= _INT_LIMIT):
-            return None
-        return int(value) if base == "int" or value >= 0 else None
+        return _truncated(value, base or "int")
     return wrap(int(value), base or "int")
+
+
+def _truncated(value: float, base: str) -> int | None:
+    limit = 1 << _BITS[base]
+    low, high = (-limit // 2, limit // 2) if base in _SIGNED else (0, limit)
+    return int(value) if low <= value < high else None
+
+
+def flattened(value: Value) -> Iterator[Scalar]:
+    """The scalars of a value in order."""
+    if isinstance(value, tuple):
+        for item in value:
+            yield from flattened(item)
+    else:
+        yield value
 
 
 def _quotient(left: Any, right: Any) -> Any:
@@ -125,25 +144,57 @@ _UNARY: Mapping[str, Callable[[Any], Any]] = {
 
 def fold_unary(op: str, value: Value, kind: Type) -> Value | None:
     """``op value``; not for ``++`` and ``--``."""
-    return _mapped(_UNARY[op], (value,), kind.base)
+    return mapped(_UNARY[op], (value,), kind.base)
 
 
-def fold_binary(op: str, left: Value, right: Value, base: str | None, kind: Type) -> Value | None:
+def fold_binary(
+    op: str, left: Value, right: Value, operands: tuple[Type, Type], base: str | None, kind: Type
+) -> Value | None:
     """``left op right`` of result type ``kind``; both are first converted to scalar ``base``."""
-    if op not in ("<<", ">>"):
-        left, right = _converted(left, base), _converted(right, base)
-    if op in ("==", "!=") and isinstance(left, tuple):
+    if base is not None and op not in ("<<", ">>"):
+        one, two = converted(left, base), converted(right, base)
+        if one is None or two is None:
+            return None
+        left, right = one, two
+    if op in ("==", "!="):
         return (left == right) == (op == "==")
-    return _mapped(_BINARY[op], (left, right), kind.base)
+    if op == "*" and any(operand.is_matrix for operand in operands):
+        product = _product(left, right, *operands)
+        if product is not None:
+            return converted(product, kind.base)
+    return mapped(_BINARY[op], (left, right), kind.base)
 
 
-def _converted(value: Value, base: str | None) -> Any:
-    if isinstance(value, tuple):
-        return tuple(convert(item, base) for item in value)
-    return convert(value, base)
+def _product(left: Any, right: Any, first: Type, second: Type) -> Any:
+    """Linear algebra; ``None`` where one operand is a scalar."""
+    if first.is_scalar or second.is_scalar:
+        return None
+    if first.is_vector:
+        return tuple(_dot(left, column) for column in right)
+    rows = tuple(zip(*left, strict=True))
+    if second.is_vector:
+        return tuple(_dot(row, right) for row in rows)
+    return tuple(tuple(_dot(row, column) for row in rows) for column in right)
 
 
-def _mapped(apply: Callable[..., Any], values: tuple[Value, ...], base: str | None) -> Value | None:
+def _dot(left: Any, right: Any) -> Any:
+    return sum(a * b for a, b in zip(left, right, strict=True))
+
+
+def converted(value: Value, base: str | None) -> Value | None:
+    """Every scalar of ``value`` as another scalar type."""
+    if not isinstance(value, tuple):
+        return convert(value, base)
+    items = [converted(item, base) for item in value]
+    return _all(items)
+
+
+def _all(items: list[Value | None]) -> tuple[Value, ...] | None:
+    known = tuple(item for item in items if item is not None)
+    return known if len(known) == len(items) else None
+
+
+def mapped(apply: Callable[..., Any], values: tuple[Value, ...], base: str | None) -> Value | None:
     """``apply`` component by component; scalars serve every component."""
     sizes = {len(value) for value in values if isinstance(value, tuple)}
     try:
@@ -151,69 +202,51 @@ def _mapped(apply: Callable[..., Any], values: tuple[Value, ...], base: str | No
             return convert(apply(*values), base)
         size = sizes.pop()
         columns = [v if isinstance(v, tuple) else (v,) * size for v in values]
-        items = [convert(apply(*column), base) for column in zip(*columns, strict=True)]
+        return _all([mapped(apply, column, base) for column in zip(*columns, strict=True)])
     except (ArithmeticError, ValueError, TypeError):
         return None
-    return None if None in items else tuple(item for item in items if item is not None)
 
 
 def fold_construct(kind: Type, values: list[Value]) -> Value | None:
-    """A scalar or vector made from scalars and vectors; matrices are not folded."""
-    flat: list[Scalar] = []
-    for value in values:
-        flat.extend(value if isinstance(value, tuple) else (value,))
-    if len(values) == 1 and len(flat) == 1:
-        flat *= kind.rows
-    items = [convert(item, kind.base) for item in flat[: kind.rows]]
-    if kind.cols > 1 or len(items) < kind.rows:
+    """A value of type ``kind`` made from others (section 5.4); ``None`` for a very large one."""
+    if kind.components is not None and kind.components > MAX_COMPONENTS:
         return None
-    known = tuple(item for item in items if item is not None)
-    if len(known) < len(items):
+    if kind.dims:
+        return _all([_part(kind.element, value) for value in values])
+    if kind.struct is not None:
+        fields = zip(kind.struct.fields.values(), values, strict=True)
+        return _all([_part(field, value) for field, value in fields])
+    if kind.is_matrix:
+        return _matrix(kind, values)
+    items = [convert(item, kind.base) for value in values for item in flattened(value)]
+    if len(items) == 1:
+        items *= kind.rows
+    known = _all([*items[: kind.rows]])
+    if known is None or len(known) < kind.rows:
         return None
     return known if kind.rows > 1 else known[0]
 
 
-_CALLS: Mapping[str, Callable[..., Any]] = {
-    "radians": math.radians,
-    "degrees": math.degrees,
-    "sin": math.sin,
-    "cos": math.cos,
-    "tan": math.tan,
-    "pow": math.pow,
-    "exp": math.exp,
-    "log": math.log,
-    "exp2": lambda x: 2.0**x,
-    "log2": math.log2,
-    "sqrt": math.sqrt,
-    "abs": abs,
-    "sign": lambda x: (x > 0) - (x < 0),
-    "floor": math.floor,
-    "ceil": math.ceil,
-    "trunc": math.trunc,
-    "roundEven": round,
-    "fract": lambda x: x - math.floor(x),
-    "mod": lambda x, y: x - y * math.floor(x / y),
-    "min": min,
-    "max": max,
-    "clamp": lambda x, low, high: min(max(x, low), high),
-    "mix": lambda x, y, a: (y if a else x) if isinstance(a, bool) else x * (1.0 - a) + y * a,
-    "step": lambda edge, x: 0.0 if x < edge else 1.0,
-    "lessThan": operator.lt,
-    "lessThanEqual": operator.le,
-    "greaterThan": operator.gt,
-    "greaterThanEqual": operator.ge,
-    "equal": operator.eq,
-    "notEqual": operator.ne,
-    "not": operator.not_,
-}
+def _part(kind: Type, value: Value) -> Value | None:
+    """An element or field, implicitly converted."""
+    return value if kind.base is None or kind.dims else fold_construct(kind, [value])
 
 
-def fold_call(name: str, values: list[Value], params: list[Type], kind: Type) -> Value | None:
-    """A call of a built-in function that works component by component."""
-    if name in ("any", "all") and isinstance(values[0], tuple):
-        return any(values[0]) if name == "any" else all(values[0])
-    apply = _CALLS.get(name)
-    if apply is None or kind.cols > 1:
-        return None
-    converted = [_converted(v, p.base) for v, p in zip(values, params, strict=True)]
-    return _mapped(apply, tuple(converted), kind.base)
+def _matrix(kind: Type, values: list[Value]) -> Value | None:
+    only = values[0]
+    if len(values) == 1 and not isinstance(only, tuple):
+        columns = [[only if r == c else 0 for r in range(kind.rows)] for c in range(kind.cols)]
+    elif len(values) == 1 and isinstance(only, tuple) and isinstance(only[0], tuple):
+        columns = [[_entry(only, c, r) for r in range(kind.rows)] for c in range(kind.cols)]
+    else:
+        flat = [item for value in values for item in flattened(value)]
+        columns = [flat[c * kind.rows : (c + 1) * kind.rows] for c in range(kind.cols)]
+    return converted(tuple(tuple(column) for column in columns), kind.base)
+
+
+def _entry(matrix: Any, column: int, row: int) -> Scalar:
+    """Of a bigger or smaller matrix; what is missing is as in the unit matrix."""
+    if column < len(matrix) and row < len(matrix[0]):
+        entry: Scalar = matrix[column][row]
+        return entry
+    return 1.0 if column == row else 0.0

@@ -6,13 +6,13 @@ from shadercache.ast.nodes import Call, FunctionDef, FunctionProto, Param
 from shadercache.lang.types import VOID, Type
 from shadercache.sema.context import ERROR, Context
 from shadercache.sema.facts import Symbol
-from shadercache.sema.qualifiers import words_problem
+from shadercache.sema.qualifiers import MEMORY
 from shadercache.sema.scopes import FunctionSet, Overload
 from shadercache.sema.typespecs import TypeResolver
 
 _PRECISIONS = ("highp", "mediump", "lowp")
 _RESULT_WORDS = frozenset((*_PRECISIONS, "precise"))
-_PARAM_WORDS = frozenset((*_PRECISIONS, "precise", "const", "in", "out", "inout"))
+_PARAM_WORDS = frozenset((*_PRECISIONS, *MEMORY, "precise", "const", "in", "out", "inout"))
 
 
 class FunctionChecker:
@@ -35,6 +35,7 @@ class FunctionChecker:
         overload = self._overload(proto)
         context.check_name(proto.name, proto)
         context.check_block_name(proto.name, proto)
+        self._check_version(proto, overload)
         entry = context.scopes.function_set(proto.name)
         if not isinstance(entry, FunctionSet):
             message = f"'{proto.name}' is already declared, and not as a function"
@@ -53,9 +54,28 @@ class FunctionChecker:
             overload.definition = definition
         return overload
 
+    def _check_version(self, proto: FunctionProto, overload: Overload) -> None:
+        """GLSL ES leaves the built-in functions alone, and declares functions at global scope only
+        (ES 1.00 and 3.00 section 6.1)."""
+        context = self._context
+        if not context.es:
+            return
+        builtin = context.builtin_functions(proto.name)
+        if context.version >= 300:
+            hidden = bool(builtin)
+        else:
+            hidden = any(tuple(p.type for p in s.params) == overload.params for s in builtin)
+        if hidden:
+            context.error("SC202", f"'{proto.name}' is a built-in function", proto)
+        elif context.scopes.depth:
+            context.error("SC221", "a function cannot be declared in another", proto)
+
     def _overload(self, proto: FunctionProto) -> Overload:
-        result = self._resolver.resolve(proto.type)
-        if result is not ERROR and (result.holds_opaque or result.is_unsized):
+        result = self._resolver.declared(proto.qualifiers, proto.type)
+        if result.holds_array and not self._context.arrays_are_values:
+            message = "this version of GLSL has no functions that return arrays"
+            result = self._context.error("SC224", message, proto.type)
+        if result is not ERROR and (self._context.only_handles(result) or result.is_unsized):
             result = self._context.error("SC224", f"a function cannot return {result}", proto.type)
         extra = [word for word in proto.qualifiers.words if word not in _RESULT_WORDS]
         if extra:
@@ -66,27 +86,30 @@ class FunctionChecker:
 
     def _param_type(self, param: Param) -> Type:
         context = self._context
-        kind = self._resolver.with_dims(self._resolver.resolve(param.type), param.dims, param)
+        base = self._resolver.declared(param.qualifiers, param.type)
+        kind = self._resolver.with_dims(base, param.dims, param)
         if kind is ERROR:
             return kind
         words = param.qualifiers.words
         extra = [word for word in words if word not in _PARAM_WORDS]
         if extra:
             context.error("SC221", f"'{extra[0]}' does not apply to a parameter", param)
-        problem = words_problem(words, context.qualifier_version)
+        if param.qualifiers.layout:
+            context.error("SC223", "a parameter has no layout", param)
+        problem = context.words_problem(words)
         if problem is not None:
             context.error("SC221", problem, param)
         if kind is VOID:
             context.error("SC204", "a parameter cannot be void", param)
         elif kind.is_unsized:
             context.error("SC215", "an array parameter needs a size", param)
-        elif kind.holds_opaque and param.writes_back:
+        elif context.only_handles(kind) and param.writes_back:
             context.error("SC221", f"a parameter of type {kind} cannot be written", param)
         return kind
 
     def _compare(self, before: Overload, now: Overload, definition: FunctionDef | None) -> None:
         """A function declared again must agree in everything (section 6.1)."""
-        name = now.proto.name
+        name, context = now.proto.name, self._context
         if ERROR in (before.result, now.result):
             return
         if before.result is not now.result:
@@ -95,6 +118,8 @@ class FunctionChecker:
         elif _qualified(before.proto) != _qualified(now.proto):
             message = f"'{name}' was declared with other parameter qualifiers"
             self._context.error("SC224", message, now.proto)
+        elif definition is None and context.es and context.version < 300:
+            context.error("SC202", f"'{name}' is declared twice", now.proto)
         elif definition is not None and before.definition is not None:
             message = f"'{name}' with these parameters is defined twice"
             self._context.error("SC202", message, now.proto)
@@ -114,10 +139,10 @@ class FunctionChecker:
             context.scopes.declare(param.name, symbol)
             context.declared[param] = symbol
 
-    def check_all(self) -> None:
-        """There is a ``main``, nothing calls itself, what is called is defined."""
+    def check_all(self, needs_main: bool) -> None:
+        """There is a right ``main``, nothing calls itself, what is called is defined."""
         context = self._context
-        self._check_main()
+        self._check_main(needs_main)
         called = {id(target) for target in context.calls.values()}
         for overload in self._all:
             if overload.definition is None and id(overload) in called:
@@ -125,11 +150,13 @@ class FunctionChecker:
                 context.warn("SC291", message, overload.proto)
         find_recursion(context)
 
-    def _check_main(self) -> None:
+    def _check_main(self, needed: bool) -> None:
         context = self._context
         mains = [item for item in self._all if item.proto.name == "main"]
         if not any(item.definition for item in mains):
-            context.error("SC217", "there is no function 'void main()'", context.module)
+            # A part of a program may leave it to another part (section 3.8 of 4.60).
+            tell = context.error if needed else context.warn
+            tell("SC217", "there is no function 'void main()'", context.module)
         for item in mains:
             if item.params or item.result not in (VOID, ERROR):
                 message = "'main' takes no parameters and returns void"

@@ -1,135 +1,115 @@
-"""Layout qualifiers (GLSL 3.30 sections 4.3.8 and 4.3.9): values, places, overlapping locations."""
+"""Layout qualifiers (GLSL 4.60 section 4.4): what each declaration says, and whether it may."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from math import prod
+from collections.abc import Mapping
 
-from shadercache.ast.nodes import Expr, Node, Qualifiers
+from shadercache.ast.nodes import BlockDecl, Expr, LayoutItem, Literal, Node, Qualifiers, VarDecl
 from shadercache.lang.types import INT, UINT, Type
-from shadercache.sema.context import ERROR, Context, did_you_mean
+from shadercache.sema.context import ERROR, NEVER, Context, did_you_mean
 from shadercache.sema.expressions import ExpressionChecker
+from shadercache.sema.feedback import Feedback
+from shadercache.sema.layout_words import SINCE, Place, word_problem
+from shadercache.sema.locations import Locations
+from shadercache.sema.offsets import check_offsets
 
-# First version of a location: (stage, storage) -> version; what is missing needs 4.10.
-_LOCATION_SINCE = {("vertex", "in"): 330, ("fragment", "out"): 330}
-_INTERFACE_SINCE = 410
-_UNIFORM_SINCE = 430
-_PACKINGS = frozenset(("shared", "packed", "std140", "std430"))
-_ORDERS = frozenset(("row_major", "column_major"))
-_ORIGINS = frozenset(("origin_upper_left", "pixel_center_integer"))
-_WORDS = frozenset(
-    (
-        *_PACKINGS,
-        *_ORDERS,
-        *_ORIGINS,
-        *("location", "index", "component", "binding", "offset", "align"),
-        *("depth_any", "depth_greater", "depth_less", "depth_unchanged"),
-        *("early_fragment_tests", "xfb_buffer", "xfb_stride", "xfb_offset"),
-    )
-)
-_ES_SINCE = {"uniform": 310, "interface": 310}
+_PACKINGS = ("shared", "packed", "std140", "std430")
 
 
 class LayoutChecker:
-    """Checks ``layout(...)`` of declarations and remembers which locations are taken."""
+    """Checks ``layout(...)`` of declarations."""
 
     def __init__(self, context: Context, expressions: ExpressionChecker) -> None:
         self._context = context
         self._check = expressions.check
         self._values = expressions.constants.values
-        self._taken: dict[tuple[str, int, int], str] = {}
+        self._locations = Locations(context)
+        self._feedback = Feedback(context)
+        self._defaults: dict[str, set[str]] = {"uniform": set(), "buffer": set()}
 
-    def check(
-        self,
-        qualifiers: Qualifiers,
-        names: Sequence[str] = (),
-        *,
-        member: bool = False,
-        default: bool = False,
-    ) -> dict[str, int]:
-        """The values by name; each is a constant integer, not negative.
-
-        ``names`` are the variables that the layout is for; ``member``: of a block; ``default``: it
-        is for a block or for all that follows.
-        """
+    def check(self, qualifiers: Qualifiers, place: Place) -> dict[str, int]:
+        """The values by name; each is a constant integer, not negative. The last one counts."""
         values: dict[str, int] = {}
         for item in qualifiers.layout or ():
-            problem = _misplaced(item.name, names, member, default)
+            # Compilers do not tell small letters from capitals, in GLSL ES neither.
+            word = item.name.lower()
+            problem = word_problem(word, item.value is not None, place, self._context)
             if problem is not None:
-                hint = did_you_mean(item.name, _WORDS)
+                hint = did_you_mean(word, SINCE) if word not in SINCE else None
                 self._context.error("SC223", problem, item, hint)
-            number = None if item.value is None else self._number(item.name, item.value)
-            if number is not None:
-                values[item.name] = number
+            number = None if item.value is None else self._number(item, word, item.value)
+            if number is not None and problem is None:
+                values[word] = number
+        if place.form == "block" or any(word.startswith("xfb_") for word in values):
+            self._feedback.check(qualifiers, values, place)
         return values
 
-    def _number(self, name: str, value: Expr) -> int | None:
+    def _number(self, item: LayoutItem, name: str, value: Expr) -> int | None:
         kind, number = self._check(value), self._values.get(value)
         if kind is ERROR:
             return None
-        if kind in (INT, UINT) and isinstance(number, int) and number >= 0:
-            return number
-        message = f"the layout value of '{name}' is a constant integer, not negative"
-        self._context.error("SC223", message, value)
-        return None
+        if not isinstance(value, Literal) and not self._takes_expressions():
+            message = f"before GLSL 4.40 the layout value of '{name}' is a plain number"
+            self._context.error("SC223", message, value)
+            return None
+        if kind not in (INT, UINT) or not isinstance(number, int) or number < 0:
+            message = f"the layout value of '{name}' is a constant integer, not negative"
+            self._context.error("SC223", message, value)
+            return None
+        most = {"index": 1, "set": 0, "component": 3}.get(name, number)
+        if number > most:
+            message = f"the layout value of '{name}' is at most {most} here"
+            self._context.error("SC223", message, item)
+        return number
 
-    def place(
-        self, node: Node, name: str, kind: Type, storage: str, values: dict[str, int]
+    def _takes_expressions(self) -> bool:
+        context = self._context
+        enhanced = "GL_ARB_enhanced_layouts" in context.extensions and context.version >= 150
+        return enhanced or context.at_least(440, NEVER)
+
+    def variable(
+        self, node: Node, name: str, kind: Type, qualifiers: Qualifiers, storage: str
     ) -> None:
-        """``name`` of type ``kind`` stands at the location that its layout gives."""
-        if "location" not in values:
+        """The layout of one variable."""
+        values = self.check(qualifiers, Place("variable", storage, (name,), kind))
+        if storage in ("in", "out", "uniform"):
+            self._locations.place(node, name, kind, storage, values)
+
+    def block(self, block: BlockDecl, storage: str, fields: Mapping[str, Type]) -> None:
+        """The layouts of a block and of its members."""
+        own = self.check(block.qualifiers, Place("block", storage))
+        members = [
+            self.check(decl.qualifiers, Place("member", storage, (), _type_of(decl, fields)))
+            for decl in block.fields
+        ]
+        self._locations.place_block(block, storage, fields, own.get("location"), members)
+        if storage not in self._defaults:
             return
-        since = self._since(storage)
-        if self._context.interface_version < since:
-            version = f"GLSL ES {since}" if self._context.es else f"GLSL {since / 100:.2f}"
-            what = "a uniform" if storage == "uniform" else f"this '{storage}' variable"
-            self._context.error("SC223", f"a location of {what} needs {version}", node)
-        elif kind is not ERROR and "component" not in values and self._exclusive(storage):
-            self._take(node, name, kind, storage, values)
+        words = {item.name.lower() for item in block.qualifiers.layout or ()}
+        packing = _packing(words) or _packing(self._defaults[storage]) or "shared"
+        parts = [words, self._defaults[storage]]
+        parts += [{item.name for item in decl.qualifiers.layout or ()} for decl in block.fields]
+        if not any("row_major" in part for part in parts):
+            check_offsets(block, packing, own.get("align"), fields, members, self._context)
 
-    def _since(self, storage: str) -> int:
-        if storage == "uniform":
-            return _ES_SINCE["uniform"] if self._context.es else _UNIFORM_SINCE
-        known = _LOCATION_SINCE.get((self._context.stage, storage))
-        if self._context.es:
-            return 300 if known else _ES_SINCE["interface"]
-        return known or _INTERFACE_SINCE
-
-    def _exclusive(self, storage: str) -> bool:
-        """Do locations belong to one variable? Attributes may share one on the desktop."""
-        attribute = self._context.stage == "vertex" and storage == "in"
-        return storage != "uniform" and (self._context.es or not attribute)
-
-    def _take(
-        self, node: Node, name: str, kind: Type, storage: str, values: dict[str, int]
-    ) -> None:
-        first = values["location"]
-        for location in range(first, first + slots(kind)):
-            key = (storage, location, values.get("index", 0))
-            other = self._taken.setdefault(key, name)
-            if other != name:
-                message = f"'{name}' and '{other}' share the location {location}"
-                self._context.error("SC223", message, node)
-                return
+    def default(self, qualifiers: Qualifiers, storage: str) -> None:
+        """``layout(std140) uniform;``: for what follows."""
+        self.check(qualifiers, Place("default", storage))
+        words = [item.name.lower() for item in qualifiers.layout or ()]
+        known = self._defaults.get(storage, set())
+        for word in words:
+            if word in _PACKINGS:
+                known.difference_update(_PACKINGS)
+            elif word in ("row_major", "column_major"):
+                known.discard("row_major")
+            known.add(word)
 
 
-def _misplaced(word: str, names: Sequence[str], member: bool, default: bool) -> str | None:
-    """Why a layout word cannot stand where it does."""
-    if word not in _WORDS:
-        return f"'{word}' is no layout qualifier"
-    if word in _PACKINGS and not default:
-        return f"'{word}' is for uniform blocks"
-    if word in _ORDERS and not (default or member):
-        return f"'{word}' is for uniform blocks and their members"
-    if word in _ORIGINS and list(names) != ["gl_FragCoord"]:
-        return f"'{word}' is for gl_FragCoord"
-    return None
+def _packing(words: set[str]) -> str | None:
+    return next((word for word in _PACKINGS if word in words), None)
 
 
-def slots(kind: Type) -> int:
-    """Number of locations that a variable of this type takes (section 4.3.8.1)."""
-    if kind.struct is not None:
-        one = sum(slots(field) for field in kind.struct.fields.values())
-    else:
-        one = kind.cols
-    return one * prod(size or 1 for size in kind.dims)
+def _type_of(decl: VarDecl, fields: Mapping[str, Type]) -> Type | None:
+    """The type of the members that one declaration declares (the first, where sizes differ)."""
+    kind = fields.get(decl.declarators[0].name) if decl.declarators else None
+    return None if kind is ERROR else kind

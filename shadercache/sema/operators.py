@@ -11,6 +11,8 @@ BITWISE = frozenset("&|^")
 SHIFTS = frozenset(("<<", ">>"))
 RELATIONAL = frozenset(("<", ">", "<=", ">="))
 EQUALITY = frozenset(("==", "!="))
+INTEGER_ONLY = frozenset(("%", "~")) | BITWISE | SHIFTS
+INTEGERS = frozenset(("int", "uint", "int64_t", "uint64_t"))
 LOGICAL = frozenset(("&&", "||", "^^"))
 
 
@@ -19,7 +21,7 @@ def unary_type(op: str, operand: Type) -> Type | None:
     if op == "!":
         return BOOL if operand is BOOL else None
     if op == "~":
-        return operand if operand.is_integer else None
+        return operand if _is_integer(operand) else None
     return operand if operand.is_numeric else None
 
 
@@ -35,11 +37,15 @@ def binary_type(op: str, left: Type, right: Type, conversions: Conversions) -> T
     if op in EQUALITY:
         common = conversions.common(left, right)
         return BOOL if common and not common.holds_opaque and not common.is_void else None
-    if not (left.is_integer and right.is_integer):
+    if not (_is_integer(left) and _is_integer(right)):
         return None
     if op in SHIFTS:
         return left if right.rows in (1, left.rows) else None
     return _arithmetic(op, left, right, conversions)
+
+
+def _is_integer(kind: Type) -> bool:
+    return kind.base in INTEGERS and not kind.dims
 
 
 def _arithmetic(op: str, left: Type, right: Type, conversions: Conversions) -> Type | None:

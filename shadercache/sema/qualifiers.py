@@ -4,7 +4,8 @@ from __future__ import annotations
 
 INTERPOLATION = ("flat", "smooth", "noperspective")
 AUXILIARY = ("centroid", "sample", "patch")
-STORAGE = ("const", "in", "out", "inout", "uniform", "attribute", "varying")
+STORAGE = ("const", "in", "out", "inout", "uniform", "buffer", "shared", "attribute", "varying")
+MEMORY = ("coherent", "volatile", "restrict", "readonly", "writeonly")
 PRECISION = ("highp", "mediump", "lowp")
 
 _RANKS = {
@@ -12,14 +13,19 @@ _RANKS = {
     "invariant": 1,
     **dict.fromkeys(INTERPOLATION, 2),
     **dict.fromkeys(AUXILIARY, 3),
-    **dict.fromkeys(STORAGE, 4),
+    **dict.fromkeys(STORAGE, 5),
+    "const": 4,
+    **dict.fromkeys(PRECISION, 6),
 }
+_ANYWHERE = (*STORAGE, *PRECISION)
 _GROUPS = (INTERPOLATION, AUXILIARY, STORAGE, PRECISION)
-_FREE_ORDER = 420
 
 
-def words_problem(words: tuple[str, ...], version: int) -> str | None:
-    """What is wrong with these words beside each other, wherever they stand."""
+def words_problem(words: tuple[str, ...], *, es: bool, in_any_order: bool) -> str | None:
+    """What is wrong with these words beside each other, wherever they stand.
+
+    Their order is free from 4.20 and ES 3.10 on (section 4.7 of 3.30, 4.10 of 4.20).
+    """
     if len(words) < 2:
         return None
     for group in _GROUPS:
@@ -28,15 +34,22 @@ def words_problem(words: tuple[str, ...], version: int) -> str | None:
             return f"'{' '.join(found)}' contradict or repeat each other"
     if len(set(words)) < len(words):
         return f"'{' '.join(words)}' repeat each other"
-    # Drivers and glslang take precision words anywhere, and so does this.
-    ordered = sorted((word for word in words if word in _RANKS), key=_RANKS.__getitem__)
-    if version < _FREE_ORDER and ordered != [word for word in words if word in _RANKS]:
-        return f"before GLSL 4.20 the order of these qualifiers is '{' '.join(ordered)}'"
+    ranked = [word for word in words if word in _RANKS]
+    if not es and not any(word in _RANKS and word not in _ANYWHERE for word in words):
+        # Compilers of desktop GLSL let go of precisions beside a storage qualifier.
+        ranked = [word for word in ranked if word not in PRECISION]
+    ordered = sorted(ranked, key=_RANKS.__getitem__)
+    if ordered != ranked and not in_any_order:
+        since = "GLSL ES 3.10" if es else "GLSL 4.20"
+        return f"before {since} the order of these qualifiers is '{' '.join(ordered)}'"
     return None
 
 
-def global_problem(words: tuple[str, ...], stage: str, storage: str) -> str | None:
-    """What is wrong with these words on a global variable that is stored as ``storage``."""
+def global_problem(
+    words: tuple[str, ...], stage: str, storage: str, invariable: tuple[str, ...]
+) -> str | None:
+    """What is wrong with these words on a global variable that is stored as ``storage``;
+    ``invariable`` is what may be ``invariant``."""
     if "inout" in words:
         return "'inout' stands only on parameters"
     passed_on = (stage == "fragment") == (storage == "in")
@@ -45,8 +58,6 @@ def global_problem(words: tuple[str, ...], stage: str, storage: str) -> str | No
     for word in words:
         if word in (*INTERPOLATION, *AUXILIARY) and not passed_on:
             return f"'{word}' stands only on what a vertex shader passes to a fragment shader"
-        if word == "invariant" and (storage == "in" and stage == "vertex"):
-            return "an attribute cannot be invariant"
-        if word == "invariant" and storage not in ("in", "out"):
-            return "'invariant' stands only on inputs and outputs"
+        if word == "invariant" and storage not in invariable:
+            return "'invariant' stands only on what a shader passes on"
     return None

@@ -38,9 +38,13 @@ Entry: TypeAlias = Symbol | Type | FunctionSet
 
 
 class Scopes:
-    """A stack of scopes; the lowest is the global one."""
+    """A stack of scopes; the lowest is the global one.
 
-    def __init__(self) -> None:
+    GLSL 1.10 has ``separate`` names for functions: they are kept with the ``function_mark`` behind.
+    """
+
+    def __init__(self, separate: bool = False) -> None:
+        self.function_mark = "()" if separate else ""
         self.visible: dict[str, Entry] = {}
         self._own: list[set[str]] = [set()]
         self._hidden: list[list[tuple[str, Entry | None]]] = [[]]
@@ -81,14 +85,15 @@ class Scopes:
 
         Returns whatever else the name means, if it means something else.
         """
-        entry = self.visible.get(name)
+        key = name + self.function_mark
+        entry = self.visible.get(key)
         if entry is None:
             entry = FunctionSet(name)
             # Straight into the global scope: a function outlives the scope of its prototype.
-            self._own[0].add(name)
-            self.visible[name] = entry
+            self._own[0].add(key)
+            self.visible[key] = entry
         return entry
 
     def names(self) -> list[str]:
-        """All names that mean something here."""
-        return list(self.visible)
+        """All names that mean something here (and not the keys of default precisions)."""
+        return [name for name in self.visible if name.isidentifier()]

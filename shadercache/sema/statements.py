@@ -93,6 +93,10 @@ class StatementChecker:
         context.function = function
         context.called[function] = []
         self._result, self._returns = overload.result, False
+        if context.version == 100:
+            # Only there the parameters have a scope of their own (ES 1.00 section 4.2.2).
+            self._scopes.push()
+            self._stack.append(self._scopes.pop)
         self._run(function.body.body)
         context.function = None
         self._scopes.pop()
@@ -188,7 +192,7 @@ class StatementChecker:
             context.error("SC220", message, node.selector)
         if node.body and not isinstance(node.body[0], Case):
             context.error("SC220", "a statement before the first case", node.body[0])
-        if node.body and isinstance(node.body[-1], Case) and context.version < 430:
+        if node.body and isinstance(node.body[-1], Case) and not context.at_least(430, 310):
             context.error("SC220", "no statement after the last case", node.body[-1])
         self._scopes.push()
         self._switches.append(_SwitchState(kind, self._scopes.depth))
@@ -201,7 +205,7 @@ class StatementChecker:
             context.error("SC220", "a case label outside of a switch", node)
             return
         state = self._switches[-1]
-        value = None if node.value is None else self._label(node.value, state.selector)
+        value = None if node.value is None else self._label(node.value)
         if node.value is not None and value is None:
             return
         if value in state.seen:
@@ -209,7 +213,7 @@ class StatementChecker:
             context.error("SC220", f"'{label}' stands twice in the same switch", node)
         state.seen.add(value)
 
-    def _label(self, label: Expr, selector: Type) -> int | None:
+    def _label(self, label: Expr) -> int | None:
         """The value of a case label; ``None`` where it is not known or wrong."""
         context, kind = self._context, self._check(label)
         if kind is ERROR:
@@ -217,8 +221,6 @@ class StatementChecker:
         if kind not in (INT, UINT) or label not in self._constant:
             context.error("SC220", "a case label is a constant integer", label)
             return None
-        if selector is not ERROR and not context.conversions.common(kind, selector):
-            context.error("SC220", f"the label is {kind}, the selector {selector}", label)
         value = self._values.get(label)
         return value if isinstance(value, int) else None
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from shadercache.ast.nodes import Dims, Expr, Node, StructDef, TypeSpec, VarDecl
+from shadercache.ast.nodes import Dims, Expr, Node, Qualifiers, StructDef, TypeSpec, VarDecl
+from shadercache.lang.builtins import struct
 from shadercache.lang.types import INT, UINT, VOID, Type, array_of, builtin_type, struct_type
 from shadercache.sema.context import ERROR, Context
 from shadercache.sema.expressions import ExpressionChecker
+from shadercache.sema.precisions import Precisions
 
 _FIELD_WORDS = frozenset(("highp", "mediump", "lowp"))
 
@@ -16,6 +18,17 @@ class TypeResolver:
     def __init__(self, context: Context) -> None:
         self._context = context
         self.expressions = ExpressionChecker(context, self.resolve)
+        self.precisions = Precisions(context)
+
+    def declared(self, qualifiers: Qualifiers, spec: TypeSpec) -> Type:
+        """The type of something declared with these qualifiers, which have to give it all that
+        the version wants."""
+        kind = self.resolve(spec)
+        self.precisions.require(kind, qualifiers, spec)
+        if spec.dims and kind is not ERROR and not self._context.arrays_are_values:
+            message = f"the size of an array stands behind its name: {kind.element} x[...]"
+            return self._context.error("SC221", message, spec)
+        return kind
 
     def resolve(self, spec: TypeSpec) -> Type:
         """The type a specifier stands for; ``ERROR`` after a diagnostic."""
@@ -23,6 +36,8 @@ class TypeResolver:
             kind = self.define(spec.struct)
         else:
             found = builtin_type(spec.name) or self._context.scopes.visible.get(spec.name)
+            if found is None and spec.name.startswith("gl_"):
+                found = struct(spec.name)
             if not isinstance(found, Type):
                 return self._unknown(spec, found is not None)
             kind = found
@@ -93,6 +108,8 @@ class TypeResolver:
         if extra:
             message = f"'{extra[0]}' does not apply to a field"
             self._context.error("SC221", message, decl.qualifiers)
+        if decl.qualifiers.layout and not self._context.bindless:
+            self._context.error("SC223", "a field of a struct has no layout", decl.qualifiers)
         if decl.type.struct is not None:
             message = "a struct cannot be defined inside of a struct"
             self._context.error("SC221", message, decl.type)
@@ -101,7 +118,7 @@ class TypeResolver:
         """Names and types of the members of a struct or block."""
         fields: dict[str, Type] = {}
         for decl in decls:
-            base = self.resolve(decl.type)
+            base = self.declared(decl.qualifiers, decl.type)
             if base is VOID:
                 base = self._context.error("SC204", "a member cannot be void", decl.type)
             for declarator in decl.declarators:

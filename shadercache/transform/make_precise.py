@@ -8,10 +8,12 @@ compute exactly what is written, and must agree to the bit (DESIGN section 4, la
 
     float f(float x) { precise float sc_result = x * 2.1 * 3.3; return sc_result; }
 
-``precise`` needs GLSL 4.00. It goes on locals, global variables, outputs and out parameters; a
-returned value and an argument of a user's function become locals first, since ``precise`` does not
-reach into expressions that are not assigned to a precise variable. So do the operands of linear
-algebra, which drivers (Mesa) take apart into temporaries that are not precise.
+``precise`` needs GLSL 4.00 or GLSL ES 3.20. It goes on locals, global variables, outputs and out
+parameters; a returned value and an argument of a user's function become locals first, since
+``precise`` does not reach into expressions that are not assigned to a precise variable. So do the
+operands of linear algebra, which drivers (Mesa) take apart into temporaries that are not precise.
+In GLSL ES everything becomes ``highp``: how exact ``mediump`` is, and where it is rounded, is up to
+the driver as well.
 """
 
 from __future__ import annotations
@@ -27,21 +29,30 @@ from shadercache.lang.types import Type, builtin_type
 from shadercache.sema.check import check
 from shadercache.sema.facts import Stage
 from shadercache.source import NOWHERE, Source
+from shadercache.transform.precisions import all_highp
 from shadercache.transform.reachable import names_in
 from shadercache.transform.replace import replace_expressions
 
-PRECISE_VERSION = 400
+_DESKTOP, _ES = 400, 320
 
 Types: TypeAlias = Mapping[n.Expr, Type]
 
 
+def precise_version(module: n.Module) -> int:
+    """The version that a shader has in proof mode: the first with ``precise``, or its own."""
+    return max(module.version, _ES if module.profile == "es" else _DESKTOP)
+
+
 def make_precise(module: n.Module, prefix: str, stage: Stage = "fragment") -> n.Module:
-    """The module at ``#version 400`` or higher with precise values and invariant varyings."""
+    """The module at :func:`precise_version` with precise values and invariant varyings."""
     table = EffectTable(module)
     types = _types(module) if stage == "fragment" else {}
-    varying = "out" if stage == "vertex" else "in"
-    decls = tuple(_varying(_decl(decl, prefix, table, types), varying) for decl in module.decls)
-    return replace(module, version=max(module.version, PRECISE_VERSION), decls=decls)
+    decls = tuple(_decl(decl, prefix, table, types) for decl in module.decls)
+    # GLSL ES has no invariant inputs (3.20 section 4.8.1).
+    if stage == "vertex" or module.profile != "es":
+        decls = tuple(_varying(decl, "out" if stage == "vertex" else "in") for decl in decls)
+    made = replace(module, version=precise_version(module), decls=decls)
+    return all_highp(made) if module.profile == "es" else made
 
 
 def _types(module: n.Module) -> Types:
@@ -224,7 +235,7 @@ class _Function:
         name = f"{self.prefix}exact_{self.count}"
         item = n.Declarator(value.span, name, dims, value)
         words = n.Qualifiers(NOWHERE, ("precise",))
-        self.ahead.append(n.DeclStmt(value.span, n.VarDecl(value.span, words, kind, (item,))))
+        self.ahead.append(n.DeclStmt(value.span, n.VarDecl(NOWHERE, words, kind, (item,))))
         return n.Name(value.span, name)
 
 

@@ -12,18 +12,18 @@ from collections.abc import Iterable
 PREFIX = "sc_"
 
 
-def fresh_prefix(*texts: str) -> str:
+def fresh_prefix(*texts: str, stem: str = "sc") -> str:
     """A prefix that no identifier in the given source texts begins with.
 
     ``sc_``, else ``sc1_``, ``sc2_`` ... GLSL reserves names that begin with ``gl_`` or hold two
     underscores (GLSL 3.30 section 3.6); neither can come out.
     """
-    taken = {word for text in texts for word in re.findall(r"sc\d*_", text)}
+    taken = {word for text in texts for word in re.findall(rf"{stem}\d*_", text)}
     number = 0
-    prefix = PREFIX
+    prefix = f"{stem}_"
     while prefix in taken:
         number += 1
-        prefix = f"sc{number}_"
+        prefix = f"{stem}{number}_"
     return prefix
 
 
@@ -32,15 +32,16 @@ class FreshNames:
 
     def __init__(self, taken: Iterable[str]) -> None:
         self._taken = set(taken)
+        self._numbers: dict[str, int] = {}
 
     def make(self, wanted: str) -> str:
         """``wanted`` if it is free, else ``wanted_1``, ``wanted_2`` ..."""
         # Two underscores in a row are reserved (GLSL 3.30 section 3.6).
         wanted = re.sub(r"__+", "_", wanted)
-        name, number = wanted, 0
+        name = wanted
         stem = wanted.rstrip("_")
         while name in self._taken:
-            number += 1
+            number = self._numbers[stem] = self._numbers.get(stem, 0) + 1
             name = f"{stem}_{number}"
         self._taken.add(name)
         return name

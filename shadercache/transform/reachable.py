@@ -10,6 +10,7 @@ from dataclasses import replace
 
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
+from shadercache.lang.words import PRECISIONS
 
 
 def names_in(node: n.Node) -> set[str]:
@@ -93,5 +94,5 @@ def _keep(decl: n.Decl, needed: set[str], wanted: frozenset[str]) -> n.Decl | No
 
 def _as_global(decl: n.VarDecl) -> n.VarDecl:
     """An output that is not written any more: its name stays, as a plain variable."""
-    keep = tuple(word for word in decl.qualifiers.words if word in ("precise", "highp"))
+    keep = tuple(word for word in decl.qualifiers.words if word in {"precise", *PRECISIONS})
     return replace(decl, qualifiers=n.Qualifiers(decl.qualifiers.span, keep))

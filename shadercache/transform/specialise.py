@@ -124,7 +124,8 @@ class _Maker:
         name = name or self.names.make(self.prefix + function.name)
         proto = replace(function.proto, name=name)
         if tree.has_goal:
-            proto = replace(proto, type=n.TypeSpec(NOWHERE, "void"))
+            void = n.TypeSpec(NOWHERE, "void")
+            proto = replace(proto, type=void, qualifiers=n.NO_QUALIFIERS)
         clone = replace(function, proto=proto, body=body.block(function.body)[0])
         self.made.append((function, clone))
         return name

@@ -17,10 +17,10 @@ from collections.abc import Iterator
 
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
-from shadercache.lang.builtins import functions as builtin_functions
+from shadercache.lang.builtins import overloads
 from shadercache.lang.words import keywords, reserved_words
 from shadercache.sema.facts import Facts
-from shadercache.transform.make_precise import PRECISE_VERSION
+from shadercache.transform.make_precise import precise_version
 from shadercache.transform.names import FreshNames
 from shadercache.transform.reachable import declared_names
 from shadercache.transform.rename import Renamer
@@ -37,10 +37,11 @@ def make_names_unique(module: n.Module, facts: Facts) -> n.Module:
 
 
 def later_keywords(module: n.Module) -> frozenset[str]:
-    """Names that the module's version allows and :data:`PRECISE_VERSION` does not."""
-    if module.version >= PRECISE_VERSION:
+    """Names that the module's version allows and that of proof mode does not."""
+    version, es = precise_version(module), module.profile == "es"
+    if module.version == version:
         return frozenset()
-    return keywords(PRECISE_VERSION) | reserved_words(PRECISE_VERSION)
+    return keywords(version, es) | reserved_words(version, es)
 
 
 class _Finder:
@@ -55,7 +56,7 @@ class _Finder:
 
     def find(self) -> None:
         self._functions()
-        taken = {name for decl in self.module.decls for name in declared_names(decl)}
+        taken = {name for decl in self.module.decls for name in declared_names(decl)} | self.later
         taken |= {c.name for c in walk(self.module) if isinstance(c, n.Call)}
         for decl in self.module.decls:
             if isinstance(decl, n.FunctionDef):
@@ -63,11 +64,11 @@ class _Finder:
 
     def _functions(self) -> None:
         """Rename all overloads of a function but the first, and overloads of built-ins."""
-        seen: set[str] = set()
+        seen = set(self.later)
         renamed: dict[n.FunctionDef, str] = {}
         for function in self.facts.functions:
             name = function.name
-            if name in seen | self.later or builtin_functions(name, self.module.version):
+            if name in seen or overloads(name):
                 renamed[function] = self.names.make(name)
             seen.add(name)
         if not renamed:
@@ -93,14 +94,14 @@ class _Finder:
         return tuple((p.type.name, len(p.type.dims) + len(p.dims)) for p in proto.params)
 
     def _locals(self, function: n.FunctionDef, taken: set[str]) -> None:
-        seen = taken | self.later
+        seen: set[str] = set()
         renamed: dict[object, str] = {}
         for node in walk(function):
             if isinstance(node, n.Param | n.Declarator) and node.name:
                 symbol = self.facts.declared.get(node)
                 if symbol is None:  # a field of a struct
                     continue
-                if node.name in seen:
+                if node.name in seen or node.name in taken:
                     renamed[symbol] = self.new[node] = self.names.make(node.name)
                 seen.add(node.name)
         if renamed:

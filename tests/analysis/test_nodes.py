@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from shaders import analysed, find
 
+from shadercache.analysis.candidates import MAX_TEXT
 from shadercache.diagnostics import InputError, UsageError
 
 FUNCTIONS = """
@@ -101,6 +102,46 @@ def test_call_paths_are_capped() -> None:
         analysed("o_color = vec4(f19(v_uv.x));", "\n".join(functions))
     assert error.value.diagnostics[0].code == "SC401"
     assert str(2**20) in error.value.diagnostics[0].message
+
+
+def test_expressions_on_all_call_paths_are_capped() -> None:
+    functions = [f"float f0(float x) {{ return x{' + x' * 100}; }}"]
+    for number in range(1, 13):
+        below = f"f{number - 1}"
+        functions.append(f"float f{number}(float x) {{ return {below}(x) + {below}(x); }}")
+    with pytest.raises(InputError) as error:
+        analysed("o_color = vec4(f12(v_uv.x));", "\n".join(functions))
+    assert error.value.diagnostics[0].code == "SC401"
+    assert "843777 expressions on all its call paths" in error.value.diagnostics[0].message
+
+
+def test_statements_on_all_call_paths_are_capped() -> None:
+    with pytest.raises(InputError) as error:
+        analysed("o_color = vec4(1.0);" + ";" * 60_000)
+    assert error.value.diagnostics[0].code == "SC401"
+    assert "60001 statements on all its call paths" in error.value.diagnostics[0].message
+
+
+@pytest.mark.parametrize(
+    ("terms", "names", "found"),
+    [(50_000, 1, "100004 expressions, 3 names"), (5_000, 5_000, "10004 expressions, 5002 names")],
+)
+def test_the_length_of_a_shader_is_capped(terms: int, names: int, found: str) -> None:
+    uniforms = "".join(f"uniform float u{number};\n" for number in range(names))
+    total = " + ".join(f"u{number % names}" for number in range(terms))
+    with pytest.raises(InputError) as error:
+        analysed(f"o_color = vec4(v_uv, {total}, 1.0);", uniforms)
+    (diagnostic,) = error.value.diagnostics
+    assert diagnostic.code == "SC401"
+    assert diagnostic.message.endswith(found)
+
+
+def test_the_text_of_a_long_node_is_cut_off() -> None:
+    analysis = analysed(f"o_color = vec4(v_uv.x{' + v_uv.y' * 1_000});")
+    text = max((node.text for node in analysis.nodes), key=len)
+    assert len(text) == MAX_TEXT
+    assert text.startswith("o_color = vec4(v_uv.x + v_uv.y + ")
+    assert text.endswith("…")
 
 
 @pytest.mark.parametrize(

@@ -254,12 +254,13 @@ def test_else_stays_with_its_if() -> None:
 
 def test_directives_come_first_and_in_order() -> None:
     text = (
-        "#version 450 core\n#pragma optimize(on)\n#extension GL_A : enable\nfloat a;\n"
-        "#extension GL_B : require\nfloat b;\n"
+        "#version 450 core\n#pragma optimize(on)\n#extension GL_ARB_gpu_shader5 : enable\n"
+        "float a;\n"
+        "#extension GL_ARB_shader_bit_encoding : require\nfloat b;\n"
     )
     assert print_module(parse(Source("test", text))) == (
-        "#version 450 core\n#pragma optimize(on)\n#extension GL_A : enable\n"
-        "#extension GL_B : require\n\nfloat a;\nfloat b;\n"
+        "#version 450 core\n#pragma optimize(on)\n#extension GL_ARB_gpu_shader5 : enable\n"
+        "#extension GL_ARB_shader_bit_encoding : require\n\nfloat a;\nfloat b;\n"
     )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import time
 from pathlib import Path
 
 import pytest
@@ -82,6 +83,12 @@ def in_main(text: str) -> str:
         "float x = " + "a ? " * 10_000 + "b" + " : c" * 10_000 + ";",
         "a = " * 10_000 + "b;",
         "struct S {" * 5_000,
+        "float x = " + "{" * 10_000 + "1" + "}" * 10_000 + ";",
+        "float x[" + "float[" * 5_000 + "1" + "]" * 5_000 + "];",
+        "while (a) do " * 5_000 + ";",
+        "switch (a) { case 0: " * 5_000 + "}" * 5_000,
+        "!" * 10_000 + "a;",
+        "/* " * 10_000 + "*/ (" * 5_000,
     ],
     ids=lambda text: text[:24],
 )
@@ -89,6 +96,7 @@ def test_what_nests_too_deeply_is_told(text: str) -> None:
     source = Source("test.frag", in_main(text))
     with pytest.raises(InputError) as caught:
         parse(source)
+    assert len(caught.value.diagnostics) == 1
     assert caught.value.diagnostics[0].code in ("SC105", "SC103")
 
 
@@ -101,6 +109,9 @@ def test_what_nests_too_deeply_is_told(text: str) -> None:
         "if (a) b; " + "else if (a) b; " * 250,
         "{" * 250 + "}" * 250,
         "float x = " + "a ? b : " * 400 + "c;",
+        "float x = " + "float[" * 900 + "1" + "](1)" * 900 + ";",
+        "float x[" + "float[](1)[" * 400 + "1" + "]" * 400 + "];",
+        "// x\n{ // y\n" * 200 + "}" * 200,
     ],
     ids=lambda text: text[:24],
 )
@@ -120,6 +131,8 @@ def test_what_nests_within_the_limits_is_taken(text: str) -> None:
         ("f(x" + ", x" * 20_000 + ");", 20_000),
         ("float x" + ", x" * 20_000 + ";", 20_000),
         ("x; " * 20_000, 40_000),
+        ("float x = " + "a * b - c / d % e << 1 + " * 20_000 + "2;", 200_000),
+        ("// x\nx; // y\n" * 20_000, 40_000),
     ],
     ids=lambda value: str(value)[:12],
 )
@@ -127,6 +140,41 @@ def test_long_is_not_deep(text: str, nodes: int) -> None:
     module = survive(in_main(text))
     assert module is not None
     assert sum(1 for _ in walk(module)) > nodes
+
+
+@pytest.mark.parametrize(
+    "word",
+    ["{}a", "1{}", "0{}", "0x{}", "1{}u", "1{}.0", "0.{}1", "1.0e{}1", ".{}f"],
+)
+def test_words_and_numbers_have_1024_characters_at_the_most(word: str) -> None:
+    filler = "a" if word == "{}a" else "0"
+    head = "float " if word == "{}a" else "x = "
+    longest = word.format(filler * (1024 - len(word.format(""))))
+    assert survive(in_main(f"{head}{longest};")) is not None
+    for length in (1, 100_000):
+        with pytest.raises(InputError) as caught:
+            parse(Source("test.frag", in_main(f"{head}{word.format(filler * (1024 + length))};")))
+        (error,) = caught.value.diagnostics
+        assert error.code == "SC102"
+        assert error.message.endswith("' has more than 1024 characters")
+
+
+def test_initialiser_lists_nest_within_the_limits() -> None:
+    text = "float x = " + "{" * 990 + "1" + "}" * 990 + ";"
+    module = survive("#version 420\n" + text)
+    assert module is not None
+    assert text in print_module(module)
+
+
+def test_100_000_lines_take_time_linear_in_them() -> None:
+    def took(lines: int) -> float:
+        text = START + "float x = a + 1.0; // line\n" * lines
+        begin = time.process_time()
+        assert survive(text) is not None
+        return time.process_time() - begin
+
+    took(100)
+    assert took(100_000) < 25 * max(took(10_000), 0.2)  # Ten times as much, with some leeway.
 
 
 def test_many_errors_in_a_row_leave_nothing_behind() -> None:

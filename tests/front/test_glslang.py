@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -94,27 +95,32 @@ NEITHER_TAKES = [
 ]
 
 
-def reference(texts: list[str], folder: Path) -> list[bool]:
-    """Does glslang take each of these shaders?"""
-    names = []
+def complaints(texts: list[str], folder: Path) -> list[list[str]]:
+    """What glslang says against each of these shaders."""
+    found: dict[str, list[str]] = {}
     for number, text in enumerate(texts):
-        (folder / f"{number}.frag").write_text(text)
-        names.append(f"{number}.frag")
+        stage = "vert" if "gl_Position" in text else "frag"
+        (folder / f"{number}.{stage}").write_text(text)
+        found[f"{number}.{stage}"] = []
     run = subprocess.run(
-        ["glslangValidator", *names],
+        ["glslangValidator", *found],
         cwd=folder,
         capture_output=True,
         encoding="latin-1",
         check=False,
     )
-    taken = dict.fromkeys(names, True)
     current = ""
     for line in run.stdout.splitlines():
-        if line in taken:
+        if line in found:
             current = line
         elif line.startswith("ERROR"):
-            taken[current] = False
-    return list(taken.values())
+            found[current].append(line)
+    return list(found.values())
+
+
+def reference(texts: list[str], folder: Path) -> list[bool]:
+    """Does glslang take each of these shaders?"""
+    return [not errors for errors in complaints(texts, folder)]
 
 
 def shader(text: str) -> str:
@@ -142,3 +148,32 @@ def test_it_takes_what_is_printed(tmp_path: Path) -> None:
     printed = [print_module(parse(Source("test", text))) for text in texts]
     for text, taken in zip(printed, reference(printed, tmp_path), strict=True):
         assert (text, taken) == (text, True)
+
+
+SNIPPETS = (Path(__file__).parent / "snippets.txt").read_text().splitlines()
+VERSIONS = ("100", "300 es", "310 es", "320 es", "110", "120", "130", "150", "330", "420", "460")
+SYNTAX = re.compile("syntax error|Reserved word|style initializers|suffix|unsigned literal")
+"""What glslang says of errors that a parser finds; others are for the checker of types."""
+
+
+def in_version(version: str, text: str) -> str:
+    precision = "precision mediump float; precision mediump int;"
+    defaults = precision if version == "100" or version.endswith("es") else ""
+    main = "" if "main(" in text else "void main() { }"
+    return f"#version {version}\n{defaults}\n{text}\n{main}\n"
+
+
+def test_snippets_in_versions(tmp_path: Path) -> None:
+    """Each snippet in two versions, which move on from snippet to snippet: all would take long."""
+    pairs = [(text, place) for place, text in enumerate(SNIPPETS)]
+    places = [(text, (place * step) % len(VERSIONS)) for text, place in pairs for step in (1, 3)]
+    texts = [in_version(VERSIONS[place], text) for text, place in places]
+    printed = []
+    for text, errors in zip(texts, complaints(texts, tmp_path), strict=True):
+        if not errors:
+            printed.append(print_module(parse(Source("test", text))))
+        elif SYNTAX.search(errors[0]):
+            assert (text, ours(text)) == (text, False)
+    assert len(printed) > 100
+    for text, errors in zip(printed, complaints(printed, tmp_path), strict=True):
+        assert (text, errors) == (text, [])

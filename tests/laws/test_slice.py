@@ -14,8 +14,8 @@ from laws.slices import VARIABLE, day_slice, nodes_of_day, seed
 
 from shadercache.compiler import Analysis, analyse
 from shadercache.harness.context import Gpu
-from shadercache.harness.parallel import read_shaders
 from shadercache.harness.scene import Scene, load_scene
+from shadercache.harness.shaders import read_shaders
 from shadercache.harness.verify import MAX_TIES, Difference, Verdict, Verifier
 from shadercache.paths import data_path
 

@@ -95,21 +95,61 @@ VALUES: dict[str, Scalar] = {
     "any(equal(V, vec3(9.0)))": False,
     "not(bvec2(YES, false)).y": True,
     "radians(180.0) > 3.14": True,
+    "R.a": 2.0,
+    "A[1]": 2.0,
+    "float[](4.0, 5.0)[1]": 5.0,
+    "mat2(1.0)[0].x": 1.0,
+    "mat2(1.0)[1].x": 0.0,
+    "mat2(1.0, 2.0, 3.0, 4.0)[1][0]": 3.0,
+    "mat3(mat2(2.0))[2].z": 1.0,
+    "mat2(mat3(2.0))[1].y": 2.0,
+    "(mat2(1.0, 2.0, 3.0, 4.0) * vec2(1.0, 10.0)).y": 42.0,
+    "(vec2(1.0, 10.0) * mat2(1.0, 2.0, 3.0, 4.0)).y": 43.0,
+    "(mat2(1.0, 2.0, 3.0, 4.0) * mat2(0.0, 1.0, 1.0, 0.0))[0].x": 3.0,
+    "(mat2(1.0) * 3.0)[1].y": 3.0,
+    "transpose(mat2x3(1.0, 2.0, 3.0, 4.0, 5.0, 6.0))[1].y": 5.0,
+    "determinant(mat2(1.0, 2.0, 3.0, 4.0))": -2.0,
+    "inverse(mat2(2.0))[0].x": 0.5,
+    "outerProduct(vec2(1.0, 2.0), vec2(3.0, 4.0))[1].x": 4.0,
+    "matrixCompMult(mat2(2.0), mat2(3.0))[1].y": 6.0,
+    "length(vec2(3.0, 4.0))": 5.0,
+    "distance(vec2(1.0), vec2(1.0, 3.0))": 2.0,
+    "dot(V, V)": 14.0,
+    "cross(vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0)).z": 1.0,
+    "normalize(vec2(0.0, 2.0)).y": 1.0,
+    "reflect(vec2(1.0, -1.0), vec2(0.0, 1.0)).y": 1.0,
+    "refract(vec2(0.0, -1.0), vec2(0.0, 1.0), 0.5).y": -1.0,
+    "faceforward(vec2(1.0), vec2(1.0), vec2(1.0)).x": -1.0,
+    "smoothstep(0.0, 2.0, 1.0)": 0.5,
+    "inversesqrt(4.0)": 0.5,
+    "floatBitsToInt(1.0)": 0x3F800000,
+    "R == S(2.0)": True,
+    "A == float[](1.0, 2.0, 4.0)": False,
     "gl_MaxDrawBuffers > 0": True,
 }
 DRIVER = "gl_MaxDrawBuffers > 0"
+# Constant expressions all the same, which glslang does not compute.
+UNFOLDED = (
+    "transpose",
+    "determinant",
+    "inverse",
+    "outerProduct",
+    "cross",
+    "reflect",
+    "refract",
+    "faceforward",
+    "smoothstep",
+    "matrixCompMult",
+    "floatBitsToInt",
+)
 
 CONSTANT_WITHOUT_VALUE = [
     "V",
     "R",
-    "R.a",
-    "A[1]",
     "mat2(1.0)",
-    "mat2(1.0)[0].x",
     "mat2(1.0) * vec2(1.0)",
     "cross(V, V)",
     "normalize(V)",
-    "length(V)",
     "S(1.0)",
     "gl_MaxDrawBuffers",
     "1 / 0",
@@ -166,7 +206,11 @@ def holds(expression: str, value: Scalar) -> str:
 @pytest.mark.skipif(TOOL is None, reason="glslangValidator is not installed")
 def test_4_3_3_glslang_folds_to_the_same_values(tmp_path: Path) -> None:
     """An array of size -1 is an error: so a condition that does not hold is one."""
-    conditions = [holds(expression, value) for expression, value in VALUES.items()]
+    conditions = [
+        holds(expression, value)
+        for expression, value in VALUES.items()
+        if not expression.startswith(UNFOLDED)
+    ]
     head = f"#version 330\n{DECLARATIONS}"
     file = tmp_path / "all.frag"
     for negation, wrong in (("", 0), ("!", len(conditions))):

@@ -43,8 +43,11 @@ def read_cases(file: Path) -> Iterator[Case]:
             body = f"{PRELUDE}void main() {{\n{body}}}\n"
         accepts = not refused
         number = version[0] if version else "330"
-        if "es" in words.split():
-            number, body = "300 es", f"precision highp float;\n{body}"
+        if {"es", "100"}.intersection(words.split()):
+            number = f"{version[0] if version else 300} es".removeprefix("100 es") or "100"
+            body = body if "bare" in words else f"precision highp float;\n{body}"
+        elif "compatibility" in words:
+            number += " compatibility"
         if "glslang" in words:
             accepts = "glslang accepts" in words
         yield Case(

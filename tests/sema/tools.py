@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from shadercache.ast.nodes import Declarator, Expr, Module
 from shadercache.ast.walk import walk
 from shadercache.diagnostics import InputError, Severity
@@ -15,13 +13,9 @@ from shadercache.source import Source
 
 def checked(text: str, stage: Stage = "fragment") -> tuple[Module, Facts]:
     """The module of a whole shader, and its facts."""
-    # The parser does not take GLSL ES yet; for what is the same in both, the tree will do.
-    es = text.startswith("#version 300 es\n")
-    source = Source("test.glsl", text.replace("300 es", "330", 1) if es else text)
+    source = Source("test.glsl", text)
     module = parse(source)
-    if es:
-        module = replace(module, version=300, profile="es")
-    return module, check(module, source, stage)
+    return module, check(module, source, stage, needs_main=True)
 
 
 def codes(text: str, stage: Stage = "fragment") -> list[str]:

@@ -1,5 +1,5 @@
 #version 330 core
-out vec4 color;
+out highp vec4 color;  // GLSL ES wants the precision
 
 void main()
 {

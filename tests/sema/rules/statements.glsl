@@ -53,7 +53,7 @@ switch (u_i) { case 0: break; case 1: }
 case 0: ;
 //// 6.2 a label in a block of a switch | SC103
 switch (u_i) { case 0: { case 1: break; } }
-//// 6.2 a label of another type | SC220 [glslang accepts]
+//// 6.2 a label of another integer type | ok
 uint u = uint(u_i);
 switch (u) { case 0: break; }
 //// 6.2 labels of one type | ok

@@ -1,0 +1,1 @@
+"""Experiments and measurements beside the package; each is started by a verb of ``./dev``."""

@@ -1,0 +1,85 @@
+"""Any folder of shaders as a collection (``./dev corpus --shaders DIR``).
+
+A file's stage is told by its name: ``x.vert``, ``x.vs``, ``x.vsh``, ``x.vert.glsl``, ``x_vs.glsl``,
+``vertex.glsl``, and the same for fragments. A ``.glsl`` file that asks whether ``VERTEX`` or
+``FRAGMENT`` is defined holds a shader of each stage, as emulators and game engines keep them; one
+that tells nothing is a fragment shader if it has a main function, and otherwise a library for
+others to include, which is nothing to measure by itself.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from os.path import isfile
+from pathlib import Path
+
+from bench.public_shaders.collection import Shader, Stage, distinct
+
+SUFFIXES = frozenset((".vert", ".vs", ".vsh", ".frag", ".fs", ".fsh", ".glsl"))
+
+_WORDS: dict[str, Stage | None] = {
+    **dict.fromkeys(("vert", "vertex", "vs", "vsh"), "vertex"),
+    **dict.fromkeys(("frag", "fragment", "fs", "fsh", "ps", "pixel"), "fragment"),
+    **dict.fromkeys(("cs", "comp", "compute", "gs", "geom", "geometry", "tesc", "tese"), None),
+}
+_NAME_PARTS = re.compile(r"[^\W_]+")
+_MAIN = re.compile(r"\bvoid\s+main\s*\(")
+_OTHER_STAGE = re.compile(r"\blocal_size_[xyz]\b|\bGL_(?:EXT|NV)_ray_tracing\b|\bEmitVertex\b")
+_INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]+["<]([^">\n]+)[">].*$', re.MULTILINE)
+_VERSION_LINE = re.compile(r"^[ \t]*#[ \t]*version\b.*\n", re.MULTILINE)
+
+
+def folder_shaders(folder: Path, include_folders: Sequence[Path] = ()) -> list[Shader]:
+    """The distinct shaders of a folder, by name; ``#include`` is done as the host would do it."""
+    return list(distinct(_all(folder.resolve(), include_folders)))
+
+
+def _all(folder: Path, include_folders: Sequence[Path]) -> Iterator[Shader]:
+    for path in sorted(folder.rglob("*")):
+        if path.suffix.lower() in SUFFIXES and path.is_file():
+            name = f"{folder.name}/{path.relative_to(folder)}"
+            text = _expanded(path, include_folders, set())
+            yield from shaders_of(name, text)
+
+
+def shaders_of(name: str, text: str) -> Iterator[Shader]:
+    """The shaders in a file of that name: none, one, or one of each stage."""
+    word = _stage_word(name)
+    if word is not None:
+        stage = _WORDS[word]
+        if stage is not None:
+            yield Shader(name, stage, text)
+    elif "VERTEX" in text and "FRAGMENT" in text:
+        yield Shader(name, "vertex", _with_define(text, "VERTEX"))
+        yield Shader(name, "fragment", _with_define(text, "FRAGMENT"))
+    elif _MAIN.search(text) and not _OTHER_STAGE.search(text):
+        yield Shader(name, "fragment", text)
+
+
+def _stage_word(name: str) -> str | None:
+    """The last word of a file's name, its suffix included, that tells a stage."""
+    words = _NAME_PARTS.findall(name.lower().rsplit("/", 1)[-1])
+    return next((word for word in reversed(words) if word in _WORDS), None)
+
+
+def _with_define(text: str, name: str) -> str:
+    """The text with a macro that is defined from its beginning, or from behind its #version."""
+    version = _VERSION_LINE.search(text)
+    at = version.end() if version else 0
+    return f"{text[:at]}#define {name} 1\n{text[at:]}"
+
+
+def _expanded(path: Path, folders: Sequence[Path], seen: set[Path]) -> str:
+    """A file with the files it includes, each once; what is not found stays as it is written."""
+    seen.add(path.resolve())
+
+    def insert(found: re.Match[str]) -> str:
+        for folder in (path.parent, *folders):
+            target = folder / found[1]
+            if isfile(target):  # Unlike Path.is_file it lets a name be too long.
+                fresh = target.resolve() not in seen
+                return _expanded(target, folders, seen) if fresh else ""
+        return found[0]
+
+    return _INCLUDE.sub(insert, path.read_text(encoding="utf-8", errors="replace"))

@@ -1,0 +1,124 @@
+"""``shadercache check``: is it GLSL, and if not, where and why not."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from shadercache.cli.io import read_source
+from shadercache.cli.reading import (
+    DefineOption,
+    DialectOption,
+    IncludeOption,
+    StageName,
+    TokensOption,
+    UndefineOption,
+    read_options,
+)
+from shadercache.diagnostics import Diagnostic, InputError, Severity
+from shadercache.front.options import MAX_TOKENS, ReadOptions
+
+VERTEX_SUFFIXES = frozenset((".vert", ".vs", ".vsh"))
+"""Files of every other name are fragment shaders: .frag, .fs, .fsh, .glsl, stdin."""
+
+
+@dataclass(frozen=True, slots=True)
+class Checked:
+    """A file and what there is to say of it."""
+
+    file: str
+    stage: StageName
+    diagnostics: tuple[Diagnostic, ...]
+
+    def count(self, severity: Severity) -> int:
+        """How many diagnostics are of this kind."""
+        return sum(item.severity is severity for item in self.diagnostics)
+
+
+def command(
+    context: typer.Context,
+    shaders: Annotated[list[str], typer.Argument(metavar="FRAG...", help="Shaders; - is stdin.")],
+    stage: Annotated[
+        StageName | None,
+        typer.Option(help="Of all files; if left out, by suffix: .vert, .vs, .vsh."),
+    ] = None,
+    define: DefineOption = None,
+    undefine: UndefineOption = None,
+    include: IncludeOption = None,
+    dialect: DialectOption = "glsl",
+    max_tokens: TokensOption = MAX_TOKENS,
+    as_json: Annotated[bool, typer.Option("--json", help="Print everything as JSON.")] = False,
+) -> None:
+    """Read shaders, check names and types, and tell every mistake in them.
+
+    Diagnostics go to stderr and a summary to stdout; with --json all goes to stdout. Exit status 1
+    if there is an error in any file.
+    """
+    options = read_options(define, undefine, include, dialect, max_tokens)
+    results = []
+    for name in shaders:
+        checked = _check(name, stage or _stage_of(name), options)
+        results.append(checked)
+        if not as_json:
+            context.obj.show(checked.diagnostics)
+    print(json.dumps(_to_json(results), indent=1) if as_json else summary(results))
+    if any(item.count(Severity.ERROR) for item in results):
+        raise typer.Exit(1)
+
+
+def _stage_of(name: str) -> StageName:
+    """By suffix; ``name.vert.glsl`` is a vertex shader too."""
+    return "fragment" if VERTEX_SUFFIXES.isdisjoint(Path(name).suffixes) else "vertex"
+
+
+def _check(name: str, stage: StageName, options: ReadOptions) -> Checked:
+    from shadercache.ast.large import allow_deep_trees
+    from shadercache.sema.read import read
+
+    allow_deep_trees()
+    try:
+        source = read_source(name)
+        _, facts = read(source, stage, options)
+    except InputError as error:
+        return Checked(name, stage, error.diagnostics)
+    return Checked(name, stage, facts.warnings)
+
+
+def summary(results: Sequence[Checked]) -> str:
+    """``12 files: 11 ok, 1 with 3 errors, 2 warnings``, without what there is none of."""
+    errors = [count for item in results if (count := item.count(Severity.ERROR))]
+    warnings = sum(item.count(Severity.WARNING) for item in results)
+    parts = []
+    if len(errors) < len(results):
+        parts.append(f"{len(results) - len(errors)} ok")
+    if errors:
+        parts.append(f"{len(errors)} with {_counted(sum(errors), 'error')}")
+    if warnings:
+        parts.append(_counted(warnings, "warning"))
+    return f"{_counted(len(results), 'file')}: {', '.join(parts)}"
+
+
+def _counted(number: int, noun: str) -> str:
+    return f"{number} {noun}{'' if number == 1 else 's'}"
+
+
+def _to_json(results: Sequence[Checked]) -> dict[str, Any]:
+    return {
+        "files": [
+            {
+                "file": item.file,
+                "stage": item.stage,
+                "ok": not item.count(Severity.ERROR),
+                "diagnostics": [diagnostic.to_json() for diagnostic in item.diagnostics],
+            }
+            for item in results
+        ],
+        "ok": sum(not item.count(Severity.ERROR) for item in results),
+        "errors": sum(item.count(Severity.ERROR) for item in results),
+        "warnings": sum(item.count(Severity.WARNING) for item in results),
+    }

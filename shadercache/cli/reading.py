@@ -1,0 +1,77 @@
+"""The options about reading shaders, the same for every command that reads one."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Annotated, Literal, TypeAlias
+
+import typer
+
+from shadercache.diagnostics import usage_error
+from shadercache.front.options import MAX_TOKENS, Dialect, ReadOptions
+
+_NAME = re.compile(r"[A-Za-z_]\w*(\([^()]*\))?", re.ASCII)
+
+StageName: TypeAlias = Literal["fragment", "vertex"]
+
+DefineOption: TypeAlias = Annotated[
+    list[str] | None,
+    typer.Option(
+        "-D", "--define", metavar="NAME[=VALUE]", help="Define a macro, as 1 without a value."
+    ),
+]
+UndefineOption: TypeAlias = Annotated[
+    list[str] | None,
+    typer.Option("-U", "--undefine", metavar="NAME", help="Leave a macro undefined."),
+]
+IncludeOption: TypeAlias = Annotated[
+    list[Path] | None,
+    typer.Option("-I", "--include", metavar="DIR", help="#include may read files from here."),
+]
+DialectOption: TypeAlias = Annotated[
+    Dialect,
+    typer.Option(help="auto takes a file with mainImage and without main for Shadertoy's."),
+]
+TokensOption: TypeAlias = Annotated[
+    int, typer.Option(min=1, metavar="N", help="Tokens a shader may have, macros expanded.")
+]
+
+
+def read_options(
+    define: Sequence[str] | None = None,
+    undefine: Sequence[str] | None = None,
+    include: Sequence[Path] | None = None,
+    dialect: Dialect = "glsl",
+    max_tokens: int = MAX_TOKENS,
+) -> ReadOptions:
+    """What the options ask for. Of two definitions of a macro the later one holds.
+
+    Raises:
+        UsageError: SC008, the name of a macro is not one, or a folder does not exist.
+    """
+    defines = dict(_definition(text) for text in define or ())
+    for name in undefine or ():
+        _check_name(name, "-U")
+    for folder in include or ():
+        if not folder.is_dir():
+            raise usage_error("SC008", f"-I {folder}: there is no such folder")
+    return ReadOptions(
+        defines=tuple(defines.items()),
+        undefined=tuple(undefine or ()),
+        include_folders=tuple(include or ()),
+        max_tokens=max_tokens,
+        dialect=dialect,
+    )
+
+
+def _definition(text: str) -> tuple[str, str]:
+    name, equals, value = text.partition("=")
+    _check_name(name, "-D")
+    return name, value if equals else "1"
+
+
+def _check_name(name: str, option: str) -> None:
+    if _NAME.fullmatch(name) is None:
+        raise usage_error("SC008", f"{option}: '{name}' cannot be the name of a macro")

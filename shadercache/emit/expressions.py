@@ -1,0 +1,151 @@
+"""From an expression, an array size or a qualifier to GLSL text.
+
+Parentheses come from the precedence table, never from the tree, and literals keep their spelling.
+Everything is printed with an explicit stack, so the length of an operator chain has no limit.
+"""
+
+from __future__ import annotations
+
+from shadercache.ast.nodes import (
+    Assign,
+    Binary,
+    Call,
+    Comma,
+    Conditional,
+    Construct,
+    Dims,
+    Index,
+    InitList,
+    LayoutItem,
+    Length,
+    Literal,
+    Member,
+    Name,
+    Node,
+    Postfix,
+    Qualifiers,
+    Unary,
+)
+from shadercache.lang.words import (
+    ASSIGN,
+    COMMA,
+    CONDITIONAL,
+    POSTFIX,
+    PRECEDENCE,
+    PRIMARY,
+    QUALIFIER_ORDER,
+    UNARY,
+)
+
+
+def print_expression(node: Node, least: int = COMMA) -> str:
+    """The text of an expression, in parentheses where it binds looser than ``least``."""
+    out: list[str] = []
+    stack: list[str | tuple[Node, int]] = [(node, least)]
+    while stack:
+        item = stack.pop()
+        if isinstance(item, str):
+            out.append(item)
+            continue
+        node, least = item
+        if isinstance(node, Name):
+            out.append(node.name)
+            continue
+        precedence, parts = _parts(node)
+        if precedence < least:
+            out.append("(")
+            stack.append(")")
+        stack += parts[::-1]
+    return "".join(out)
+
+
+_Parts = list["str | tuple[Node, int]"]
+
+
+def _parts(node: Node) -> tuple[int, _Parts]:
+    """How tight an expression binds, and its text with the operands left to print.
+
+    Each operand goes with the least precedence that stands there without parentheses.
+    """
+    match node:
+        case Binary(op=op, left=left, right=right):
+            own = PRECEDENCE[op]
+            return own, [(left, own), f" {op} ", (right, own + 1)]
+        case Name(name=name):
+            return PRIMARY, [name]
+        case Literal(text=text):
+            # `1.x` and `-1[0]` are other tokens or another tree, hence not PRIMARY.
+            return UNARY, [text]
+        case Member(object=inner, name=name):
+            return POSTFIX, [(inner, POSTFIX), f".{name}"]
+        case Call(name=name, args=args):
+            return PRIMARY, [f"{name}(", *_arguments(args)]
+        case Construct(type=type_spec, args=args):
+            return PRIMARY, [type_spec.name, *_sizes(type_spec.dims), "(", *_arguments(args)]
+        case Index(object=inner, index=index):
+            return POSTFIX, [(inner, POSTFIX), "[", (index, COMMA), "]"]
+        case Unary(op=op, operand=operand):
+            return UNARY, [op + _gap(op, operand), (operand, UNARY)]
+        case Assign(op=op, target=target, value=value):
+            return ASSIGN, [(target, UNARY), f" {op} ", (value, ASSIGN)]
+        case Conditional(condition=condition, then=then, other=other):
+            above = CONDITIONAL + 1
+            parts: _Parts = [(condition, above), " ? ", (then, CONDITIONAL)]
+            return CONDITIONAL, [*parts, " : ", (other, CONDITIONAL)]
+        case Postfix(op=op, operand=operand):
+            return POSTFIX, [(operand, POSTFIX), op]
+        case Length(object=inner):
+            return POSTFIX, [(inner, POSTFIX), ".length()"]
+        case InitList(items=items):
+            return ASSIGN, ["{", *_arguments(items, "}")]
+        case Comma(left=left, right=right):
+            return COMMA, [(left, COMMA), ", ", (right, ASSIGN)]
+    raise TypeError(f"{type(node).__name__} is not an expression")
+
+
+def _arguments(args: tuple[Node, ...], closing: str = ")") -> _Parts:
+    parts: _Parts = []
+    for arg in args:
+        parts += [(arg, ASSIGN), ", "]
+    parts[-1:] = [closing]
+    return parts
+
+
+def _sizes(dims: Dims) -> _Parts:
+    parts: _Parts = []
+    for size in dims:
+        parts += ["[]"] if size is None else ["[", (size, ASSIGN), "]"]
+    return parts
+
+
+def _gap(op: str, operand: Node) -> str:
+    """A blank where the operator would run into a sign that the operand begins with."""
+    if isinstance(operand, Unary):
+        begin = operand.op
+    else:
+        begin = operand.text if isinstance(operand, Literal) else ""
+    return " " if begin[:1] == op[0] else ""
+
+
+def print_dims(dims: Dims) -> str:
+    """The text of array sizes: ``[2][]``."""
+    return "".join("[]" if size is None else f"[{print_expression(size, ASSIGN)}]" for size in dims)
+
+
+def print_layout_item(node: LayoutItem) -> str:
+    """``name`` or ``name = value``."""
+    if node.value is None:
+        return node.name
+    return f"{node.name} = {print_expression(node.value, ASSIGN)}"
+
+
+def print_qualifiers(node: Qualifiers) -> str:
+    """The qualifiers, each with a blank after it: the layout, then the words.
+
+    The words are put in the order that every version takes, whatever order a pass left them in.
+    """
+    words = sorted(node.words, key=QUALIFIER_ORDER.__getitem__)
+    text = "".join(f"{word} " for word in words)
+    if node.layout is None:
+        return text
+    return f"layout({', '.join(map(print_layout_item, node.layout))}) {text}"

@@ -1,0 +1,76 @@
+"""Dialects: shaders that are written for a host which declares things around them.
+
+Before (a file of Shadertoy, with no declarations)::
+
+    void mainImage(out vec4 fragColor, in vec2 fragCoord) { fragColor = vec4(iTime); }
+
+After: the same lexemes at the same places, between those of ``glsl/shadertoy.glsl``, which declares
+``iTime`` and the like before them and calls ``mainImage`` behind them. What the host adds has no
+width: it stands at the first or behind the last character of the user's file. A uniform that the
+user declares as well, say as another kind of sampler, is left to the user.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from shadercache.front.lexis import Lexemes, clean, joins_comments, spellings
+from shadercache.front.options import Dialect
+from shadercache.front.version import Version, read_version
+from shadercache.source import Source
+
+FOLDER = Path(__file__).with_name("glsl")
+
+_MAIN = re.compile(r"\bvoid\s+(main|mainImage)\s*\(", re.ASCII)
+_USER = "// The user's file stands here.\n"
+
+
+@dataclass(frozen=True, slots=True)
+class Host:
+    """What a host puts around a file; ``version`` holds where the file names none."""
+
+    version: Version
+    declarations: tuple[tuple[str, ...], ...]
+    main: tuple[str, ...]
+
+    def surround(self, user: Lexemes, end: int) -> Lexemes:
+        """The lexemes of the whole; ``end`` is the length of the user's text."""
+        own = _uniforms(user.texts)
+        before = [text for decl in self.declarations if decl[2] not in own for text in decl]
+        whole = Lexemes()
+        whole.texts = [*before, *user.texts, *self.main]
+        whole.starts = [*[0] * len(before), *user.starts, *[end] * len(self.main)]
+        whole.ends = [*[0] * len(before), *user.ends, *[end] * len(self.main)]
+        return whole
+
+
+def host_of(source: Source, dialect: Dialect) -> Host | None:
+    """The host that a file needs; ``None`` for plain GLSL.
+
+    ``auto`` takes a file for Shadertoy's if it defines ``mainImage`` and no ``main``.
+    """
+    if dialect == "shadertoy":
+        return _shadertoy()
+    if dialect == "auto" and "mainImage" in source.text:
+        text = clean(source, joins_comments(source.text), [], source).text
+        found = set(_MAIN.findall(text))
+        return _shadertoy() if found == {"mainImage"} else None
+    return None
+
+
+@cache
+def _shadertoy() -> Host:
+    text = (FOLDER / "shadertoy.glsl").read_text(encoding="utf-8")
+    head, main = text.split(_USER)
+    first, *lines = head.splitlines()
+    version = read_version(first.removeprefix("#version "))
+    return Host(version, tuple(spellings(line) for line in lines if line), spellings(main))
+
+
+def _uniforms(texts: list[str]) -> set[str]:
+    """The names of the uniforms in a text, as far as they are written ``uniform TYPE NAME``."""
+    at = (index for index, text in enumerate(texts[:-2]) if text == "uniform")
+    return {texts[index + 2] for index in at}

@@ -1,0 +1,31 @@
+"""How a shader is to be read."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+Dialect = Literal["glsl", "shadertoy", "auto"]
+
+MAX_TOKENS = 2_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class ReadOptions:
+    """What the text of a shader alone does not say.
+
+    ``defines`` are macros (name, replacement) that exist before the first line; the name may have
+    parameters, as in ``("F(x)", "x + x")``. ``undefined`` takes away predefined macros, such as
+    those of extensions that the driver at hand lacks. ``#include`` finds files in
+    ``include_folders`` and nowhere else, but for the folder of the file that includes.
+    """
+
+    defines: tuple[tuple[str, str], ...] = ()
+    undefined: tuple[str, ...] = ()
+    include_folders: tuple[Path, ...] = ()
+    max_tokens: int = MAX_TOKENS
+    dialect: Dialect = "glsl"
+
+
+DEFAULTS = ReadOptions()

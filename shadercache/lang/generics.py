@@ -1,0 +1,121 @@
+"""The generic types of ``builtins.txt``: one line of the file stands for many overloads.
+
+Before: ``genType max(genType, float)``. After: ``float max(float, float)``, ``vec2 max(vec2,
+float)``, ``vec3 max(vec3, float)``, ``vec4 max(vec4, float)``.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+_GENERIC = re.compile(r"gen(?:[IU]64|[IUBD])?Type|d?mat(?:CR|RC)|(?:[iu]64|[iubd])?vec[NCR]")
+_KINDS = re.compile(r"\bg(?=vec4|sampler|image|Image)")
+_PLACED_IMAGE = re.compile(r"([iu]?)Image\b")
+_SCALARS = {
+    **{"": "float", "i": "int", "u": "uint", "b": "bool", "d": "double"},
+    **{"i64": "int64_t", "u64": "uint64_t"},
+}
+_GEN_NAMES = {f"gen{prefix.upper()}Type": prefix for prefix in _SCALARS}
+_SIZES = ("2", "3", "4")
+
+# What follows an image of each shape in the functions of images (section 8.12 of 4.60).
+_IMAGE_PLACES = {
+    "1D": "int",
+    "2D": "ivec2",
+    "3D": "ivec3",
+    "Cube": "ivec3",
+    "2DRect": "ivec2",
+    "1DArray": "ivec2",
+    "2DArray": "ivec3",
+    "CubeArray": "ivec3",
+    "Buffer": "int",
+    "2DMS": "ivec2, int",
+    "2DMSArray": "ivec3, int",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Variant:
+    """One overload: its result type and parameters.
+
+    ``fragment``: it has a ``bias``, which only fragment shaders know.
+    """
+
+    types: tuple[str, ...]
+    fragment: bool = False
+
+
+def expanded(text: str) -> Iterator[Variant]:
+    """All overloads that ``result, parameter, parameter`` stands for."""
+    for single in _single_or_double(text):
+        for sized in _sized_all(single):
+            for kind in _kinds(sized):
+                for placed in _placed(kind):
+                    yield from _optional(placed)
+
+
+def _single_or_double(text: str) -> tuple[str, ...]:
+    if "genFDType" not in text:
+        return (text,)
+    single = text.replace("genFDType", "genType").replace("floatD", "float")
+    double = text.replace("genFDType", "genDType").replace("floatD", "double")
+    return single, double.replace("genType", "genDType")
+
+
+def _sized_all(text: str) -> Iterator[str]:
+    """Replace the generic types by every size."""
+    if "Type" in text:
+        sizes: tuple[str, ...] = ("1", *_SIZES)
+    elif "matCR" in text:
+        sizes = tuple(columns + rows for columns in _SIZES for rows in _SIZES)
+    elif "vecN" in text:
+        sizes = _SIZES
+    else:
+        yield text
+        return
+    generic = set(_GENERIC.findall(text))
+    for size in sizes:
+        sized = text
+        for word in generic:
+            sized = sized.replace(word, _sized(word, size))
+        yield sized
+
+
+def _sized(generic: str, size: str) -> str:
+    """``genIType``, 1 -> ``int``; ``bvecN``, 3 -> ``bvec3``; ``matRC``, 23 -> ``mat3x2``."""
+    prefix = _GEN_NAMES.get(generic)
+    if prefix is not None:
+        return _SCALARS[prefix] if size == "1" else f"{prefix}vec{size}"
+    if generic.endswith("CR"):
+        return f"{generic[:-2]}{size[0]}x{size[1]}"
+    if generic.endswith("RC"):
+        return f"{generic[:-2]}{size[1]}x{size[0]}"
+    return generic[:-1] + (size[1] if generic.endswith("R") else size[0])
+
+
+def _kinds(text: str) -> Iterator[str]:
+    """Replace a leading ``g`` by nothing, ``i`` and ``u``."""
+    for prefix in ("", "i", "u") if _KINDS.search(text) else ("",):
+        yield _KINDS.sub(prefix, text)
+
+
+def _placed(text: str) -> Iterator[str]:
+    if not _PLACED_IMAGE.search(text):
+        yield text
+        return
+    for shape, place in _IMAGE_PLACES.items():
+        yield _PLACED_IMAGE.sub(rf"\g<1>image{shape}, {place}", text)
+
+
+def _optional(text: str) -> Iterator[Variant]:
+    """Expand a last ``bias?`` or ``comp?``."""
+    types = tuple(text.split(", "))
+    if not types[-1].endswith("?"):
+        yield Variant(types)
+        return
+    *kept, last = types
+    yield Variant(tuple(kept))
+    bias = last == "bias?"
+    yield Variant((*kept, "float" if bias else "const int"), bias)

@@ -1,0 +1,83 @@
+"""Read a shader and check it, and tell all its mistakes at once.
+
+The parser stops at a mistake; so what stands in front of the mistake is checked by itself, that an
+undeclared name in line 3 is told although a ``;`` is missing in line 90. What stands behind is
+left alone: without the broken part its mistakes would often be none.
+"""
+
+from __future__ import annotations
+
+from shadercache.ast.nodes import Module
+from shadercache.diagnostics import Diagnostic, InputError, Severity
+from shadercache.front.options import DEFAULTS, ReadOptions
+from shadercache.front.parse import parse, parse_before
+from shadercache.sema.check import check
+from shadercache.sema.facts import Facts, Stage
+from shadercache.source import Source
+
+# What may be said only when all of the file, or all of its last function, is known.
+_OF_WHOLE_FILES = frozenset(("SC215", "SC217"))
+_OF_WHOLE_FUNCTIONS = frozenset(("SC211", "SC220"))
+
+
+def read(
+    source: Source,
+    stage: Stage = "fragment",
+    options: ReadOptions = DEFAULTS,
+    *,
+    needs_main: bool = False,
+) -> tuple[Module, Facts]:
+    """The tree of a shader and what the check found out.
+
+    Raises :class:`InputError` with the mistakes that the check finds, or with those that keep the
+    file from being parsed and the ones in front of them.
+    """
+    try:
+        module = parse(source, options)
+    except InputError as error:
+        raise InputError(_with_earlier(error, source, stage, options)) from None
+    return module, check(module, source, stage, needs_main=needs_main)
+
+
+def _with_earlier(
+    error: InputError, source: Source, stage: Stage, options: ReadOptions
+) -> tuple[Diagnostic, ...]:
+    """The diagnostics of an error of the preprocessor or parser, and those in front of it."""
+    told = error.diagnostics
+    for _ in range(2):  # In front of an error of the preprocessor there may be one of syntax.
+        span = told[0].span
+        if span is None:
+            break
+        try:
+            module = parse_before(source, options, span.start)
+        except InputError as earlier:
+            told = (*_in_front(earlier, span.start), *told)
+            continue
+        if module is not None:
+            return (*_mistakes(module, source, stage, span.start), *told)
+        break
+    return told
+
+
+def _mistakes(module: Module, source: Source, stage: Stage, offset: int) -> tuple[Diagnostic, ...]:
+    """What the check says of the beginning of a shader, without what its rest might put right."""
+    try:
+        check(module, source, stage)
+    except InputError as error:
+        return tuple(item for item in _in_front(error, offset) if _stays(item, module))
+    return ()
+
+
+def _stays(item: Diagnostic, module: Module) -> bool:
+    """Is it a mistake whatever follows?"""
+    last = module.decls[-1].span.start if module.decls else 0
+    in_last = item.span is not None and item.span.start >= last
+    return item.code not in _OF_WHOLE_FILES and not (in_last and item.code in _OF_WHOLE_FUNCTIONS)
+
+
+def _in_front(error: InputError, offset: int) -> tuple[Diagnostic, ...]:
+    return tuple(
+        item
+        for item in error.diagnostics
+        if item.severity is Severity.ERROR and item.span and item.span.start < offset
+    )

@@ -1,0 +1,351 @@
+"""Raise a shader of an older version to one in which variants can be written.
+
+Variants write several targets and calculate with unsigned integers: they need GLSL 3.30 or GLSL ES
+3.00. What a shader does stays the same; only the words change::
+
+    #version 120                                #version 330 core
+    varying vec2 uv;                            out vec4 legacy_FragColor;
+    uniform sampler2D texture;            =>    in vec2 uv;
+    void main() {                               uniform sampler2D legacy_texture;
+        gl_FragColor = texture2D(texture, uv);  void main() {
+    }                                               legacy_FragColor = texture(legacy_texture, uv);
+                                                }
+
+The state of the fixed-function pipeline (``gl_Vertex``, ``gl_ModelViewMatrix``, ``gl_LightSource``,
+``gl_TexCoord``) is declared: the core profile has none, so an engine gives it like any other
+attribute or uniform (:mod:`transform.fixed_function`). The compatibility profile is left as well.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TypeVar
+
+from shadercache.ast import nodes as n
+from shadercache.ast.rewrite import Rewriter
+from shadercache.ast.walk import walk
+from shadercache.diagnostics import Diagnostic, InputError, Severity
+from shadercache.lang.builtins import functions
+from shadercache.lang.words import keywords, reserved_words
+from shadercache.sema.check import check
+from shadercache.sema.context import enabled_extensions
+from shadercache.sema.facts import Facts, Stage
+from shadercache.source import Source
+from shadercache.transform.fixed_function import FixedFunction, Shared, is_builtin
+from shadercache.transform.legacy_calls import modern_call
+from shadercache.transform.unique_names import make_names_unique
+
+DESKTOP_VERSION, ES_VERSION = 330, 300
+
+N = TypeVar(
+    "N",
+    bound=n.Declarator | n.Param | n.TypeSpec | n.StructDef | n.BlockDecl | n.FunctionProto,
+)
+
+_CORE = frozenset(
+    (
+        "GL_ARB_blend_func_extended",
+        "GL_ARB_compatibility",
+        "GL_ARB_draw_buffers",
+        "GL_ARB_draw_instanced",
+        "GL_ARB_explicit_attrib_location",
+        "GL_ARB_fragment_coord_conventions",
+        "GL_ARB_shader_bit_encoding",
+        "GL_ARB_shader_texture_lod",
+        "GL_ARB_texture_multisample",
+        "GL_ARB_texture_rectangle",
+        "GL_ARB_uniform_buffer_object",
+        "GL_ATI_shader_texture_lod",
+        "GL_EXT_draw_instanced",
+        "GL_EXT_gpu_shader4",
+        "GL_EXT_texture_array",
+    )
+)
+_CORE_ES = frozenset(
+    (
+        "GL_EXT_draw_buffers",
+        "GL_EXT_frag_depth",
+        "GL_EXT_shader_texture_lod",
+        "GL_EXT_shadow_samplers",
+        "GL_OES_fragment_precision_high",
+        "GL_OES_standard_derivatives",
+        "GL_OES_texture_3D",
+    )
+)
+"""Extensions that are part of the version to which a shader is raised: nobody asks for them."""
+
+_RENAMED = {"GL_OES_EGL_image_external": "GL_OES_EGL_image_external_essl3"}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class StageTree:
+    """One stage of a program: its tree, and what the checker found out about it."""
+
+    module: n.Module
+    facts: Facts
+    source: Source
+    stage: Stage
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Raised:
+    """A stage in its new version (the same tree where nothing was to do).
+
+    ``renamed`` leads from what an engine knew of it (attributes, uniforms, outputs) to its name
+    now; ``notes`` say the same to the user.
+    """
+
+    module: n.Module
+    facts: Facts
+    renamed: Mapping[str, str]
+    notes: tuple[Diagnostic, ...]
+
+
+def raise_versions(stages: Sequence[StageTree], stem: str) -> list[Raised]:
+    """The stages of a program in versions that variants can be written in.
+
+    ``stem`` begins the names that are made here; no name of the program begins with it. Raises
+    :class:`InputError` SC412 for what has no counterpart there.
+    """
+    shared = Shared()
+    for stage in stages:
+        shared.add(stage.module, stage.facts)
+    return [_raise(stage, stem, shared) for stage in stages]
+
+
+def _raise(tree: StageTree, stem: str, shared: Shared) -> Raised:
+    tree = _without_hidden_parameters(tree)
+    raiser = _Raiser(tree, stem, shared)
+    if raiser.target == (tree.module.version, tree.module.profile) and not raiser.fixed.used:
+        return Raised(tree.module, tree.facts, {}, ())
+    module = raiser.raised()
+    try:
+        facts = check(module, tree.source, tree.stage)
+    except InputError as error:
+        message = f"the shader cannot be raised to {raiser.language}: "
+        problems = [
+            replace(item, code="SC412", message=message + item.message)
+            for item in error.diagnostics
+            if item.severity is Severity.ERROR
+        ]
+        raise InputError(problems) from None
+    return Raised(module, facts, raiser.interface(), tuple(raiser.notes()))
+
+
+def _without_hidden_parameters(tree: StageTree) -> StageTree:
+    """In GLSL ES 1.00 the body of a function may declare the names of its parameters again."""
+    if tree.module.version != 100:
+        return tree
+    module = make_names_unique(tree.module, tree.facts)
+    return replace(tree, module=module, facts=check(module, tree.source, tree.stage))
+
+
+def language_name(version: int, profile: str | None) -> str:
+    """``GLSL ES 1.00``, ``GLSL 3.30 core``."""
+    if profile == "es":
+        return f"GLSL ES {version / 100:.2f}"
+    return f"GLSL {version / 100:.2f}{f' {profile}' if profile else ''}"
+
+
+def target_version(module: n.Module) -> tuple[int, str | None]:
+    """Version and profile in which the variants of a shader are written."""
+    if module.profile == "es":
+        return max(module.version, ES_VERSION), "es"
+    compatible = module.profile == "compatibility" or "GL_ARB_compatibility" in enabled_extensions(
+        module
+    )
+    if module.version < DESKTOP_VERSION or compatible:
+        return max(module.version, DESKTOP_VERSION), "core"
+    return module.version, module.profile
+
+
+class _Raiser(Rewriter):
+    """Rewrites one stage."""
+
+    def __init__(self, tree: StageTree, stem: str, shared: Shared) -> None:
+        self.tree, self.stem = tree, stem
+        self.target = target_version(tree.module)
+        version, profile = self.target
+        self.language = language_name(version, profile)
+        self.directives = tuple(self._directives())
+        bare = replace(tree.module, version=version, profile=profile, directives=self.directives)
+        self.place = (version, profile, tree.stage, enabled_extensions(bare))
+        self.fixed = FixedFunction(tree.module, tree.facts, self.place, stem, shared)
+        self.variables, self.functions, self.words = self._clashes()
+
+    def raised(self) -> n.Module:
+        version, profile = self.target
+        made = self.rewrite(self.tree.module)
+        return replace(
+            made,
+            version=version,
+            profile=profile,
+            directives=self.directives,
+            decls=(*self.fixed.declarations(), *made.decls),
+        )
+
+    # --- what the user is told --------------------------------------------------------------------
+
+    def interface(self) -> dict[str, str]:
+        """New names of what an engine sees."""
+        names = dict(self.fixed.interface())
+        for decl in self.tree.module.decls:
+            if isinstance(decl, n.VarDecl) and decl.qualifiers.has("uniform", "attribute", "in"):
+                for item in decl.declarators:
+                    if item.name in self.variables:
+                        names[item.name] = self.variables[item.name]
+        return names
+
+    def notes(self) -> Iterator[Diagnostic]:
+        module, source = self.tree.module, self.tree.source
+        if self.target != (module.version, module.profile):
+            old = language_name(module.version, module.profile)
+            message = (
+                f"{source.name} is {old}; the variants are {self.language}, for they write several "
+                "targets and calculate with unsigned integers"
+            )
+            yield Diagnostic("SC410", message, severity=Severity.NOTE)
+        for name, new in self.interface().items():
+            message = f"{source.name}: '{name}' is called '{new}' in the variants"
+            yield Diagnostic("SC411", message, severity=Severity.NOTE)
+
+    # --- names ------------------------------------------------------------------------------------
+
+    def _clashes(self) -> tuple[dict[str, str], dict[str, str], dict[str, str]]:
+        """New names of variables and types, of functions, and of everything that is a keyword now.
+
+        What bears the name of a function that is built in now would hide it.
+        """
+        version, profile = self.target
+        words = keywords(version, profile == "es") | reserved_words(version, profile == "es")
+        module = self.tree.module
+        was = (module.version, module.profile, self.tree.stage, enabled_extensions(module))
+        called = {item.name for item in self.tree.facts.functions}
+        declared, fields = _declared(module)
+        variables, functions_, fields_ = {}, {}, {}
+        for name in declared | called | fields:
+            new = self.stem + name
+            if name in words:
+                variables[name] = functions_[name] = fields_[name] = new
+                continue
+            hides = bool(functions(name, *self.place)) and not functions(name, *was)
+            if name in declared and (hides or (module.version == 110 and name in called)):
+                variables[name] = new
+            if name in called and hides:
+                functions_[name] = new
+        return variables, functions_, fields_
+
+    def expression(self, node: n.Expr, original: n.Expr) -> n.Expr:
+        match node, original:
+            case n.Name(), n.Name():
+                return self._name(node, original)
+            case n.Index(), n.Index():
+                return self.fixed.element(original) or node
+            case n.Call(), n.Call():
+                return self._call(node, original)
+            case n.Member(name=name), n.Member(object=owner) if name in self.words:
+                structured = self.tree.facts.types[owner].is_struct
+                return replace(node, name=self.words[name]) if structured else node
+        return node
+
+    def _name(self, node: n.Name, original: n.Name) -> n.Expr:
+        if is_builtin(self.tree.facts.symbols[original]):
+            return self.fixed.variable(original) or node
+        new = self.variables.get(node.name)
+        return replace(node, name=new) if new else node
+
+    def _call(self, node: n.Call, original: n.Call) -> n.Expr:
+        callee = self.tree.facts.calls[original]
+        if isinstance(callee, n.FunctionDef | n.FunctionProto):
+            new = self.functions.get(node.name)
+            return replace(node, name=new) if new else node
+        if callee.name == "ftransform":
+            return self.fixed.transformed_vertex(node.span)
+        made = modern_call(node, callee, self.place)
+        if made is None:
+            message = f"'{callee}' has no counterpart in {self.language}"
+            raise InputError(Diagnostic("SC412", message, self.tree.source, original.span))
+        return made
+
+    def declaration(self, node: n.Decl, original: n.Decl) -> n.Decl | Sequence[n.Decl]:
+        match node, original:
+            case n.VarDecl(), n.VarDecl(declarators=items) if items:
+                # A built-in variable that was declared again is declared here, under its new name.
+                kept = tuple(
+                    new
+                    for new, old in zip(node.declarators, items, strict=True)
+                    if old.name not in self.fixed.used
+                )
+                return replace(node, declarators=kept) if kept else ()
+            case n.QualifierDecl(names=names), _:
+                known = {**self.fixed.new_names(), **self.variables}
+                return replace(node, names=tuple(known.get(name, name) for name in names))
+            case n.BlockDecl(), _:
+                block = _renamed(node, self.variables)
+                if block.instance in self.variables:
+                    return replace(block, instance=self.variables[block.instance])
+                return block
+            case n.FunctionProto(), _:
+                return _renamed(node, self.functions)
+        return node
+
+    def other(self, node: n.Node, original: n.Node) -> n.Node:
+        match node:
+            case n.Qualifiers():
+                return self._qualifiers(node)
+            case n.FunctionProto():
+                return _renamed(node, self.functions)
+            case n.TypeSpec() if node.name.startswith("gl_"):
+                return replace(node, name=self.fixed.struct(node.name))
+            case n.Declarator() if original not in self.tree.facts.declared:  # a field
+                return _renamed(node, self.words)
+            case n.Declarator() | n.Param() | n.TypeSpec() | n.StructDef():
+                return _renamed(node, self.variables)
+        return node
+
+    # --- words ------------------------------------------------------------------------------------
+
+    def _qualifiers(self, node: n.Qualifiers) -> n.Qualifiers:
+        out = self.tree.stage == "vertex"
+        words = {"attribute": "in", "varying": "out" if out else "in"}
+        if words.keys().isdisjoint(node.words):
+            return node
+        kept = (words.get(word, word) for word in node.words)
+        # Only outputs may be invariant in GLSL ES 3.00 (section 4.6.1).
+        dropped = "invariant" if self.target[1] == "es" and not out else ""
+        return replace(node, words=tuple(word for word in kept if word != dropped))
+
+    def _directives(self) -> Iterator[n.Directive]:
+        """Without extensions that are part of the new version."""
+        core = _CORE_ES if self.target[1] == "es" else _CORE
+        raised = self.target != (self.tree.module.version, self.tree.module.profile)
+        for item in self.tree.module.directives:
+            words = item.text.removeprefix("#").replace(":", " ").split()
+            if raised and words[:1] == ["extension"] and len(words) > 1:
+                if words[1] in core:
+                    continue
+                if self.target[1] == "es" and words[1] in _RENAMED:
+                    item = replace(item, text=item.text.replace(words[1], _RENAMED[words[1]]))
+            yield item
+
+
+def _renamed(node: N, names: Mapping[str, str]) -> N:
+    name = node.name or ""
+    return replace(node, name=names[name]) if name in names else node
+
+
+def _declared(module: n.Module) -> tuple[set[str], set[str]]:
+    """Names of the variables and types of a module, and those of fields."""
+    names: set[str] = set()
+    fields: set[str] = set()
+    for node in walk(module):
+        if isinstance(node, n.StructDef | n.BlockDecl):
+            names.add(node.name)
+            inside = {item.name for field in node.fields for item in field.declarators}
+            fields |= inside
+            if isinstance(node, n.BlockDecl):
+                names |= {node.instance} if node.instance else inside
+        elif isinstance(node, n.Declarator | n.Param) and node.name:
+            names.add(node.name)
+    return names - {""}, fields

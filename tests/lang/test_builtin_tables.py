@@ -1,0 +1,67 @@
+"""The built-in functions of every version, profile and stage, against glslang's own table."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from lang.glslang_tables import table
+from sema.glslang import TOOL
+
+from shadercache.lang.builtins import function_names, functions
+from shadercache.lang.words import ES_VERSIONS, VERSIONS, type_names
+
+needs_glslang = pytest.mark.skipif(TOOL is None, reason="glslangValidator is not installed")
+
+# glslang has them before the specification does, or has what no specification knows.
+LEFT_OUT = re.compile(
+    r"mix$|textureOffset$|textureGather|textureQueryL|controlBarrier|texelGradFetch|texelProj|atomic|imageAtomic"
+    r"|memoryBarrier$|(begin|end)InvocationInterlock|absoluteDifference|addSaturate|average"
+    r"|count(Leading|Trailing)Zeros|multiply32x16|subtractSaturate|dFd[xy]|fwidth|interpolateAt"
+    r"|subgroup|textureGrad$|(texture|shadow)([123]D|Cube)(Proj)?$|debugPrintf|sparse|(all|any)Invocation|read(First)?Invocation|ballot|\w+(AMD|ARB|KHR|EXT|NV)$"
+)
+# Section 8 has them, and glslang later or not at all.
+ADDED = re.compile(
+    r"(texture|shadow)\w*Lod$|inverse|determinant|memoryBarrier\w+|interpolateAt\w+"
+    r"|texelFetch|textureSize|imageAtomicCompSwap|atomicCompSwap"
+)
+_WORD = re.compile(r"[A-Za-z_]\w*")
+
+TABLES = [
+    (version, profile, stage)
+    for version in (*VERSIONS, *ES_VERSIONS)
+    for profile in (
+        ("es",)
+        if version in ES_VERSIONS
+        else (None, "compatibility")
+        if version >= 150
+        else (None,)
+    )
+    for stage in ("fragment", "vertex")
+]
+
+
+@needs_glslang
+@pytest.mark.parametrize(("version", "profile", "stage"), TABLES)
+def test_8_functions_are_those_of_glslang(
+    version: int, profile: str | None, stage: str, tmp_path: Path
+) -> None:
+    kinds = type_names(version, profile == "es")
+    head = str(version) if profile is None or version == 100 else f"{version} {profile}"
+    theirs = {
+        f"{name} {signature}"
+        for name, signatures in table(head, stage, tmp_path).items()
+        for signature in signatures
+        if kinds.issuperset(_WORD.findall(signature))
+    }
+    ours = {
+        f"{name} {signature.result}({', '.join(str(param.type) for param in signature.params)})"
+        for name in function_names()
+        for signature in functions(name, version, profile, stage)
+    }
+    missing = {line for line in theirs - ours if not LEFT_OUT.match(line.split()[0])}
+    assert not missing
+    added = {line for line in ours - theirs if not ADDED.match(line.split()[0])}
+    assert not added
+    assert len(ours & theirs) > 100

@@ -1,0 +1,71 @@
+"""Laws 1 to 4 for shaders of other versions than 3.30, which are raised where it takes that."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from contextlib import closing
+from pathlib import Path
+
+import pytest
+
+from shadercache.compiler import Analysis, emit_original, rewrite
+from shadercache.harness.context import Gpu
+from shadercache.harness.scene import Scene, load_scene
+from shadercache.harness.shaders import analyse_scene
+from shadercache.harness.verify import Verifier
+from shadercache.options import Options
+from tests.conftest import Golden
+
+FOLDER = Path(__file__).with_name("versions")
+VERSIONS = ("es100", "es310", "gl110", "gl150", "fixed")
+
+
+def load(name: str) -> tuple[Scene, Analysis]:
+    return analyse_scene(load_scene(FOLDER / name))
+
+
+@pytest.mark.xdist_group("gl")
+@pytest.mark.parametrize("name", VERSIONS)
+def test_laws_1_to_4(name: str, gpu: Gpu) -> None:
+    scene, analysis = load(name)
+    nodes = [node for node in analysis.nodes if node.legal]
+    assert len(nodes) >= 4
+    with closing(Verifier(gpu, scene, analysis, (64, 64))) as verifier:
+        found = verifier.round_trip()
+        verdicts = [verifier.check(node) for node in nodes]
+    # The core profile has no fixed-function pipeline to compare with.
+    assert found is None if name == "fixed" else found is not None and found.exact
+    broken = {item.text: item.failure or item.broken for item in verdicts if item.broken}
+    assert not broken
+    if name.startswith("es"):
+        changed = [item.text for item in verdicts if any(not d.exact for d in item.plain.values())]
+        assert not changed, "a payload of another precision than its expression"
+
+
+@pytest.mark.parametrize("name", VERSIONS)
+def test_golden_raised(name: str, golden: Golden) -> None:
+    analysis = load(name)[1]
+    for file, text in emit_original(analysis).files.items():
+        golden(f"tests/laws/versions/{name}/{file}", text)
+    notes = "".join(f"{note.render()}\n" for note in analysis.notes)
+    golden(
+        f"tests/laws/versions/{name}/notes.txt", notes.replace(f"{FOLDER}/", "").replace("\\", "/")
+    )
+
+
+@pytest.mark.skipif(shutil.which("glslangValidator") is None, reason="glslang is not installed")
+@pytest.mark.parametrize("mode", ("plain", "proof"))
+@pytest.mark.parametrize("name", VERSIONS)
+def test_the_reference_compiler_takes_every_program(name: str, mode: str, tmp_path: Path) -> None:
+    analysis = load(name)[1]
+    for node in analysis.nodes:
+        if not node.legal:
+            continue
+        options = Options(mode="proof" if mode == "proof" else "plain")
+        files = rewrite(analysis, node, options, unprofitable=True).files
+        for file, text in files.items():
+            (tmp_path / file).write_text(text, encoding="utf-8")
+        line = ["glslangValidator", *(str(tmp_path / file) for file in files)]
+        done = subprocess.run(line, capture_output=True, text=True)
+        assert done.returncode == 0, f"{node.text}:\n{done.stdout}"

@@ -1,0 +1,65 @@
+"""A part of ``./dev stress``: all written cases, each in a child process, and a few random ones."""
+
+from __future__ import annotations
+
+import os
+import random
+
+import pytest
+
+from . import suite
+from .cases import Case, written_cases
+from .suite import random_case, real_shaders, run_apart
+
+SLOW = 300_000
+"""Characters above which a case is left to ``./dev stress``."""
+
+CASES = [case for case in written_cases() if len(case.text) < SLOW]
+
+
+@pytest.fixture(scope="module")
+def results() -> dict[str, str]:
+    """What went wrong, by the names of the cases."""
+    return {result.case.name: result.wrong for result in run_apart(CASES, "spawn")}
+
+
+@pytest.mark.xdist_group("stress")
+@pytest.mark.parametrize("name", [case.name for case in CASES], ids=lambda name: name[:60])
+def test_a_written_case(results: dict[str, str], name: str) -> None:
+    assert results[name] == ""
+
+
+def test_random_cases() -> None:
+    pick = random.Random(os.environ["SHADERCACHE_SEED"])
+    shaders = [path for path in real_shaders() if "public" not in path.parts]
+    cases = [random_case(pick, shaders) for _ in range(150)]
+    wrong = [
+        f"{r.case.name}: {r.wrong}\n{r.case.text}" for r in run_apart(cases, "spawn") if r.wrong
+    ]
+    assert wrong == []
+
+
+@pytest.mark.parametrize(
+    ("case", "wrong"),
+    [
+        (Case("right, but not taken", "float x = nothing;\n", "accepted"), "though it is right"),
+        (
+            Case("wrong, but taken", "void main() {}", "rejected"),
+            "though it is wrong",
+        ),
+    ],
+    ids=lambda value: getattr(value, "name", None),
+)
+def test_the_trial_can_fail(case: Case, wrong: str) -> None:
+    (result,) = run_apart([case], "spawn")
+    assert wrong in result.wrong
+
+
+@pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")
+def test_a_child_that_dies_is_one_failure(monkeypatch: pytest.MonkeyPatch) -> None:
+    def die(case: Case) -> None:
+        os._exit(7)
+
+    monkeypatch.setattr(suite, "try_case", die)
+    cases = [Case("one", ""), Case("two", "")]
+    assert [result.wrong for result in run_apart(cases)] == ["the process died, status 7"] * 2
