@@ -179,8 +179,9 @@ def rewrite(
     )
     if not programs.variants:
         raise InputError(_unfit(analysis, node, programs))
-    manifest = build_manifest(analysis.fragment, _vertex_source(analysis), node, options, programs)
-    return Emission(programs.files, manifest | {"renamed": analysis.renamed})
+    sources = analysis.fragment, _vertex_source(analysis)
+    manifest = build_manifest(*sources, node, options, programs, analysis.renamed)
+    return Emission(programs.files, manifest)
 
 
 def emit_original(analysis: Analysis, mode: Mode = "plain") -> Emission:

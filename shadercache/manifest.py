@@ -5,6 +5,7 @@ The published schema is ``manifest.schema.json`` beside this file.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from hashlib import sha256
 from typing import Any
 
@@ -54,8 +55,9 @@ def build_manifest(
     node: Candidate,
     options: Options,
     programs: ProgramSet,
+    renamed: Mapping[str, str],
 ) -> dict[str, Any]:
-    """The manifest of a program set."""
+    """The manifest of a program set; ``renamed`` leads from the user's names to the variants'."""
     assert programs.original is not None and programs.debug is not None
     assert programs.payload is not None
     channels = _CHANNELS[(node.type.components or 1) - 1]
@@ -80,6 +82,7 @@ def build_manifest(
             "depth_encoding": "1/w",
         },
         "uniforms": _uniforms(programs.prefix, options),
+        "renamed": dict(renamed),
         "previous": programs.previous,
         "original": _pass(programs.original),
         "variants": [

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 import subprocess
 from pathlib import Path
 
 import pytest
 from conftest import Golden
+from jsonschema import Draft202012Validator
 from shaders import analysed, find
 
+import shadercache
 from shadercache.analysis.effects import Does, EffectTable
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
@@ -61,6 +64,15 @@ def test_golden_proof_mode(analysis: Analysis, golden: Golden) -> None:
     emission = rewrite(analysis, find(analysis, NODES["two-octaves"]), Options(mode="proof"))
     for file in ("2-pass.miss.frag", "3-pass.payload.frag", "2-pass.hit.vert"):
         golden(f"tests/emit/goldens/proof/{file}", emission.files[file])
+
+
+@pytest.mark.parametrize("mode", ["plain", "proof"])
+def test_every_manifest_follows_the_schema(mode: Mode, analysis: Analysis) -> None:
+    path = Path(shadercache.__file__).with_name("manifest.schema.json")
+    validator = Draft202012Validator(json.loads(path.read_text(encoding="utf-8")))
+    for text in NODES.values():
+        node = find(analysis, text)
+        validator.validate(rewrite(analysis, node, Options(mode=mode), unprofitable=True).manifest)
 
 
 def emissions(analysis: Analysis) -> dict[tuple[str, Mode], Emission]:
