@@ -231,6 +231,7 @@ class FixedFunction:
         return n.VarDecl(NOWHERE, n.Qualifiers(NOWHERE, words, layout), kind, (item,))
 
     def _struct_type(self, name: str, kind: StructType) -> n.TypeSpec:
+        used = {struct for struct, _ in self._shared.members}
         fields = tuple(
             n.VarDecl(
                 NOWHERE,
@@ -239,7 +240,7 @@ class FixedFunction:
                 (n.Declarator(NOWHERE, label),),
             )
             for label, held in kind.fields.items()
-            if (name, label) in self._shared.members
+            if (name, label) in self._shared.members or name not in used
         )
         new = self.struct(name)
         return n.TypeSpec(NOWHERE, new, (), n.StructDef(NOWHERE, new, fields))

@@ -173,6 +173,8 @@ class _Raiser(Rewriter):
         self.place = (version, profile, tree.stage, enabled_extensions(bare))
         self.fixed = FixedFunction(tree.module, tree.facts, self.place, stem, shared)
         self.variables, self.functions, self.words = self._clashes()
+        # Only outputs may be invariant in GLSL ES 3.00 (section 4.6.1).
+        self.drops_invariant_inputs = profile == "es" and tree.stage == "fragment"
 
     def raised(self) -> n.Module:
         version, profile = self.target
@@ -215,7 +217,8 @@ class _Raiser(Rewriter):
     def _clashes(self) -> tuple[dict[str, str], dict[str, str], dict[str, str]]:
         """New names of variables and types, of functions, and of everything that is a keyword now.
 
-        What bears the name of a function that is built in now would hide it.
+        What bears the name of a function that is built in now would hide it, and functions of GLSL
+        ES may not.
         """
         version, profile = self.target
         words = keywords(version, profile == "es") | reserved_words(version, profile == "es")
@@ -229,11 +232,12 @@ class _Raiser(Rewriter):
             if name in words:
                 variables[name] = functions_[name] = fields_[name] = new
                 continue
-            hides = bool(functions(name, *self.place)) and not functions(name, *was)
-            if name in declared and (hides or (module.version == 110 and name in called)):
-                variables[name] = new
+            hides = bool(functions(name, *self.place))
             if name in called and hides:
                 functions_[name] = new
+            hides = hides and not functions(name, *was)
+            if name in declared and (hides or (module.version == 110 and name in called)):
+                variables[name] = new
         return variables, functions_, fields_
 
     def expression(self, node: n.Expr, original: n.Expr) -> n.Expr:
@@ -278,9 +282,12 @@ class _Raiser(Rewriter):
                     if old.name not in self.fixed.used
                 )
                 return replace(node, declarators=kept) if kept else ()
-            case n.QualifierDecl(names=names), _:
+            case n.QualifierDecl(names=names), _ if names:
                 known = {**self.fixed.new_names(), **self.variables}
-                return replace(node, names=tuple(known.get(name, name) for name in names))
+                kept = tuple(known.get(name, name) for name in names)
+                if self.drops_invariant_inputs and node.qualifiers.has("invariant"):
+                    kept = tuple(name for name in kept if name in self.fixed.new_names().values())
+                return replace(node, names=kept) if kept else ()
             case n.BlockDecl(), _:
                 block = _renamed(node, self.variables)
                 if block.instance in self.variables:
@@ -312,8 +319,7 @@ class _Raiser(Rewriter):
         if words.keys().isdisjoint(node.words):
             return node
         kept = (words.get(word, word) for word in node.words)
-        # Only outputs may be invariant in GLSL ES 3.00 (section 4.6.1).
-        dropped = "invariant" if self.target[1] == "es" and not out else ""
+        dropped = "invariant" if self.drops_invariant_inputs else ""
         return replace(node, words=tuple(word for word in kept if word != dropped))
 
     def _directives(self) -> Iterator[n.Directive]:

@@ -173,9 +173,20 @@ def test_functions_and_variables_of_1_10_have_their_own_names() -> None:
     assert "legacy_f = f(2.0);" in text
 
 
-def test_a_user_who_hides_a_function_goes_on_hiding_it() -> None:
+def test_a_function_that_hides_a_built_in_one() -> None:
     text = text_of("#version 130\nfloat round(float x) { return x; } void main() { round(1.0); }")
-    assert "float round(float x)" in text
+    assert "float legacy_round(float x)" in text
+    assert "legacy_round(1.0);" in text
+
+
+def test_a_variable_goes_on_hiding_a_function() -> None:
+    text = text_of("#version 130\nuniform float round; out vec4 c; void main() { c.x = round; }")
+    assert "uniform float round;" in text
+
+
+def test_a_struct_that_only_has_a_name() -> None:
+    text = text_of("#version 120\nvoid main() { gl_FogParameters f = gl_Fog; }")
+    assert "float density;" in text
 
 
 def test_extensions_that_are_core_are_dropped() -> None:
@@ -192,6 +203,11 @@ def test_invariant_inputs_of_es() -> None:
     text = text_of(head + "void main() { gl_FragColor = vec4(v, v); }")
     assert "in vec2 v;" in text
     assert "invariant" not in text
+    head = "#version 100\ninvariant gl_FragCoord; invariant gl_FragColor;\n"
+    text = text_of(head + "void main() { gl_FragColor = gl_FragCoord; }")
+    assert "invariant legacy_FragColor;" in text
+    assert "gl_FragCoord;" in text.partition("main")[2]
+    assert "gl_FragCoord" not in text.partition("main")[0]
 
 
 def test_constants_of_the_fixed_function_pipeline() -> None:
