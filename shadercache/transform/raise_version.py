@@ -284,10 +284,10 @@ class _Raiser(Rewriter):
                 return replace(node, declarators=kept) if kept else ()
             case n.QualifierDecl(names=names), _ if names:
                 known = {**self.fixed.new_names(), **self.variables}
-                kept = tuple(known.get(name, name) for name in names)
+                news = tuple(known.get(name, name) for name in names)
                 if self.drops_invariant_inputs and node.qualifiers.has("invariant"):
-                    kept = tuple(name for name in kept if name in self.fixed.new_names().values())
-                return replace(node, names=kept) if kept else ()
+                    news = tuple(name for name in news if name in self.fixed.new_names().values())
+                return replace(node, names=news) if news else ()
             case n.BlockDecl(), _:
                 block = _renamed(node, self.variables)
                 if block.instance in self.variables:
