@@ -29,7 +29,7 @@ from typing import Any
 
 from shadercache.analysis.candidates import Candidate, Candidates, find_candidates
 from shadercache.analysis.effects import EffectTable
-from shadercache.analysis.restrictions import check_size, check_stages, find_color
+from shadercache.analysis.restrictions import check_depth, check_size, check_stages, find_color
 from shadercache.ast import nodes as n
 from shadercache.ast.large import allow_deep_trees
 from shadercache.ast.walk import walk
@@ -51,6 +51,8 @@ from shadercache.transform.raise_version import Raised, StageTree, raise_version
 from shadercache.transform.split import split_declarations
 from shadercache.transform.unique_names import later_keywords, make_names_unique
 
+_INCLUDE = re.compile(r"#[ \t]*include\b")
+
 
 @dataclass(frozen=True)
 class Analysis:
@@ -62,6 +64,7 @@ class Analysis:
     program: FragmentProgram
     raised: tuple[Raised, ...]
     vertex_module: n.Module | None
+    reading: ReadOptions
 
     @property
     def nodes(self) -> tuple[Candidate, ...]:
@@ -82,6 +85,14 @@ class Analysis:
     def reads_fixed_function(self) -> bool:
         """Does it use attributes or state that only the compatibility profile has?"""
         return any(re.match(r"gl_(?!Frag(Color|Data))", name) for name in self.renamed)
+
+    @property
+    def stands_alone(self) -> bool:
+        """Could a driver be given the user's own text, or does it need what is outside of it?"""
+        reading = self.reading
+        texts = (self.fragment.text, self.vertex.text if self.vertex else "")
+        changed = reading.defines or reading.undefined or reading.dialect != "glsl"
+        return not changed and not any(_INCLUDE.search(text) for text in texts)
 
     @cached_property
     def _by_id(self) -> dict[str, Candidate]:
@@ -153,7 +164,7 @@ def analyse(
     if vertex is not None:
         vertex_module, _ = _normalise(raised[1], vertex, "vertex")
         check_stages(module, fragment, vertex_module, vertex)
-    return Analysis(fragment, vertex, candidates, program, tuple(raised), vertex_module)
+    return Analysis(fragment, vertex, candidates, program, tuple(raised), vertex_module, reading)
 
 
 def rewrite(
@@ -234,6 +245,7 @@ def _vertex_source(analysis: Analysis) -> Source:
 
 def _checked(source: Source, stage: Stage, reading: ReadOptions) -> StageTree:
     module, facts = read(source, stage, reading, needs_main=True)
+    check_depth(facts, source)
     return StageTree(module, facts, source, stage)
 
 

@@ -51,9 +51,12 @@ NO_EFFECTS = Effects()
 def union(effects: Iterable[Effects]) -> Effects:
     """All of them together."""
     items = tuple(effects)
+    if len(items) < 2:
+        return items[0] if items else NO_EFFECTS
     does = Does.NOTHING
     for item in items:
-        does |= item.does
+        if item.does is not Does.NOTHING:  # Or-ing flags takes its time.
+            does |= item.does
     reads = frozenset[str]().union(*(item.reads for item in items))
     return Effects(reads, frozenset[str]().union(*(item.writes for item in items)), does)
 

@@ -23,7 +23,7 @@ MAX_INSTANCES = 20_000
 MAX_NODES = 300_000
 """Expressions on all call paths are capped here, too: they take half a minute."""
 
-MAX_STEPS = 60_000
+MAX_STEPS = 40_000
 """Statements on all call paths: for each it is noted on which of the others it depends."""
 
 

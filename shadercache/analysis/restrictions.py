@@ -7,6 +7,8 @@ from collections.abc import Iterator
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import EXPRESSIONS, walk
 from shadercache.diagnostics import Diagnostic, InputError
+from shadercache.lang.builtins import overloads
+from shadercache.sema.facts import Facts
 from shadercache.source import Source
 
 MIN_VERSION = 330
@@ -16,6 +18,9 @@ MAX_EXPRESSIONS = 100_000
 
 MAX_PAIRS = 50_000_000
 """Expressions times names: so much may have to be noted of what depends on what."""
+
+MAX_DEPTH = 500
+"""Functions that may call one another in a row."""
 
 _BUILTIN_OUTPUTS = ("gl_FragColor", "gl_FragData", "gl_FragDepth", "gl_SampleMask")
 
@@ -34,12 +39,30 @@ def check_size(module: n.Module, source: Source) -> None:
         raise InputError(Diagnostic("SC401", message, hint=hint))
 
 
+def check_depth(facts: Facts, source: Source) -> None:
+    """Refuse calls that are nested deeper than this compiler's: :class:`InputError` SC401."""
+    level = {call for calls in facts.called.values() for call in calls}
+    for _ in range(MAX_DEPTH):
+        called = {facts.calls[call] for call in level}
+        level = {
+            call
+            for function in called
+            if isinstance(function, n.FunctionDef)
+            for call in facts.called[function]
+        }
+        if not level:
+            return
+    message = f"more than {MAX_DEPTH} functions call one another in a row"
+    span = min(call.span for call in level)
+    raise InputError(Diagnostic("SC401", message, source, span))
+
+
 def find_color(module: n.Module, source: Source) -> str:
     """The name of the fragment shader's colour output.
 
     Raises :class:`InputError` where it has none or several (SC403), writes a built-in output
-    (SC404), or asks for early fragment tests (SC405: the first pass must not write depth for a
-    fragment that it discards).
+    (SC404), asks for early fragment tests (SC405: the first pass must not write depth for a
+    fragment that it discards), or uses memory that others write (SC413).
     """
     problems = list(_unsupported(module, source))
     outputs = [
@@ -89,10 +112,25 @@ def _interface(module: n.Module, word: str) -> Iterator[tuple[str, str, n.Node]]
 
 
 def _unsupported(module: n.Module, source: Source) -> Iterator[Diagnostic]:
+    own = {decl.name for decl in module.decls if isinstance(decl, n.FunctionDef)}
     for node in walk(module):
+        if _uses_memory(node, own):
+            message = "a shader that uses images, atomic counters, buffers or other invocations"
+            yield Diagnostic("SC413", f"{message} cannot be cached", source, node.span)
         if isinstance(node, n.Name) and node.name in _BUILTIN_OUTPUTS:
             message = f"a shader that writes {node.name} cannot be cached"
             yield Diagnostic("SC404", message, source, node.span)
         elif isinstance(node, n.LayoutItem) and node.name == "early_fragment_tests":
             message = "a shader with early_fragment_tests cannot be cached: its first pass discards"
             yield Diagnostic("SC405", message, source, node.span)
+
+
+def _uses_memory(node: n.Node, own: set[str]) -> bool:
+    """Is it something that other fragments, or a second evaluation, may change?"""
+    if isinstance(node, n.BlockDecl):
+        return node.qualifiers.has("buffer")
+    if isinstance(node, n.Name):
+        return node.name.startswith("gl_Subgroup")
+    if not isinstance(node, n.Call) or node.name in own:
+        return False
+    return any(item.memory for item in overloads(node.name))

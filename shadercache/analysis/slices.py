@@ -7,6 +7,7 @@ varying, a built-in variable, a global, or a marker such as :data:`DERIVATIVE`).
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import compress
@@ -19,6 +20,9 @@ from shadercache.ast.walk import walk
 
 DERIVATIVE = "%derivative"
 """Leaf of a value that was computed from an explicit derivative (no GLSL name begins with %)."""
+
+_WORD = 32
+"""Bytes of a bit set that are looked up at once."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,10 +54,13 @@ class SliceTable:
         self._leaf_bits: dict[str, int] = {}
         self._leaf_names: dict[int, frozenset[str]] = {}
         self._atom_costs: list[float] = []
-        self._totals: dict[int, float] = {0: 0.0}
+        self._totals: dict[int, float] = {}
+        self._word_costs: dict[tuple[int, bytes], float] = {}
         self._globals = _global_initialisers(module)
         self._params: dict[tuple[Instance, str], Slice] = {}
+        self._of_globals: dict[str, Slice] = {}
         self._steps: dict[Instance, list[Slice]] = {}
+        self._reaching: dict[tuple[Instance, str], list[tuple[Slice, bool]]] = {}
         self.step_bits: dict[Instance, list[int]] = {}
         self.argument_bits: dict[tuple[Instance, str], int] = {}
         for instance in instances:  # callers first
@@ -88,8 +95,18 @@ class SliceTable:
         """Static cost of executing the given atoms once."""
         found = self._totals.get(atoms)
         if found is None:
-            bits = bin(atoms)[:1:-1]
-            found = self._totals[atoms] = sum(compress(self._atom_costs, map(int, bits)))
+            data = atoms.to_bytes(-(-atoms.bit_length() // 8), "little")
+            words = ((at, data[at : at + _WORD]) for at in range(0, len(data), _WORD))
+            found = self._totals[atoms] = sum(self._word_cost(*word) for word in words)
+        return found
+
+    def _word_cost(self, at: int, word: bytes) -> float:
+        """Cost of the atoms in some bytes of a bit set; large sets have most of them in common."""
+        found = self._word_costs.get((at, word))
+        if found is None:
+            bits = bin(int.from_bytes(word, "little"))[:1:-1]
+            costs = self._atom_costs[8 * at : 8 * (at + _WORD)]
+            found = self._word_costs[at, word] = sum(compress(costs, map(int, bits)))
         return found
 
     def _new_atom(self, cost: float) -> int:
@@ -124,9 +141,8 @@ class SliceTable:
     def _of_names(self, instance: Instance, step: int, names: Iterable[str]) -> Slice:
         found = NOTHING
         for name in names:
-            indices, from_entry = instance.places.spine.definitions(name, step)
-            for index in indices:
-                found = found | self._steps[instance][index]
+            written, from_entry = self._written(instance, name, step)
+            found = found | written
             if name in self._globals:
                 # A global may also have been written elsewhere: it always counts as an input.
                 found = found | self._of_global(name)
@@ -134,7 +150,27 @@ class SliceTable:
                 found = found | self._params[instance, name]
         return found
 
+    def _written(self, instance: Instance, name: str, step: int) -> tuple[Slice, bool]:
+        """What the writes before a step may have given ``name``.
+
+        And whether the value at the function's entry may still be there.
+        """
+        writes = instance.places.spine.writes(name)
+        count = bisect_left(writes, (step, False))
+        # Behind each write: what those up to it depend on, from the last on that leaves nothing.
+        known = self._reaching.setdefault((instance, name), [(NOTHING, True)])
+        for index, kills in writes[len(known) - 1 : count]:
+            earlier, from_entry = (NOTHING, False) if kills else known[-1]
+            known.append((earlier | self._steps[instance][index], from_entry))
+        return known[count]
+
     def _of_global(self, name: str) -> Slice:
+        found = self._of_globals.get(name)
+        if found is None:
+            found = self._of_globals[name] = self._new_global(name)
+        return found
+
+    def _new_global(self, name: str) -> Slice:
         found = Slice(0, self.leaf_bit(name))
         init = self._globals[name]
         if init is not None:

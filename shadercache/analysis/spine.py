@@ -8,8 +8,7 @@ form of reaching definitions is exact where it matters and safe elsewhere.
 
 from __future__ import annotations
 
-from bisect import bisect_left
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from shadercache.analysis.effects import Does, Effects, EffectTable
@@ -49,19 +48,9 @@ class Spine:
         self._writes: dict[str, list[tuple[int, bool]]] = {}
         self._collect(function.body.body, table)
 
-    def definitions(self, name: str, before: int) -> tuple[tuple[int, ...], bool]:
-        """Which steps may have given ``name`` the value that step ``before`` reads.
-
-        Returns their indices, and whether the value at the function's entry may still be there.
-        """
-        found: list[int] = []
-        writes = self._writes.get(name, [])
-        for at in range(bisect_left(writes, (before, False)) - 1, -1, -1):
-            index, kills = writes[at]
-            found.append(index)
-            if kills:
-                return tuple(found), False
-        return tuple(found), True
+    def writes(self, name: str) -> Sequence[tuple[int, bool]]:
+        """The steps that may write ``name``, in order, and whether nothing is left of its value."""
+        return self._writes.get(name, ())
 
     def _collect(self, stmts: Iterable[n.Stmt], table: EffectTable) -> None:
         left = False

@@ -34,6 +34,7 @@ from shadercache.transform.reachable import names_in
 from shadercache.transform.replace import replace_expressions
 
 _DESKTOP, _ES = 400, 320
+_OUTPUTS_ONLY = 420
 
 Types: TypeAlias = Mapping[n.Expr, Type]
 
@@ -48,10 +49,11 @@ def make_precise(module: n.Module, prefix: str, stage: Stage = "fragment") -> n.
     table = EffectTable(module)
     types = _types(module) if stage == "fragment" else {}
     decls = tuple(_decl(decl, prefix, table, types) for decl in module.decls)
-    # GLSL 4.20 and GLSL ES have no invariant inputs (4.20 section 4.8.1, ES 3.20 section 4.8.1).
-    if stage == "vertex" or (module.profile != "es" and module.version < 420):
+    version = precise_version(module)
+    # GLSL ES has no invariant inputs (3.20 section 4.8.1), nor has GLSL from 4.20 on.
+    if stage == "vertex" or (module.profile != "es" and version < _OUTPUTS_ONLY):
         decls = tuple(_varying(decl, "out" if stage == "vertex" else "in") for decl in decls)
-    made = replace(module, version=precise_version(module), decls=decls)
+    made = replace(module, version=version, decls=decls)
     return all_highp(made) if module.profile == "es" else made
 
 
@@ -95,7 +97,7 @@ def _variable(decl: n.VarDecl) -> n.VarDecl:
 def _varying(decl: n.Decl, word: str) -> n.Decl:
     """Each pass has a vertex shader of its own, and all must compute the same varyings.
 
-    ``precise`` comes first where both are there.
+    Before GLSL 4.20 both stages must say so. ``precise`` comes first where both are there.
     """
     if not isinstance(decl, n.VarDecl) or not decl.qualifiers.has(word):
         return decl

@@ -104,6 +104,15 @@ def test_call_paths_are_capped() -> None:
     assert str(2**20) in error.value.diagnostics[0].message
 
 
+def test_calls_in_a_row_are_capped() -> None:
+    functions = ["float f0(float x) { return x; }"]
+    functions += [f"float f{i}(float x) {{ return f{i - 1}(x); }}" for i in range(1, 10_000)]
+    assert analysed("o_color = vec4(f498(v_uv.x));", "\n".join(functions[:499])).nodes
+    with pytest.raises(InputError) as error:
+        analysed("o_color = vec4(f9999(v_uv.x));", "\n".join(functions))
+    assert error.value.diagnostics[0].code == "SC401"
+
+
 def test_expressions_on_all_call_paths_are_capped() -> None:
     functions = [f"float f0(float x) {{ return x{' + x' * 100}; }}"]
     for number in range(1, 13):
@@ -117,9 +126,9 @@ def test_expressions_on_all_call_paths_are_capped() -> None:
 
 def test_statements_on_all_call_paths_are_capped() -> None:
     with pytest.raises(InputError) as error:
-        analysed("o_color = vec4(1.0);" + ";" * 60_000)
+        analysed("o_color = vec4(1.0);" + ";" * 40_000)
     assert error.value.diagnostics[0].code == "SC401"
-    assert "60001 statements on all its call paths" in error.value.diagnostics[0].message
+    assert "40001 statements on all its call paths" in error.value.diagnostics[0].message
 
 
 @pytest.mark.parametrize(
@@ -149,6 +158,13 @@ def test_the_text_of_a_long_node_is_cut_off() -> None:
     [
         ("out vec4 o_second;", "o_color = vec4(1.0); o_second = vec4(0.0);", "SC403"),
         ("", "o_color = vec4(1.0); gl_FragDepth = v_uv.x;", "SC404"),
+        (
+            "#extension GL_ARB_shader_atomic_counters : enable\n"
+            "#extension GL_ARB_shading_language_420pack : enable\n"
+            "layout(binding = 0, offset = 0) uniform atomic_uint a;",
+            "o_color = vec4(float(atomicCounterIncrement(a)));",
+            "SC413",
+        ),
     ],
 )
 def test_shaders_that_cannot_be_cached(declarations: str, body: str, code: str) -> None:

@@ -179,6 +179,13 @@ def test_make_precise() -> None:
     verify_module(module)
 
 
+def test_glsl_4_20_section_4_8_1_make_precise_leaves_inputs_alone() -> None:
+    text = HEAD.replace("330", "420") + "void main() { color = vec4(v_a, 1.0); }"
+    made = make_precise(parse(Source("test.frag", text)), "sc_")
+    assert lines(made)[0] == "#version 420"
+    assert "in vec3 v_a;" in lines(made)
+
+
 def test_make_precise_does_not_take_the_stored_payload_for_a_side_effect() -> None:
     module = make_precise(
         module_of(
