@@ -19,6 +19,8 @@ _FILE = Path(__file__).with_name("builtins.txt")
 
 _NEVER = 9999
 NO_EXTENSIONS: frozenset[str] = frozenset()
+_OF_ES = frozenset(("GL_EXT_frag_depth", "GL_EXT_shader_texture_lod", "GL_EXT_shadow_samplers"))
+"""Extensions that desktop GLSL does not know."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -91,7 +93,8 @@ class _Availability:
         """Does a shader of this version, profile and stage have it?"""
         if self.stage not in (None, stage):
             return False
-        if version >= self.extended_since and not self.extensions.isdisjoint(extensions):
+        found = self.extensions & extensions
+        if found and version >= self.extended_since and (profile == "es" or found - _OF_ES):
             return True
         if profile == "es":
             return self.es <= version <= self.es_until

@@ -8,6 +8,7 @@ from shadercache.ast.nodes import BlockDecl, Qualifiers
 from shadercache.lang.types import Type, struct_type
 from shadercache.sema.context import ERROR, Context
 from shadercache.sema.facts import Kind, Symbol
+from shadercache.sema.qualifiers import STORAGE
 from shadercache.sema.typespecs import TypeResolver
 from shadercache.sema.variables import VariableChecker
 
@@ -40,7 +41,7 @@ class BlockChecker:
             self._check_redeclared(block)
         fields = self._resolver.fields(block.fields, f"block {block.name}")
         self._variables.layouts.block(block, storage, fields)
-        self._check_members(block, fields)
+        self._check_members(block, storage, fields)
         self._check_sizes(block, storage, fields)
         self._claim_name(block, storage)
         if block.instance is None:
@@ -54,7 +55,7 @@ class BlockChecker:
         )
         self._variables.enter(symbol, block)
 
-    def _check_members(self, block: BlockDecl, fields: dict[str, Type]) -> None:
+    def _check_members(self, block: BlockDecl, storage: Kind, fields: dict[str, Type]) -> None:
         context = self._context
         for decl in block.fields:
             for node in decl.declarators:
@@ -62,6 +63,13 @@ class BlockChecker:
                 if kind is not ERROR and context.only_handles(kind):
                     message = f"the member '{node.name}' of a block cannot be {kind}"
                     context.error("SC221", message, node)
+            other = [word for word in decl.qualifiers.words if word in STORAGE and word != storage]
+            if other:
+                message = f"'{other[0]}' does not apply to a member of a '{storage}' block"
+                context.error("SC221", message, decl)
+            problem = context.words_problem(decl.qualifiers.words)
+            if problem is not None:
+                context.error("SC221", problem, decl)
             if decl.type.struct is not None:
                 message = "a struct cannot be defined inside of a block"
                 context.error("SC221", message, decl.type)

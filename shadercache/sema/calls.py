@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from shadercache.ast.nodes import Call
+from shadercache.ast.nodes import Call, Expr
 from shadercache.lang.builtins import Signature
 from shadercache.lang.types import Type
 from shadercache.lang.words import qualifier_words
@@ -16,6 +16,7 @@ from shadercache.sema.overloads import Candidate, convertible, exact_match, para
 from shadercache.sema.scopes import FunctionSet, Overload
 
 _SHOWN = 8
+_OFFSETS = range(-8, 8)
 
 
 class CallChecker:
@@ -78,9 +79,21 @@ class CallChecker:
     def _check_constant_args(self, node: Call, found: Signature) -> None:
         """Offsets of texture look-ups are constant expressions (section 8.7)."""
         for arg, param in zip(node.args, found.params, strict=True):
-            if param.constant and arg not in self._constants.expressions:
+            if not param.constant:
+                continue
+            if arg not in self._constants.expressions:
                 message = f"this argument of '{node.name}' must be a constant expression"
                 self._context.error("SC226", message, arg)
+            elif "Gather" not in node.name:
+                self._check_offset(arg)
+
+    def _check_offset(self, arg: Expr) -> None:
+        """All drivers have the same least and greatest offset."""
+        value = self._constants.values.get(arg, 0)
+        far = [n for n in (value if isinstance(value, tuple) else (value,)) if n not in _OFFSETS]
+        if far:
+            message = f"an offset lies between {_OFFSETS[0]} and {_OFFSETS[-1]}; this is {far[0]}"
+            self._context.error("SC226", message, arg)
 
     def _resolve(
         self, node: Call, own: Mapping[tuple[Type, ...], Overload], args: tuple[Type, ...]

@@ -63,6 +63,9 @@ from shadercache.sema.typespecs import TypeResolver
 from shadercache.sema.variables import VariableChecker
 from shadercache.source import Source
 
+MAX_TOLD = 1_000
+"""Mistakes that are told; after that many no one reads on."""
+
 
 def check(
     module: Module, source: Source, stage: Stage = "fragment", *, needs_main: bool = False
@@ -100,8 +103,9 @@ class _Checker:
         found = sorted(
             self._context.diagnostics, key=lambda item: item.span.start if item.span else 0
         )
-        if any(item.severity is Severity.ERROR for item in found):
-            raise InputError(found)
+        errors = [item for item in found if item.severity is Severity.ERROR]
+        if errors:
+            raise InputError(found if len(found) <= MAX_TOLD else errors[:MAX_TOLD])
         context, constants = self._context, self._types.expressions.constants
         return Facts(
             types=context.types,

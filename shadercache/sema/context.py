@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from itertools import islice
 
 from shadercache.ast.nodes import (
+    BlockDecl,
     Call,
     Expr,
     FunctionDef,
@@ -69,6 +71,9 @@ class Context:
     blocks: dict[str, set[str]] = field(default_factory=dict)
     conversions: Conversions = field(init=False)
     _undeclared: set[str] = field(default_factory=set)
+    _used: set[tuple[str, Node | None]] = field(default_factory=set)
+    _counted: int = 0
+    _read_only: dict[BlockDecl, frozenset[str]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self.version, self.profile = self.module.version, self.module.profile
@@ -94,11 +99,21 @@ class Context:
 
     def is_used(self, name: str) -> bool:
         """Was the global variable that ``name`` means here used already?"""
+        if len(self.symbols) > self._counted:
+            new = islice(self.symbols.values(), self._counted, None)
+            self._used.update((symbol.name, symbol.node) for symbol in new if symbol.is_global)
+            self._counted = len(self.symbols)
         entry = self.scopes.visible.get(name)
-        for symbol in self.symbols.values():
-            if symbol is entry or (entry is None and symbol.name == name and symbol.node is None):
-                return True
-        return False
+        return (name, entry.node if isinstance(entry, Symbol) else None) in self._used
+
+    def read_only_members(self, block: BlockDecl) -> frozenset[str]:
+        """The members of a block that are ``readonly`` by themselves."""
+        known = self._read_only.get(block)
+        if known is None:
+            found = (decl for decl in block.fields if decl.qualifiers.has("readonly"))
+            known = frozenset(node.name for decl in found for node in decl.declarators)
+            self._read_only[block] = known
+        return known
 
     def words_problem(self, words: tuple[str, ...]) -> str | None:
         """What is wrong with these qualifiers beside each other."""
@@ -166,6 +181,8 @@ class Context:
         """Names with ``gl_`` are reserved, those with ``__`` doubtful (section 3.7)."""
         if name.startswith("gl_"):
             self.error("SC203", "names with 'gl_' are reserved", node)
+        elif "__" in name and self.es_version == 100:
+            self.error("SC203", f"'{name}': names with '__' are reserved", node)
         elif "__" in name:
             self.warn("SC292", f"'{name}': names with '__' are reserved", node)
 

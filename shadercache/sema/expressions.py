@@ -38,6 +38,7 @@ from shadercache.sema.fold import literal
 from shadercache.sema.lvalues import why_not_writable
 from shadercache.sema.memory import root
 from shadercache.sema.operators import EQUALITY, INTEGER_ONLY, binary_type, unary_type
+from shadercache.sema.redeclared import MOST_ELEMENTS
 
 _OPERANDS: Mapping[type, Callable[[Any], tuple[Expr, ...]]] = {
     Binary: attrgetter("left", "right"),
@@ -301,6 +302,8 @@ class ExpressionChecker:
 
     def _check_range(self, node: Index, whole: Type) -> None:
         at = self.constants.values.get(node.index)
+        if type(node.object) is Name and node.object.name in MOST_ELEMENTS:
+            whole = array_of(whole.element, whole.dims[0] or MOST_ELEMENTS[node.object.name])
         size = whole.dims[0] if whole.dims else (whole.cols if whole.cols > 1 else whole.rows)
         if isinstance(at, int) and (at < 0 or (size is not None and at >= size)):
             self._context.error("SC214", f"index {at} is outside of {whole}", node.index)
@@ -316,7 +319,8 @@ class ExpressionChecker:
             message = "before GLSL 4.00 only a constant may index an array of samplers"
             self._context.error("SC214", message, node.index)
         elif whole.struct is not None and whole.dims and not self._context.at_least(0, 320):
-            symbol = root(node.object, self._context)
+            name = node.object
+            symbol = self._context.symbols.get(name) if isinstance(name, Name) else None
             if symbol is not None and symbol.kind == "block":
                 message = "before GLSL ES 3.20 only a constant may index an array of blocks"
                 self._context.error("SC214", message, node.index)
@@ -339,7 +343,11 @@ class ExpressionChecker:
         """Is it the last member of a buffer block, whose length is known at run time only?"""
         symbol = root(array, self._context)
         block = None if symbol is None else symbol.block
-        return block is not None and block.qualifiers.has("buffer")
+        if block is None or not block.qualifiers.has("buffer"):
+            return False
+        return (
+            isinstance(array, Name | Member) and array.name == block.fields[-1].declarators[-1].name
+        )
 
     def _construct(self, node: Construct) -> Type:
         kind = self._resolve_spec(node.type)

@@ -118,7 +118,7 @@ class FunctionChecker:
         elif _qualified(before.proto) != _qualified(now.proto):
             message = f"'{name}' was declared with other parameter qualifiers"
             self._context.error("SC224", message, now.proto)
-        elif definition is None and context.es and context.version < 300:
+        elif definition is before.definition is None and context.es_version == 100:
             context.error("SC202", f"'{name}' is declared twice", now.proto)
         elif definition is not None and before.definition is not None:
             message = f"'{name}' with these parameters is defined twice"
@@ -156,7 +156,9 @@ class FunctionChecker:
         if not any(item.definition for item in mains):
             # A part of a program may leave it to another part (section 3.8 of 4.60).
             tell = context.error if needed else context.warn
-            tell("SC217", "there is no function 'void main()'", context.module)
+            toy = any(item.proto.name == "mainImage" for item in self._all)
+            hint = "files of Shadertoy are read with --dialect shadertoy" if toy else None
+            tell("SC217", "there is no function 'void main()'", context.module, hint)
         for item in mains:
             if item.params or item.result not in (VOID, ERROR):
                 message = "'main' takes no parameters and returns void"

@@ -44,9 +44,10 @@ _ENHANCED = (440, NEVER, "ARB_enhanced_layouts")
 
 # First desktop and ES version of each word, and the extensions that have it.
 SINCE: dict[str, tuple[int, int, *tuple[str, ...]]] = {
-    **dict.fromkeys(("location", "index", "shared", "packed", "std140", *_ORDERS), (0, 0)),
+    **dict.fromkeys(("location", "shared", "packed", "std140", *_ORDERS), (0, 0)),
+    "index": (0, 310, "EXT_blend_func_extended"),
     "std430": (430, 310, "ARB_shader_storage_buffer_object"),
-    **dict.fromkeys(_ORIGINS, (150, NEVER, "ARB_fragment_coord_conventions")),
+    **dict.fromkeys(_ORIGINS, (140, NEVER, "ARB_fragment_coord_conventions")),
     **dict.fromkeys(IMAGE_FORMATS, (420, 310, "ARB_shader_image_load_store")),
     "binding": (420, 310, "ARB_shading_language_420pack"),
     # Vulkan's: an OpenGL program has the set 0 alone, and compilers take that.
@@ -85,14 +86,16 @@ _PLACES: dict[str, tuple[str, ...]] = {
     "location": (*_PASSED, "variable uniform"),
     "component": ("variable in", "variable out", "member in", "member out"),
     "index": ("variable out",),
-    **dict.fromkeys(("binding", "set"), ("variable uniform", *_BUFFERS, "default uniform")),
-    "offset": ("variable uniform", "default uniform", *_MEMBERS),
+    **dict.fromkeys(("binding", "set"), ("variable uniform", *_BUFFERS)),
+    "offset": ("variable uniform", *_MEMBERS),
     "align": (*_BUFFERS, *_MEMBERS),
     **dict.fromkeys(_PACKINGS, (*_BUFFERS, *_DEFAULTS)),
     "std430": ("block buffer", "default buffer"),
     **dict.fromkeys(_ORDERS, (*_BUFFERS, *_MEMBERS, *_DEFAULTS)),
     **dict.fromkeys(_ORIGINS, ("variable in", "default in")),
-    **dict.fromkeys(IMAGE_FORMATS, ("variable uniform", "default uniform")),
+    **dict.fromkeys(
+        IMAGE_FORMATS, ("variable in", "variable out", "variable uniform", "default uniform")
+    ),
     **dict.fromkeys(
         ("early_fragment_tests", "post_depth_coverage", *_INTERLOCKS, "num_views"),
         ("default in",),
@@ -145,6 +148,8 @@ def word_problem(word: str, valued: bool, place: Place, context: Context) -> str
     stages = (_FRAGMENT, _VERTEX) if context.stage == "vertex" else (_VERTEX, _FRAGMENT)
     if word in stages[0]:
         return f"a {context.stage} shader has no layout qualifier '{word}'"
+    if word == "std430" and "GL_EXT_scalar_block_layout" in context.extensions:
+        return None
     if str(place) not in _PLACES.get(word, (str(place),)):
         return f"'{word}' does not apply to {_described(place)}"
     only = _ONLY_ON.get(word)

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from shadercache.ast.nodes import BlockDecl, Expr, LayoutItem, Literal, Node, Qualifiers, VarDecl
 from shadercache.lang.types import INT, UINT, Type
 from shadercache.sema.context import ERROR, NEVER, Context, did_you_mean
+from shadercache.sema.counters import Counters
 from shadercache.sema.expressions import ExpressionChecker
 from shadercache.sema.feedback import Feedback
 from shadercache.sema.layout_words import SINCE, Place, word_problem
@@ -25,6 +26,7 @@ class LayoutChecker:
         self._values = expressions.constants.values
         self._locations = Locations(context)
         self._feedback = Feedback(context)
+        self._counters = Counters(context)
         self._defaults: dict[str, set[str]] = {"uniform": set(), "buffer": set()}
 
     def check(self, qualifiers: Qualifiers, place: Place) -> dict[str, int]:
@@ -72,8 +74,16 @@ class LayoutChecker:
     ) -> None:
         """The layout of one variable."""
         values = self.check(qualifiers, Place("variable", storage, (name,), kind))
+        if kind.name == "atomic_uint" and storage == "uniform":
+            self._counters.place(node, name, kind, values)
         if storage in ("in", "out", "uniform"):
             self._locations.place(node, name, kind, storage, values)
+
+    def nameless(self, qualifiers: Qualifiers, kind: Type, storage: str) -> None:
+        """``layout(binding = 1, offset = 4) uniform atomic_uint;``: for counters that follow."""
+        values = self.check(qualifiers, Place("variable", storage, (), kind))
+        if kind.name == "atomic_uint":
+            self._counters.default(values)
 
     def block(self, block: BlockDecl, storage: str, fields: Mapping[str, Type]) -> None:
         """The layouts of a block and of its members."""

@@ -27,6 +27,8 @@ def why_not_writable(target: Expr, context: Context) -> tuple[str, Expr] | None:
             whole = context.types[expr.object]
             if not whole.dims and whole.struct is None and len(set(expr.name)) < len(expr.name):
                 return f"the swizzle '{expr.name}' names a component twice", expr
+            if _is_read_only(expr, context):
+                return f"'{expr.name}' is {_READ_ONLY['block']}: it cannot be changed", target
             expr = expr.object
         elif isinstance(expr, Index):
             expr = expr.object
@@ -36,6 +38,15 @@ def why_not_writable(target: Expr, context: Context) -> tuple[str, Expr] | None:
     if symbol is None or symbol.writable:
         return None
     return f"'{symbol.name}' is {_read_only(symbol)}: it cannot be changed", target
+
+
+def _is_read_only(member: Member, context: Context) -> bool:
+    """Is it a ``readonly`` member of a block with an instance name?"""
+    whole = member.object.object if isinstance(member.object, Index) else member.object
+    symbol = context.symbols.get(whole) if isinstance(whole, Name) else None
+    if symbol is None or symbol.kind != "block" or symbol.block is None:
+        return False
+    return member.name in context.read_only_members(symbol.block)
 
 
 def _read_only(symbol: Symbol) -> str:

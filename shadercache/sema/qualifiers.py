@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-INTERPOLATION = ("flat", "smooth", "noperspective")
+INTERPOLATION = (
+    *("flat", "smooth", "noperspective"),
+    *("pervertexEXT", "pervertexNV", "__explicitInterpAMD"),
+)
 AUXILIARY = ("centroid", "sample", "patch")
 STORAGE = ("const", "in", "out", "inout", "uniform", "buffer", "shared", "attribute", "varying")
 MEMORY = ("coherent", "volatile", "restrict", "readonly", "writeonly")

@@ -15,9 +15,14 @@ from shadercache.sema.check import check
 from shadercache.sema.facts import Facts, Stage
 from shadercache.source import Source
 
+# Limits: a shader that breaks one is not looked at any more closely.
+_LIMITS = frozenset(("SC105", "SC109", "SC120"))
 # What may be said only when all of the file, or all of its last function, is known.
 _OF_WHOLE_FILES = frozenset(("SC215", "SC217"))
 _OF_WHOLE_FUNCTIONS = frozenset(("SC211", "SC220"))
+
+# What is too deep or too long is that in front of the place, too.
+_LIMITS = frozenset(("SC105", "SC109", "SC120"))
 
 
 def read(
@@ -46,7 +51,7 @@ def _with_earlier(
     told = error.diagnostics
     for _ in range(2):  # In front of an error of the preprocessor there may be one of syntax.
         span = told[0].span
-        if span is None:
+        if span is None or told[0].code in _LIMITS:
             break
         try:
             module = parse_before(source, options, span.start)

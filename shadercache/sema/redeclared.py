@@ -34,7 +34,8 @@ _SINCE: dict[str, tuple[int, int, *tuple[str, ...]]] = {
         (NEVER, NEVER, "ARB_separate_shader_objects"),
     ),
 }
-_LIMITS = {"gl_ClipDistance": 8, "gl_CullDistance": 8}
+MOST_ELEMENTS = {"gl_ClipDistance": 8, "gl_CullDistance": 8}
+"""Elements of built-in arrays without a size, on every driver."""
 
 
 def redeclared(symbol: Symbol, node: Node, context: Context) -> Symbol:
@@ -56,8 +57,8 @@ def redeclared(symbol: Symbol, node: Node, context: Context) -> Symbol:
         context.error("SC202", message, node)
     elif symbol.name == "gl_FragCoord" and before is None and context.is_used(symbol.name):
         context.error("SC202", f"'{symbol.name}' is redeclared after its first use", node)
-    elif kind.dims and (kind.dims[0] or 0) > _LIMITS.get(symbol.name, NEVER):
-        message = f"'{symbol.name}' has {_LIMITS[symbol.name]} elements at most"
+    elif kind.dims and (kind.dims[0] or 0) > MOST_ELEMENTS.get(symbol.name, NEVER):
+        message = f"'{symbol.name}' has {MOST_ELEMENTS[symbol.name]} elements at most"
         context.error("SC215", message, node)
     if isinstance(before, Symbol) and _layout(before) != _layout(symbol):
         message = f"'{symbol.name}' was redeclared with another layout before"

@@ -29,6 +29,8 @@ _WRITABLE = ("local", "global", "out")
 _LOCAL_WORDS = frozenset(("const", "precise", "highp", "mediump", "lowp"))
 
 
+# Formats that GLSL ES reads and writes (ES 3.10 section 4.9).
+_BOTH_WAYS = frozenset(("r32f", "r32i", "r32ui"))
 _ANY_INITIALISER = "GL_EXT_shader_non_constant_global_initializers"
 
 
@@ -51,8 +53,11 @@ class VariableChecker:
             base = self._context.error("SC204", "a variable cannot be void", decl.type)
         for declarator in decl.declarators:
             symbol = self._declare_one(decl, declarator, base, kind)
-            if decl.qualifiers.layout:
+            if decl.qualifiers.layout or base.name == "atomic_uint":
                 self.layouts.variable(declarator, symbol.name, symbol.type, decl.qualifiers, kind)
+
+        if decl.qualifiers.layout and not decl.declarators:
+            self.layouts.nameless(decl.qualifiers, base, kind)
 
     def storage(self, qualifiers: Qualifiers) -> Kind:
         """How a variable with these qualifiers is stored; complains where that is impossible."""
@@ -180,6 +185,9 @@ class VariableChecker:
             sort = "uimage" if word.endswith("ui") else "iimage" if word.endswith("i") else "image"
             if not kind.name.startswith(sort):
                 return f"'{word}' is no format of {kind}"
+        one_way = qualifiers.has("readonly", "writeonly")
+        if self._context.es and not one_way and not _BOTH_WAYS.issuperset(formats):
+            return f"'{name}' with the format '{formats[0]}' is 'readonly' or 'writeonly'"
         if formats or qualifiers.has("writeonly") or self._context.bindless:
             return None
         if "GL_EXT_shader_image_load_formatted" in self._context.extensions:
@@ -263,8 +271,8 @@ class VariableChecker:
         """``invariant gl_Position;``: the names must be variables, for ``invariant`` outputs (or
         inputs of a fragment shader, section 4.6.1)."""
         context = self._context
-        if decl.qualifiers.layout:
-            self.layouts.default(decl.qualifiers, self._stored(decl.qualifiers))
+        if not decl.names:
+            self._default(decl)
         invariant = decl.qualifiers.has("invariant")
         if invariant and context.scopes.depth:
             context.error("SC221", "'invariant' stands only at global scope", decl)
@@ -281,6 +289,19 @@ class VariableChecker:
             elif context.is_used(name):
                 message = f"'{name}' was used before: its qualifiers stay as they are"
                 context.error("SC221", message, decl)
+
+    def _default(self, decl: QualifierDecl) -> None:
+        """``layout(std140) uniform;``: what follows has this layout."""
+        storage = self._stored(decl.qualifiers)
+        words = decl.qualifiers.words
+        problem = self._context.words_problem(words) or self._version_problem(words)
+        if self._context.scopes.depth:
+            problem = "defaults stand only at global scope"
+        elif storage not in ("in", "out", "uniform", "buffer"):
+            problem = "only 'in', 'out', 'uniform' and 'buffer' stand on their own"
+        if problem is not None:
+            self._context.error("SC221", problem, decl)
+        self.layouts.default(decl.qualifiers, storage)
 
     def check_precision(self, decl: PrecisionDecl) -> None:
         """``precision mediump float;`` (section 4.5.3)."""

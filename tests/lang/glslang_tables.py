@@ -22,19 +22,23 @@ _PREFIXES = {"float": "", "int": "i", "uint": "u", "bool": "b", "double": "d"}
 
 def table(version: str, stage: str, folder: Path) -> dict[str, set[str]]:
     """Signatures (``vec4(sampler2D, vec2)``) by name; those of extensions are left out."""
+    found: dict[str, set[str]] = {}
+    for entry in filter(None, map(_ENTRY.match, _dump(version, stage, folder))):
+        name, result, params, extensions = entry.groups()
+        if extensions is None:
+            kinds = [_kind(part) for part in _PARAMETERS.split(params) if part.strip()]
+            found.setdefault(name, set()).add(f"{_kind(result)}({', '.join(kinds)})")
+    return found
+
+
+def _dump(version: str, stage: str, folder: Path) -> list[str]:
     assert TOOL is not None
     file = folder / f"table.{stage[:4]}"
     file.write_text(f"#version {version}\nvoid main() {{ }}\n")
     done = subprocess.run(
         [TOOL, "--dump-builtin-symbols", str(file)], capture_output=True, text=True, check=True
     )
-    found: dict[str, set[str]] = {}
-    for entry in filter(None, map(_ENTRY.match, done.stdout.splitlines())):
-        name, result, params, extensions = entry.groups()
-        if extensions is None:
-            kinds = [_kind(part) for part in _PARAMETERS.split(params) if part.strip()]
-            found.setdefault(name, set()).add(f"{_kind(result)}({', '.join(kinds)})")
-    return found
+    return done.stdout.splitlines()
 
 
 def _kind(text: str) -> str:
@@ -48,3 +52,15 @@ def _kind(text: str) -> str:
         size = matrix[1] if matrix[1] == matrix[2] else f"{matrix[1]}x{matrix[2]}"
         return f"{_PREFIXES.get(matrix[3], matrix[3])}mat{size}"
     return text.split()[0]
+
+
+_VARIABLE = re.compile(r"(gl_\w+):  (?!temp )([^<(]*)( <[\w, ]*>)?$")
+
+
+def variables(version: str, stage: str, folder: Path) -> set[str]:
+    """Names of built-in variables and constants; those of extensions are left out."""
+    return {
+        match[1]
+        for match in map(_VARIABLE.match, _dump(version, stage, folder))
+        if match and match[3] is None
+    }

@@ -71,3 +71,8 @@ def test_a_sound_shader_has_a_tree_and_facts() -> None:
 def test_the_dialect_holds_for_the_beginning_too() -> None:
     text = "void mainImage(out vec4 c, in vec2 p) { c = vec4(iTime);\nc = q;\nc = 1 + ; }"
     assert told(text, ReadOptions(dialect="shadertoy")) == [("SC201", 2), ("SC103", 3)]
+
+
+def test_limits_hold_for_the_beginning_too() -> None:
+    deep = f"float f() {{ return {'(' * 1200}1.0{')' * 1200}; }}\n#nothing\n"
+    assert told(HEAD + deep) == [("SC105", 3), ("SC108", 4)]

@@ -112,6 +112,10 @@ void main() { }
 //// ES 3.00 4.3.7 arrays of blocks have constant indices | SC214 [es]
 uniform B { mat4 m; } b[2];
 void main() { int i = 0; vec4 x = b[i].m[0]; }
+//// ES 3.00 4.3.7 arrays in a block take any index | ok [es]
+struct P { vec4 v; };
+uniform B { P p[3]; } b;
+void main() { int i = 0; vec4 x = b.p[i].v; }
 //// ES 3.20 4.3.7 any index will do | ok [320 es]
 uniform B { mat4 m; } b[2];
 void main() { int i = 0; vec4 x = b[i].m[0]; }

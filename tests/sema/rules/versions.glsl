@@ -177,3 +177,9 @@ void main() { }
 layout(origin_upper_left) in vec4 gl_FragCoord;
 layout(pixel_center_integer) in vec4 gl_FragCoord;
 void main() { }
+//// EXT_frag_depth is of GLSL ES alone | SC201 [120]
+#extension GL_EXT_frag_depth : enable
+void main() { gl_FragDepthEXT = 1.0; }
+//// EXT_frag_depth in GLSL ES | ok [100]
+#extension GL_EXT_frag_depth : enable
+void main() { gl_FragDepthEXT = 1.0; }
