@@ -144,7 +144,11 @@ class DiagnosticError(Exception):
         if isinstance(diagnostics, Diagnostic):
             diagnostics = (diagnostics,)
         self.diagnostics = tuple(diagnostics)
-        super().__init__("\n".join(item.render() for item in self.diagnostics))
+        super().__init__(*self.diagnostics[:1])
+
+    def __str__(self) -> str:
+        """All that is told, one below the other."""
+        return "\n".join(item.render() for item in self.diagnostics)
 
     def __reduce__(self) -> tuple[type[DiagnosticError], tuple[tuple[Diagnostic, ...]]]:
         """What another process needs to raise it again: the diagnostics, not their text."""

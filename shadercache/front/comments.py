@@ -122,8 +122,8 @@ def _anchor(file: _File, match: re.Match[str], in_header: bool) -> tuple[int, bo
 def _tidy(comment: str) -> str:
     """The text of a comment as it is printed.
 
-    A backslash at its end would continue it on the next line, for some compilers.
+    Backslashes at its end would continue it on the next line, for some compilers.
     """
     if comment.startswith("//"):
-        return comment.rstrip().rstrip("\\").rstrip()
+        return comment.rstrip("\\ \t\r\v\f")
     return "\n".join(line.rstrip() for line in comment.split("\n"))

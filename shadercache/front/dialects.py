@@ -17,12 +17,16 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
+from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.front.lexis import Lexemes, clean, joins_comments, spellings
 from shadercache.front.options import Dialect
 from shadercache.front.version import Version, read_version
-from shadercache.source import Source
+from shadercache.source import Source, Span
 
 FOLDER = Path(__file__).with_name("glsl")
+
+OLDEST = 130
+"""The first version that has all that is in the texts of the hosts."""
 
 _MAIN = re.compile(r"\bvoid\s+(main|mainImage)\s*\(", re.ASCII)
 _USER = "// The user's file stands here.\n"
@@ -50,15 +54,29 @@ class Host:
 def host_of(source: Source, dialect: Dialect) -> Host | None:
     """The host that a file needs; ``None`` for plain GLSL.
 
-    ``auto`` takes a file for Shadertoy's if it defines ``mainImage`` and no ``main``.
+    ``auto`` takes a file for Shadertoy's if it defines ``mainImage`` and no ``main``. Raises
+    :class:`InputError` SC125 for a file that is said to be Shadertoy's and defines ``main``.
     """
+    if dialect == "glsl" or (dialect == "auto" and "mainImage" not in source.text):
+        return None
+    text = clean(source, joins_comments(source.text), [], source)
+    mains = {match[1]: match for match in _MAIN.finditer(text.text)}
+    if "main" not in mains:
+        return _shadertoy() if dialect == "shadertoy" or mains else None
     if dialect == "shadertoy":
-        return _shadertoy()
-    if dialect == "auto" and "mainImage" in source.text:
-        text = clean(source, joins_comments(source.text), [], source).text
-        found = set(_MAIN.findall(text))
-        return _shadertoy() if found == {"mainImage"} else None
+        message = "a file of Shadertoy has 'mainImage', and no 'main'"
+        span = text.span(mains["main"].start(1), mains["main"].end(1))
+        hint = "--dialect auto tells such files from plain GLSL"
+        raise InputError(Diagnostic("SC125", message, source, span, hint))
     return None
+
+
+def check_version(version: Version, source: Source) -> None:
+    """Can what the host adds be read in this version? If not, :class:`InputError` SC125."""
+    if version.es or version.number < OLDEST:
+        message = f"what Shadertoy adds to a file needs GLSL {OLDEST // 100}.{OLDEST % 100}"
+        hint = "leave the #version out"
+        raise InputError(Diagnostic("SC125", message, source, Span(0, 0), hint))
 
 
 @cache

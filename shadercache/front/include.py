@@ -19,7 +19,7 @@ MAX_DEPTH = 50
 MAX_TEXT = 1 << 24
 """Characters that all included files may have together."""
 
-MIN_TEXT = 1 << 10
+MIN_TEXT = 1 << 12
 """Characters that a file counts for at the least, lest empty ones are read for ever."""
 
 _NAME = re.compile(r'(?:#\s*include\s*)?(?:"([^"\n]+)"|<([^>\n]+)>)\s*(?:/[/*].*)?')
@@ -57,7 +57,8 @@ def find(name: str, beside: Path | None, folders: tuple[Path, ...]) -> Path:
         message = f"cannot include '{shown}': it leads out of the folders for included files"
         raise MistakeError("SC123", message, "a folder more can be named with -I")
     places = ", ".join(f"'{folder}'" for folder in looked_at)
-    raise MistakeError("SC123", f"cannot include '{shown}': it is not in {places}")
+    hint = "other folders to look in can be named with -I"
+    raise MistakeError("SC123", f"cannot include '{shown}': it is not in {places}", hint)
 
 
 def _candidates(name: str, folders: tuple[Path, ...]) -> Iterator[Path]:

@@ -12,11 +12,11 @@ from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.front.attributes import without_attributes
 from shadercache.front.beginnings import beginnings
 from shadercache.front.comments import find_comments
-from shadercache.front.dialects import host_of
+from shadercache.front.dialects import check_version, host_of
 from shadercache.front.lexis import Lexemes
 from shadercache.front.options import DEFAULTS, ReadOptions
 from shadercache.front.preprocess import Preprocessed, preprocess, preprocess_broken
-from shadercache.front.version import NO_VERSION
+from shadercache.front.version import NO_VERSION, Version
 from shadercache.source import Source, Span
 
 MAX_BRACKETS = 1000
@@ -37,8 +37,8 @@ def parse(source: Source, options: ReadOptions = DEFAULTS) -> Module:
     prepared = preprocess(source, options, host.version if host else NO_VERSION)
     lexemes = without_attributes(prepared.lexemes, prepared.directives)
     if host is not None:
+        check_version(Version(prepared.version, prepared.profile), source)
         lexemes = host.surround(lexemes, len(source.text))
-    _check_depth(source, lexemes)
     return _build(source, prepared, lexemes)
 
 
@@ -68,6 +68,7 @@ class _CannotEndError(Exception):
 
 def _build(source: Source, prepared: Preprocessed, lexemes: Lexemes, own: int = -1) -> Module:
     """The tree of the lexemes; those behind the first ``own`` are ours and no fault of the user."""
+    _check_depth(source, lexemes)
     with _one_at_a_time, without_collector():
         decls = _decls(source, prepared, lexemes, own)
     span = Span(0, len(source.text))

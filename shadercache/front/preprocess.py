@@ -44,7 +44,7 @@ MAX_ERRORS = 100
 _DIRECTIVE = re.compile(r"^[ \t\v\f\r]*#[^\n]*", re.MULTILINE)
 _PARTS = re.compile(r"\s*#\s*(\w*)\s*(.*)", re.DOTALL | re.ASCII)
 _VERSION = re.compile(r"\s*(#[ \t\v\f]*version\b([^\n]*))", re.ASCII)
-_ANY_CHARACTER = frozenset(("define", "error", "include"))
+_ANY_CHARACTER = frozenset(("define", "error", "include", "pragma"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -201,8 +201,9 @@ class Reader:
             at = match.end()
         if groups.live:
             self.read_code(at, len(text))
-        for span in groups.unclosed():
-            self.tell(MistakeError("SC121", "this condition has no #endif"), span)
+        if unclosed := groups.unclosed():
+            hint = f"nor have the {len(unclosed) - 1} around it" if unclosed[1:] else None
+            self.tell(MistakeError("SC121", "this condition has no #endif", hint), unclosed[-1])
 
     # --- code
 

@@ -123,6 +123,7 @@ def test_a_comment_in_a_directive_is_no_comment_of_the_code() -> None:
 
 def test_a_backslash_at_the_end_cannot_swallow_the_next_line() -> None:
     assert printed("float a; // x \\\n\nfloat b;") == "float a; // x\nfloat b;"
+    assert printed("// /\\_\\ \\ \\\n\nfloat a;") == "// /\\_\n\nfloat a;"
 
 
 def test_line_ends_become_newlines() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 
 import pytest
-from preprocessing import errors, problem, words
+from preprocessing import errors, problem, rejected, words
 
 
 def holds(expression: str, version: str = "450", before: str = "") -> bool:
@@ -159,7 +159,7 @@ def test_macros_are_defined_in_the_groups_that_are_read() -> None:
     [
         ("#if 1\nx\n", ["2:1 SC121"]),
         ("#if 0\nx\n", ["2:1 SC121"]),
-        ("#if 1\n  #ifdef X\n#else\n", ["2:1 SC121", "3:3 SC121"]),
+        ("#if 1\n  #ifdef X\n#else\n", ["3:3 SC121"]),
         ("#endif\n#else\n#elif 1\n", ["2:1 SC121", "3:1 SC121", "4:1 SC121"]),
         ("#if 1\n#else\n#else\n#endif\n", ["4:1 SC121"]),
         ("#if 1\n#else\n#elif 1\n#endif\n", ["4:1 SC121"]),
@@ -193,3 +193,10 @@ def test_conditions_may_be_deep_and_long(text: str) -> None:
 def test_a_number_of_many_digits_is_one_error() -> None:
     assert wrong("9" * 100_000).endswith("needs more than 32 bits")
     assert errors("#version " + "9" * 100_000) == ["1:1 SC100"]
+
+
+def test_groups_without_an_end_are_told_once() -> None:
+    (error,) = rejected("#version 330\n#if 1\n#ifdef X\n#if 0\n")
+    assert error.hint == "nor have the 2 around it"
+    (error,) = rejected("#version 330\n#if 1\n")
+    assert error.hint is None

@@ -98,5 +98,28 @@ def test_a_uniform_of_the_user_replaces_the_hosts() -> None:
     assert "uniform samplerCube iChannel0;" in printed
 
 
+def test_a_file_with_main_is_not_shadertoys() -> None:
+    with pytest.raises(InputError) as caught:
+        read("// x\nvoid main() {}\n" + TOY, "shadertoy")
+    (only,) = caught.value.diagnostics
+    assert only.render().startswith("toy.glsl:2:6: error: a file of Shadertoy has 'mainImage'")
+    assert only.code == "SC125"
+
+
+@pytest.mark.parametrize("version", ["100", "120", "300 es"])
+def test_a_version_that_the_host_cannot_be_read_in(version: str) -> None:
+    with pytest.raises(InputError) as caught:
+        read(f"#version {version}\n" + TOY, "auto")
+    (only,) = caught.value.diagnostics
+    assert (only.code, only.hint) == ("SC125", "leave the #version out")
+
+
+def test_without_the_dialect_it_is_hinted_at() -> None:
+    with pytest.raises(InputError) as caught:
+        read(TOY, "glsl")
+    first = caught.value.diagnostics[0]
+    assert first.hint == "files of Shadertoy are read with --dialect shadertoy"
+
+
 def test_a_version_of_the_user_stays() -> None:
     assert read("#version 420\n" + TOY).startswith("#version 420\n")

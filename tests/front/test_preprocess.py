@@ -155,7 +155,9 @@ def test_a_carriage_return_ends_a_line() -> None:
 
 
 def test_characters_that_are_not_ascii_stand_in_comments_and_skipped_groups() -> None:
-    assert errors("#version 330\n#pragma \u00e4\n") == ["2:1 SC101"]
+    assert errors("#version 330\n#line \u00e4\n") == ["2:1 SC101"]
+    # Emulators show the user what their pragmas say.
+    assert words('#pragma parameter P "\u21b3 tint" 1.0\nb') == "b"
     assert words("#if 0\n\u00e4 @ ` don't\n#foo \u00e4\n#endif\nb") == "b"
 
 
