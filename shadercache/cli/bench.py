@@ -18,8 +18,17 @@ from shadercache.cli.measuring import (
     step_progress,
     summary,
 )
+from shadercache.cli.reading import (
+    DefineOption,
+    DialectOption,
+    IncludeOption,
+    TokensOption,
+    UndefineOption,
+    read_options,
+)
 from shadercache.cli.scenes import choose_nodes, find_scene, split_list
 from shadercache.cli.tables import shorten
+from shadercache.front.options import MAX_TOKENS
 from shadercache.options import DEFAULT_EPSILON, CacheFormat, Options
 
 if TYPE_CHECKING:
@@ -46,6 +55,11 @@ def command(
     mesh: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Draw this mesh (.npz) instead.")
     ] = None,
+    define: DefineOption = None,
+    undefine: UndefineOption = None,
+    include: IncludeOption = None,
+    dialect: DialectOption = "glsl",
+    max_tokens: TokensOption = MAX_TOKENS,
     out: Annotated[
         Path,
         typer.Option(
@@ -71,7 +85,8 @@ def command(
     algorithms, extent = parse_passes(passes), parse_size(size)
     choices = [(n, k) for n in parse_periods(period) for k in parse_blocks(block)]
     scene = load_scene(find_scene(target))
-    scene, analysis = analyse_scene(scene)
+    reading = read_options(define, undefine, include, dialect, max_tokens)
+    scene, analysis = analyse_scene(scene, reading)
     if nodes:
         chosen = choose_nodes(scene, analysis, split_list(nodes))
     else:

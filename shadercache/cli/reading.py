@@ -13,6 +13,7 @@ from shadercache.diagnostics import usage_error
 from shadercache.front.options import MAX_TOKENS, Dialect, ReadOptions
 
 _NAME = re.compile(r"[A-Za-z_]\w*(\([^()]*\))?", re.ASCII)
+_FIXED = frozenset(("defined", "__LINE__", "__FILE__", "__VERSION__"))
 
 StageName: TypeAlias = Literal["fragment", "vertex"]
 
@@ -56,7 +57,8 @@ def read_options(
         _check_name(name, "-U")
     for folder in include or ():
         if not folder.is_dir():
-            raise usage_error("SC008", f"-I {folder}: there is no such folder")
+            what = "is not a folder" if folder.exists() else "there is no such folder"
+            raise usage_error("SC008", f"-I {folder}: {what}")
     return ReadOptions(
         defines=tuple(defines.items()),
         undefined=tuple(undefine or ()),
@@ -69,9 +71,14 @@ def read_options(
 def _definition(text: str) -> tuple[str, str]:
     name, equals, value = text.partition("=")
     _check_name(name, "-D")
+    if "\n" in value or "\r" in value:
+        raise usage_error("SC008", f"-D: the value of '{name}' has more than one line")
     return name, value if equals else "1"
 
 
 def _check_name(name: str, option: str) -> None:
+    if name in _FIXED:
+        raise usage_error("SC008", f"{option}: the macro '{name}' belongs to the language")
     if _NAME.fullmatch(name) is None:
-        raise usage_error("SC008", f"{option}: '{name}' cannot be the name of a macro")
+        hint = "a value follows '=': -D NAME=VALUE" if option == "-D" and " " in name else None
+        raise usage_error("SC008", f"{option}: '{name}' cannot be the name of a macro", hint)

@@ -17,7 +17,16 @@ from shadercache.cli.measuring import (
     summary,
 )
 from shadercache.cli.pictures import write_pictures
+from shadercache.cli.reading import (
+    DefineOption,
+    DialectOption,
+    IncludeOption,
+    TokensOption,
+    UndefineOption,
+    read_options,
+)
 from shadercache.cli.scenes import choose_nodes, find_scene
+from shadercache.front.options import MAX_TOKENS
 from shadercache.options import DEFAULT_EPSILON, CacheFormat, Options
 
 
@@ -43,6 +52,11 @@ def command(
     unprofitable: Annotated[
         bool, typer.Option("--unprofitable", help="Also a node that costs less than a fetch.")
     ] = False,
+    define: DefineOption = None,
+    undefine: UndefineOption = None,
+    include: IncludeOption = None,
+    dialect: DialectOption = "glsl",
+    max_tokens: TokensOption = MAX_TOKENS,
     out: Annotated[
         Path,
         typer.Option(
@@ -62,7 +76,8 @@ def command(
     extent = parse_size(size)
     every, edge = parse_periods(str(period))[0], parse_blocks(str(block))[0]
     scene = load_scene(find_scene(target))
-    scene, analysis = analyse_scene(scene)
+    reading = read_options(define, undefine, include, dialect, max_tokens)
+    scene, analysis = analyse_scene(scene, reading)
     [(label, chosen)] = choose_nodes(scene, analysis, [node])
     options = Options(cache_format=cache_format, epsilon=epsilon)
     entry = make_entry(analysis, label, chosen, options, (passes,), unprofitable=unprofitable)

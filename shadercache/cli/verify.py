@@ -122,7 +122,7 @@ def _report(
 
 def _law_1(round_trip: Difference | None) -> str:
     if round_trip is None:
-        return "not checked: the driver does not draw the shader in the version it is written in"
+        return "not checked: the driver cannot draw the shader as it is written"
     return "holds" if round_trip.exact else "BROKEN"
 
 

@@ -85,7 +85,9 @@ def _bar(variant: VariantResult) -> tuple[float, float]:
     """How far the interval of the speed-up reaches below and above the time, in ms."""
     middle = variant.timing.median * 1e3
     ratio = variant.speedup
-    return middle - middle * ratio.median / ratio.high, middle * ratio.median / ratio.low - middle
+    # Of very few frames the median may lie outside of its interval.
+    below, above = 1 - ratio.median / ratio.high, ratio.median / ratio.low - 1
+    return middle * max(0.0, below), middle * max(0.0, above)
 
 
 def _median(values: Sequence[float]) -> float:

@@ -142,15 +142,16 @@ class Verifier:
     def round_trip(self) -> Difference | None:
         """Law 1: the printed shader renders the bits of the user's own text.
 
-        ``None`` where the shader was raised and there is nothing to compare with: it reads the
-        state of the fixed-function pipeline, or the driver does not take the version.
+        ``None`` where there is nothing to compare with: the text does not stand alone, or it was
+        raised and reads the state of the fixed-function pipeline, or the driver does not take its
+        version.
         """
         analysis = self.analysis
         assert analysis.vertex is not None
         written = emit_original(analysis, "plain")
         files = {"original.vert": analysis.vertex.text, "original.frag": analysis.fragment.text}
         found = Difference()
-        if analysis.reads_fixed_function:
+        if analysis.reads_fixed_function or not analysis.stands_alone:
             return None
         try:
             runner = OriginalRunner(self.stage, Bundle(written.manifest, files))

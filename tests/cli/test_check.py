@@ -42,6 +42,14 @@ def test_every_mistake_of_every_file_is_told(shell: Shell, write: Path) -> None:
     assert places == [[name, line] for name in ("bad.frag", "other.frag") for line in "45"]
 
 
+def test_mistakes_in_front_of_a_missing_semicolon_are_told(shell: Shell, write: Path) -> None:
+    (write / "broken.frag").write_text(BAD.replace("}", "    o = vec4(1.0)\n}"))
+    outcome = shell("check", "broken.frag")
+    assert outcome.out == "1 file: 1 with 3 errors\n"
+    told = [line for line in outcome.err.splitlines() if ": error: " in line]
+    assert [line.split(":")[1] for line in told] == ["4", "5", "6"]
+
+
 def test_one_bad_file(shell: Shell, write: Path) -> None:
     assert shell("check", "bad.frag").out == "1 file: 1 with 2 errors\n"
 
@@ -116,8 +124,13 @@ def test_nodes_and_rewrite_know_dialects_too(shell: Shell, write: Path) -> None:
     [
         (("-D", "1x"), "'1x'"),
         (("-D", "=1"), "-D: ''"),
+        (("-D", "A 1"), "-D NAME=VALUE"),
+        (("-D", "A=1\nB"), "more than one line"),
+        (("-D", "__LINE__=1"), "'__LINE__' belongs to the language"),
+        (("-U", "defined"), "'defined' belongs to the language"),
         (("-U", "a-b"), "'a-b'"),
-        (("-I", "nowhere"), "nowhere"),
+        (("-I", "nowhere"), "there is no such folder"),
+        (("-I", "good.frag"), "is not a folder"),
     ],
     ids=str,
 )
