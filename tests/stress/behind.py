@@ -10,19 +10,13 @@ from shadercache.compiler import Analysis, analyse, rewrite
 from shadercache.diagnostics import InputError
 from shadercache.emit.printer import print_module, print_node
 from shadercache.front.options import ReadOptions
-from shadercache.front.parse import parse
 from shadercache.options import Options
-from shadercache.sema.check import check
+from shadercache.sema.read import read
 from shadercache.source import Source
-
-REWRITTEN = 3
-"""Nodes of a shader that are rewritten: the first, the middle and the last of those that can be."""
-
-_OPTIONS = (Options("plain"), Options("proof"))
 
 
 def compile_behind(fragment: Source, module: Module, options: ReadOptions) -> str:
-    """Find the nodes and rewrite some, with a vertex shader that fits; what went wrong, if at all.
+    """Find the nodes and rewrite two, with a vertex shader that fits; what went wrong, if at all.
 
     A shader or node that the compiler refuses is no mistake. What it writes has to be GLSL.
     """
@@ -32,9 +26,10 @@ def compile_behind(fragment: Source, module: Module, options: ReadOptions) -> st
     except InputError:
         return ""
     fit = [node for node in analysis.nodes if node.offered or _merely_cheap(node)]
-    chosen = fit[:: max(1, (len(fit) - 1) // (REWRITTEN - 1))]
-    wrong = (_rewrite(analysis, node, options) for node in chosen for options in _OPTIONS)
-    return next(filter(None, wrong), "")
+    if not fit:
+        return ""
+    first = _rewrite(analysis, fit[0], Options("plain"))
+    return first or _rewrite(analysis, fit[-1], Options("proof"))
 
 
 def _merely_cheap(node: Candidate) -> bool:
@@ -49,7 +44,7 @@ def _rewrite(analysis: Analysis, node: Candidate, options: Options) -> str:
     for name, text in files.items():
         source = Source(name, text)
         try:
-            check(parse(source), source, "vertex" if name.endswith(".vert") else "fragment")
+            read(source, "vertex" if name.endswith(".vert") else "fragment")
         except InputError as error:
             first = error.diagnostics[0].render()
             return f"rewriting '{node.text[:60]}' ({options.mode}) yields a wrong {name}: {first}"

@@ -1,34 +1,36 @@
-"""The input: odd texts that are written down, and real ones that are damaged at random."""
+"""The input that is written down: odd, huge and wrong texts."""
 
 from __future__ import annotations
 
-import random
-import re
 import sys
 import unicodedata
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, field
-from pathlib import Path
-from typing import Literal
+from typing import Literal, TypeAlias
 
-from shadercache.front.lexis import spellings
 from shadercache.front.options import Dialect
 
-Expected = Literal["accepted", "rejected", "either"]
+Stage: TypeAlias = Literal["fragment", "vertex"]
 
 START = "#version 330\n"
+VARYING = START + "in float v;\nout vec4 o;\n"
+VARYING_MAIN = "void main() { o = vec4(v); }\n"
 MAIN = START + "out vec4 o;\nvoid main() {{ {} o = vec4(1.0); }}\n"
 
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """A text, what has to become of it, and the files beside it that it may include."""
+    """A text, what has to become of it, and the files beside it that it may include.
+
+    ``expected`` is "accepted", "rejected" (with one diagnostic), its code, "either", or "damaged":
+    then there may be more than one.
+    """
 
     name: str
     text: str
-    expected: Expected = "either"
+    expected: str = "either"
     files: dict[str, str] = field(default_factory=dict)
-    stage: Literal["fragment", "vertex"] = "fragment"
+    stage: Stage = "fragment"
     dialect: Dialect = "glsl"
 
 
@@ -36,6 +38,8 @@ def written_cases() -> Iterator[Case]:
     """The cases that are the same in every run."""
     yield from _deep()
     yield from _long()
+    yield from _many()
+    yield from _doubling()
     yield from _macros()
     yield from _includes()
     yield from _characters()
@@ -64,7 +68,16 @@ def _deep() -> Iterator[Case]:
     for depth in (50, 250):
         text = "if (true) ; " + "else if (true) ; " * depth
         yield Case(f"{depth} else-ifs", MAIN.format(text), "accepted")
-    yield Case("900 parentheses", MAIN.format(f"float x = {'(' * 900}1.0{')' * 900};"), "accepted")
+    # The brace of `main` is open, too.
+    for depth, expected in ((999, "accepted"), (1000, "SC105")):
+        text = MAIN.format(f"float x = {'(' * depth}1.0{')' * depth};")
+        yield Case(f"{depth} parentheses", text, expected)
+    calls = _numbered("float f{1}(float x) {{ return f{0}(x); }}\n", 10_000)
+    yield Case(
+        "10,000 functions that call the next",
+        f"{START}float f0(float x) {{ return x; }}\n{calls}void main() {{ f10000(1.0); }}\n",
+        "accepted",
+    )
 
 
 def _long() -> Iterator[Case]:
@@ -102,12 +115,71 @@ def _long() -> Iterator[Case]:
         "an integer of 100,000 digits", MAIN.format(f"int x = 1{'0' * 100_000};"), "rejected"
     )
     yield Case("an exponent of 10 digits", MAIN.format("float x = 1.0e1234567890;"))
-    doubling = _numbered("float f{1}(float x) {{ return f{0}(x) + f{0}(x); }}\n", 20)
-    text = f"{START}out vec4 o;\nfloat f0(float x) {{ return x; }}\n{doubling}"
-    text += "void main() { o = vec4(f20(1.0)); }\n"
-    yield Case("20 functions that call the next twice", text, "accepted")
+    yield Case("2,100,000 tokens", START + ";" * 2_100_000, "SC120")
     yield Case("an array of 2^31 - 1", MAIN.format("float x[2147483647];"))
     yield Case("arrays of arrays of arrays", MAIN.format(f"float x{'[2]' * 900};"))
+
+
+def _many() -> Iterator[Case]:
+    """Many of the same kind, for what might look at each pair of them."""
+    many = 1_000
+    texts = {
+        "inout calls": "void f(inout float x) { x *= 2.0; }\nvoid main() { float a = v; "
+        + "f(a); " * many
+        + "o = vec4(a); }",
+        "assignments": "void main() { o = vec4(v); " + "o += sin(o * v); " * many + "}",
+        "locals": "void main() { float a0 = v; "
+        + _numbered("float a{1} = sin(a{0}); ", many)
+        + f"o = vec4(a{many}); }}",
+        "blocks": "void main() { " + "{ float a = v; o += a; } " * many + "}",
+        "constants": "const float a0 = 1.0;\n"
+        + _numbered("const float a{1} = a{0} * 0.5;\n", many)
+        + f"void main() {{ o = vec4(a{many} * v); }}",
+        "globals": "float a0 = 1.0;\n"
+        + _numbered("float a{1} = a{0} * 0.5;\n", many)
+        + f"void main() {{ o = vec4(a{many} * v); }}",
+        "fetches": "uniform sampler2D t;\nvoid main() { o = vec4(0.0); "
+        + "o += texture(t, o.xy + v); " * many
+        + "}",
+        "elements": f"const float a[] = float[](1.0{', 2.0' * many});\n{VARYING_MAIN}",
+        "empty statements": "void main() { " + ";" * many + " }",
+    }
+    for name, text in texts.items():
+        yield Case(f"1,000 {name}", VARYING + text, "accepted")
+    wrong = _numbered("a{} = 1.0; ", 100_000)
+    yield Case("100,000 mistakes in a line", MAIN.format(wrong), "damaged")
+
+
+def _doubling() -> Iterator[Case]:
+    """A few lines that ask for billions of something."""
+    structs = "struct S0 { float a; };\n"
+    structs += _numbered("struct S{1} {{ S{0} a; S{0} b; }};\n", 40)
+    sums = "".join(f"float a{n} = a{n - 1} + a{n - 2};\n" for n in range(2, 60))
+    constants = "struct S0 { float a; };\nconst S0 c0 = S0(1.0), d0 = S0(1.0);\n"
+    constants += _numbered(
+        "struct S{1} {{ S{0} a; S{0} b; }};\nconst S{1} c{1} = S{1}(c{0}, c{0});\n"
+        "const S{1} d{1} = S{1}(d{0}, d{0});\n",
+        40,
+    )
+    texts = {
+        "a comparison of constants of 2^40 fields": f"{constants}const bool same = c40 == d40;\n"
+        + VARYING_MAIN,
+        "20 functions that call the next twice": "float f0(float x) { return x; }\n"
+        + _numbered("float f{1}(float x) {{ return f{0}(x) + f{0}(x * v); }}\n", 20)
+        + "void main() { o = vec4(f20(v)); }\n",
+        "40 structs of two of the one before": f"{structs}uniform S40 s;\n{VARYING_MAIN}",
+        "a comparison of 2^40 fields": f"{structs}void main() {{ S40 a, b; o = vec4(a == b); }}",
+        "60 globals that are sums of the two before": f"float a0 = 1.0, a1 = 2.0;\n{sums}"
+        "void main() { o = vec4(a59 * v); }",
+        "60 locals that are sums of the two before": "void main() { float a0 = v, a1 = 2.0;\n"
+        f"{sums}o = vec4(a59); }}",
+    }
+    for name, text in texts.items():
+        yield Case(name, VARYING + text, "accepted")
+    items = "#version 420\nfloat a[2147483647] = {1.0};\nvoid main() {}\n"
+    yield Case("a list for 2^31 - 1 elements", items, "rejected")
+    places = "#version 450\nlayout(location = 0) in float a[2147483647];\nvoid main() {}\n"
+    yield Case("2^31 - 1 locations", places)
 
 
 def _numbered(form: str, count: int) -> str:
@@ -162,7 +234,6 @@ def _macros() -> Iterator[Case]:
         "a condition of 100,000 digits": "#if " + "9" * 100_000 + "\n#endif\n",
         "a line number of 100,000 digits": "#line " + "9" * 100_000 + "\n",
         "100,000 joined lines": "#define A \\\n" + "x \\\n" * 100_000 + "\n",
-        "a directive without a name": "# \n#\n#!\n#@\n",
         "an unterminated comment": "/* " + "x " * 500_000,
         "1,000,000 comment openings": "/*" * 1_000_000,
         "1,000,000 stars": "/" + "*" * 1_000_000,
@@ -172,6 +243,7 @@ def _macros() -> Iterator[Case]:
     }
     for name, text in macros.items():
         yield Case(name, START + text + body)
+    yield Case("directives without a name", f"{START}# \n#\n#!\n#@\n{body}", "damaged")
 
 
 def _includes() -> Iterator[Case]:
@@ -197,7 +269,7 @@ def _includes() -> Iterator[Case]:
     yield Case(
         "#include of a name of 1,000,000", START + use.format(f'"{"a" * 1_000_000}"'), "rejected"
     )
-    yield Case("#include of a NUL", START + use.format('"a\0b"'), "rejected")
+    yield Case("#include of a NUL", START + use.format('"a\0b"'), "damaged")
 
 
 def _characters() -> Iterator[Case]:
@@ -232,70 +304,3 @@ def _unicode_classes() -> dict[str, str]:
             kept.append(character)
     found["bidirectional"] = list("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")
     return {kind: " ".join(characters) for kind, characters in found.items() if characters}
-
-
-# --- at random ------------------------------------------------------------------------------------
-
-Damage = Callable[[random.Random, list[str]], None]
-
-
-def _delete(pick: random.Random, words: list[str]) -> None:
-    del words[pick.randrange(len(words))]
-
-
-def _double(pick: random.Random, words: list[str]) -> None:
-    at = pick.randrange(len(words))
-    words.insert(at, words[at])
-
-
-def _swap(pick: random.Random, words: list[str]) -> None:
-    one, other = pick.randrange(len(words)), pick.randrange(len(words))
-    words[one], words[other] = words[other], words[one]
-
-
-def _exchange(pick: random.Random, words: list[str]) -> None:
-    words[pick.randrange(len(words))] = pick.choice(words)
-
-
-def _cut(pick: random.Random, words: list[str]) -> None:
-    del words[pick.randrange(len(words)) :]
-
-
-DAMAGES: tuple[Damage, ...] = (_delete, _double, _swap, _exchange, _cut)
-
-
-def random_bytes(pick: random.Random) -> Case:
-    """Up to 4 KB of bytes, bare or behind a version."""
-    data = pick.randbytes(pick.randrange(1, 4_000))
-    text = data.decode(pick.choice(["latin-1", "utf-8"]), "replace")
-    return Case("random bytes", pick.choice(["", START]) + text)
-
-
-def damaged(pick: random.Random, path: Path) -> Case:
-    """A real shader with one to four words deleted, doubled, swapped or exchanged, or cut off.
-
-    Its directives stay where they are, or most damage would end with the first one.
-    """
-    lines = path.read_text(encoding="utf-8", errors="replace").splitlines(keepends=True)
-    words: list[str] = []
-    for line in lines:
-        if line.lstrip().startswith("#"):
-            words.append("\n" + line.strip() + "\n")
-        else:
-            words += re.findall(r"//[^\n]*\n?|\w+|\s+|[^\w\s]", line)
-    done = []
-    for _ in range(pick.randint(1, 4)):
-        if words:
-            damage = pick.choice(DAMAGES)
-            damage(pick, words)
-            done.append(damage.__name__.strip("_"))
-    stage: Literal["fragment", "vertex"] = "vertex" if path.suffix == ".vert" else "fragment"
-    return Case(f"{path.name}: {', '.join(done)}", "".join(words), "either", {}, stage)
-
-
-def random_words(pick: random.Random, path: Path) -> Case:
-    """Words of a real shader in any order."""
-    words = list(spellings(path.read_text(encoding="utf-8", errors="replace"))) or ["x"]
-    text = " ".join(pick.choices(words, k=pick.randrange(1, 200)))
-    wrap = pick.choice(["{}", "void main() {{ {} }}", "float x = {};"])
-    return Case(f"words of {path.name}", START + wrap.format(text))

@@ -10,7 +10,8 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
-from .cases import Case, damaged, random_bytes, random_words
+from .cases import Case
+from .damage import damaged, random_bytes, random_words
 from .trial import Result, limit_memory, try_case
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -40,8 +41,8 @@ def random_case(pick: random.Random, shaders: Sequence[Path]) -> Case:
 
 def real_shaders() -> list[Path]:
     """The shaders that may be damaged, always in the same order."""
-    folders = [ROOT / "corpus", ROOT / "tests" / "front", ROOT / "out" / "public" / "shaders"]
-    paths = [path for folder in folders for path in folder.rglob("*.[fv][re][ar][gt]")]
+    parts = ("corpus", "tests/front", "tests/stress", "out/public/shaders")
+    paths = [path for part in parts for path in (ROOT / part).rglob("*.[fv][re][ar][gt]")]
     return sorted(path for path in paths if "printed" not in path.parts)
 
 

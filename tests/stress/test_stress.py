@@ -7,7 +7,7 @@ import random
 
 import pytest
 
-from . import suite
+from . import suite, trial
 from .cases import Case, written_cases
 from .suite import random_case, real_shaders, run_apart
 
@@ -53,6 +53,13 @@ def test_random_cases() -> None:
 def test_the_trial_can_fail(case: Case, wrong: str) -> None:
     (result,) = run_apart([case], "spawn")
     assert wrong in result.wrong
+
+
+def test_a_case_that_takes_too_long_is_a_failure(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(trial, "SECONDS", 0.01)
+    monkeypatch.setattr(trial, "SECONDS_PER_MEGABYTE", 0.0)
+    result = trial.try_case(Case("long", "float a;\n" * 100_000))
+    assert result.outcome == "late"
 
 
 @pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")
