@@ -42,7 +42,7 @@ class Judge:
     def judge(self, shaders: Sequence[Shader]) -> list[Verdict]:
         """A verdict for each shader. The files are written to the judge's folder."""
         new = [shader for shader in shaders if shader.key not in self._known]
-        write_shaders(new, self.folder)
+        write_shaders(shaders, self.folder)
         with ThreadPoolExecutor(2) as pool:
             for found in pool.map(self._ask, _batches(new)):
                 self._known |= found
