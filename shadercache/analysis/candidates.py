@@ -10,9 +10,15 @@ from dataclasses import dataclass
 from hashlib import blake2b
 
 from shadercache.analysis.cost import FETCH, CostTable
-from shadercache.analysis.effects import Does, EffectTable
+from shadercache.analysis.effects import EffectTable
 from shadercache.analysis.instances import Instance, Place, Use, find_instances
-from shadercache.analysis.neighbours import SharedUses, cube_lookups, derivatives
+from shadercache.analysis.neighbours import (
+    Dependents,
+    SharedUses,
+    cube_lookups,
+    derivatives,
+    discards,
+)
 from shadercache.analysis.refusals import Code, Refusal
 from shadercache.analysis.slices import DERIVATIVE, Slice, SliceTable
 from shadercache.analysis.spine import written_anywhere
@@ -53,6 +59,14 @@ class Candidate:
     refusal: Refusal | None
 
     @property
+    def unsure(self) -> bool:
+        """Are there fragments that do without the value, where a branch or a return skips it?"""
+        if self.instance is None or self.place is None:
+            return False
+        branch = Use.BRANCH in (self.instance.use, self.place.use)
+        return branch or self.instance.after_exit or self.place.step.after_exit
+
+    @property
     def offered(self) -> bool:
         """May it be cached, and might that pay?"""
         return self.refusal is None
@@ -88,7 +102,8 @@ def find_candidates(
     slices = SliceTable(module, instances, table, costs)
     takes = SharedUses(instances, slices, derivatives(table))
     cubes = SharedUses(instances, slices, cube_lookups(table, facts))
-    judge = _Judge(module, facts, source, table, slices, (takes, cubes), costs)
+    drops = discards(instances, slices)
+    judge = _Judge(module, facts, source, table, slices, (takes, cubes, drops), costs)
     digests = _digests(instances, printed)
     found: list[Candidate] = []
     for instance in instances:
@@ -107,14 +122,13 @@ class _Judge:
         source: Source,
         table: EffectTable,
         slices: SliceTable,
-        uses: tuple[SharedUses, SharedUses],
+        uses: tuple[SharedUses, SharedUses, Dependents],
         costs: CostTable,
     ) -> None:
         self.facts, self.source, self.table, self.slices = facts, source, table, slices
-        (self.derivatives, self.cubes), self.costs = uses, costs
+        (self.derivatives, self.cubes, self.discards), self.costs = uses, costs
         main = table.functions["main"]
         self.total = costs.function(main) or 1.0
-        self.discards = bool(table.of(main.body).does & Does.DISCARD)
         bit = slices.leaf_bit
         written = written_anywhere(module, table)
         self.mutable = sum({bit(name) for name in written})
@@ -125,7 +139,7 @@ class _Judge:
         self, instance: Instance, place: Place, digests: dict[Instance, str]
     ) -> Candidate:
         kind = self.facts.types[place.expr]
-        found = self.slices.before(instance, place.step.index, place.expr)
+        found = self.slices.value(instance, place)
         cost = self.slices.cost(found.atoms) + self.costs.of(place.expr)
         refusal = self.refusal(instance, place, kind, found, cost)
         return Candidate(
@@ -162,11 +176,7 @@ class _Judge:
             return Refusal(Code.LVALUE)
         if Use.CONSTANT in uses or self.facts.is_constant(place.expr):
             return Refusal(Code.CONSTANT)
-        if Use.CONDITIONAL in uses:
-            return Refusal(Code.CONDITIONAL)
-        if instance.after_exit or place.step.after_exit:
-            return Refusal(Code.AFTER_EXIT)
-        return None
+        return Refusal(Code.CONDITIONAL) if Use.CONDITIONAL in uses else None
 
     def _by_type(self, kind: Type) -> Refusal | None:
         if kind.is_void or kind.holds_opaque:
@@ -181,10 +191,8 @@ class _Judge:
         effects = self.table.of(place.expr)
         if effects.writes:
             return Refusal(Code.SIDE_EFFECT, "writes " + ", ".join(sorted(effects.writes)))
-        if instance.order_matters or place.step.order_matters:
+        if instance.order_matters or place.order_matters:
             return Refusal(Code.ORDER)
-        if self.discards:
-            return Refusal(Code.DISCARDS)
         return None
 
     def _by_inputs(self, expr: n.Expr, found: Slice) -> Refusal | None:
@@ -209,7 +217,7 @@ class _Judge:
             return Refusal(Code.FEEDS_DERIVATIVE)
         if self.cubes.fed_by(instance, place):
             return Refusal(Code.FEEDS_CUBE)
-        return None
+        return Refusal(Code.DISCARDS) if self.discards.fed_by(instance, place) else None
 
 
 def _varyings(module: n.Module) -> set[str]:

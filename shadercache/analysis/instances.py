@@ -12,9 +12,9 @@ from enum import Enum
 from typing import cast
 
 from shadercache.analysis.effects import EffectTable, out_arguments
-from shadercache.analysis.spine import Spine, Step
+from shadercache.analysis.spine import Spine, Step, order_matters
 from shadercache.ast import nodes as n
-from shadercache.ast.walk import EXPRESSIONS, children
+from shadercache.ast.walk import EXPRESSIONS, STATEMENTS, children
 from shadercache.diagnostics import input_error
 
 MAX_INSTANCES = 20_000
@@ -32,19 +32,25 @@ class Use(Enum):
 
     PLAIN = "evaluated once in every call"
     LVALUE = "the place of an assignment or of an out argument"
-    CONDITIONAL = "evaluated only under a condition"
+    BRANCH = "in a statement that is executed only under a condition"
+    CONDITIONAL = "evaluated only under a condition inside its statement"
     LOOP = "inside a loop"
     CONSTANT = "in a place that must be constant"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Place:
-    """An expression of a function: its number in source order, its step and its use."""
+    """An expression of a function: its number in source order, its step and its use.
+
+    ``order_matters``: the statement that it stands in has side effects, so that nothing may be
+    moved out of it; that is the step, or a statement inside it.
+    """
 
     ordinal: int
     expr: n.Expr
     step: Step
     use: Use
+    order_matters: bool
 
 
 class Places:
@@ -64,24 +70,30 @@ class Places:
         ]
 
     def _visit(self, step: Step, table: EffectTable) -> None:
-        stack: list[tuple[n.Node, Use, bool]] = [(step.stmt, Use.PLAIN, False)]
+        stack: list[tuple[n.Node, Use, bool, bool]] = [(step.stmt, Use.PLAIN, False, False)]
         while stack:
-            node, use, target = stack.pop()
+            node, use, target, order = stack.pop()
             if isinstance(node, EXPRESSIONS):
                 shown = Use.LVALUE if target else use
-                self.all.append(Place(len(self.all), cast("n.Expr", node), step, shown))
-            stack.extend(reversed(list(_parts(node, use, target, table))))
+                self.all.append(Place(len(self.all), cast("n.Expr", node), step, shown, order))
+            elif isinstance(node, STATEMENTS):
+                order = order_matters(cast("n.Stmt", node), table)
+            parts = _parts(node, use, target, table)
+            stack.extend(reversed([(*part, order) for part in parts]))
 
 
 def _parts(
     node: n.Node, use: Use, target: bool, table: EffectTable
 ) -> Iterator[tuple[n.Node, Use, bool]]:
     """The children of a node with their use, and whether they are part of an l-value."""
-    guarded = use if use is Use.LOOP else Use.CONDITIONAL
+    guarded = _worse(use, Use.CONDITIONAL)
     match node:
         case n.For() | n.While() | n.DoWhile():
             yield from ((child, Use.LOOP, False) for child in children(node))
-        case n.If(condition=first) | n.Switch(selector=first) | n.Conditional(condition=first):
+        case n.If(condition=first) | n.Switch(selector=first):
+            for child in children(node):
+                yield child, use if child is first else _worse(use, Use.BRANCH), False
+        case n.Conditional(condition=first):
             for child in children(node):
                 yield child, use if child is first else guarded, False
         case n.Binary(op="&&" | "||"):
@@ -189,10 +201,10 @@ def _callees(caller: Instance, places: dict[str, Places], first: int) -> Iterato
             label=f"{caller.label} > {callee.name}{suffix}",
             use=_worse(caller.use, place.use),
             after_exit=caller.after_exit or place.step.after_exit,
-            order_matters=caller.order_matters or place.step.order_matters,
+            order_matters=caller.order_matters or place.order_matters,
         )
 
 
 def _worse(one: Use, other: Use) -> Use:
-    ranking = (Use.LOOP, Use.CONDITIONAL, Use.CONSTANT, Use.LVALUE, Use.PLAIN)
+    ranking = (Use.LOOP, Use.CONDITIONAL, Use.CONSTANT, Use.LVALUE, Use.BRANCH, Use.PLAIN)
     return min(one, other, key=ranking.index)

@@ -1,4 +1,4 @@
-"""Where a value decides what neighbouring fragments compute together.
+"""Where a value decides what neighbouring fragments compute together, or whether there is one.
 
 That is a derivative, taken openly or for a texture's level of detail, and the look-up in a cube
 map: on llvmpipe the filter of a cube map rounds differently when any fragment of the same vector
@@ -13,11 +13,12 @@ branch.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from itertools import chain
 
-from shadercache.analysis.effects import EffectTable, needs_derivative
-from shadercache.analysis.instances import Instance, Place
+from shadercache.analysis.effects import Does, EffectTable, needs_derivative
+from shadercache.analysis.instances import Instance, Place, Use
 from shadercache.analysis.slices import Slice, SliceTable
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
@@ -33,6 +34,46 @@ class SharedUse:
     instance: Instance
     place: Place
     operands: Slice
+    parts: frozenset[n.Node]
+    """The expressions of its own statement that flow into it."""
+
+
+class Dependents:
+    """Whether values flow into certain places of a program.
+
+    ``operands``: for each such place its instance, what it depends on, and the expressions of its
+    own statement that flow into it.
+    """
+
+    def __init__(
+        self, slices: SliceTable, operands: Iterable[tuple[Instance, Slice, Iterable[n.Node]]]
+    ) -> None:
+        self._slices = slices
+        self._atoms = 0
+        self._parts: dict[Instance, set[n.Node]] = {}
+        for instance, found, parts in operands:
+            self._atoms |= found.atoms
+            self._parts.setdefault(instance, set()).update(parts)
+        for (instance, name), bit in slices.argument_bits.items():
+            if bit & self._atoms and instance.parent is not None and instance.call is not None:
+                names = [param.name for param in instance.places.function.proto.params]
+                arg = instance.call.args[names.index(name)]
+                self._parts.setdefault(instance.parent, set()).update(walk(arg))
+        self._fed: dict[Instance, bool] = {}
+
+    def fed_by(self, instance: Instance, place: Place) -> bool:
+        """Does any of the places depend on the value at ``place``?"""
+        bit = self._slices.step_bits[instance][place.step.index]
+        here = bit & self._atoms or place.expr in self._parts.get(instance, ())
+        return bool(here) or self._call_fed(instance)
+
+    def _call_fed(self, instance: Instance) -> bool:
+        """Does the result of this instance's call, or of one above it, flow into one?"""
+        if instance.parent is None or instance.place is None:
+            return False
+        if instance not in self._fed:
+            self._fed[instance] = self.fed_by(instance.parent, instance.place)
+        return self._fed[instance]
 
 
 class SharedUses:
@@ -52,16 +93,12 @@ class SharedUses:
             if item.parent is not None and item.call is not None
         }
         self.all = tuple(use for instance in instances for use in self._of_instance(instance))
-        self._atoms = 0
-        for use in self.all:
-            self._atoms |= use.operands.atoms
-        self._operand_parts: dict[Instance, set[n.Node]] = {}
-        self._mark_operands()
-        self._fed: dict[Instance, bool] = {}
+        operands = ((use.instance, use.operands, use.parts) for use in self.all)
+        self._dependents = Dependents(slices, chain(operands, self._returns()))
 
     def fed_by(self, instance: Instance, place: Place) -> bool:
         """Does any of these uses, outside of that expression, depend on the value at ``place``?"""
-        return self._fed_by_step(instance, place) or self._call_fed(instance)
+        return self._dependents.fed_by(instance, place)
 
     def inside(self, instance: Instance, place: Place, found: Slice) -> list[SharedUse]:
         """The uses that belong to the payload at ``place``, whose slice is ``found``.
@@ -78,34 +115,36 @@ class SharedUses:
         found = []
         for place in instance.places.all:
             if isinstance(place.expr, n.Call) and self._chooses(place.expr):
-                root = place.step.stmt if place.step.is_control else place.expr
-                operands = self._slices.before(instance, place.step.index, root)
-                found.append(SharedUse(instance, place, operands))
+                found.append(self._use(instance, place, place.expr))
         return found
 
-    def _mark_operands(self) -> None:
-        """Mark every expression whose value flows into a derivative in the same statement."""
+    def _returns(self) -> Iterator[tuple[Instance, Slice, Iterable[n.Node]]]:
+        """What decides on a return in front of a use, in its function or in those that call it."""
+        last: dict[Instance, int] = {}
         for use in self.all:
-            root = use.place.step.stmt if use.place.step.is_control else use.place.expr
-            parts = self._operand_parts.setdefault(use.instance, set())
-            parts.update(item for item in walk(root) if item is not use.place.expr)
-        for (instance, name), bit in self._slices.argument_bits.items():
-            if bit & self._atoms and instance.parent is not None and instance.call is not None:
-                names = [param.name for param in instance.places.function.proto.params]
-                arg = instance.call.args[names.index(name)]
-                self._operand_parts.setdefault(instance.parent, set()).update(walk(arg))
+            at: Instance | None = use.instance
+            index = use.place.step.index
+            while at is not None and index > last.get(at, 0):
+                last[at] = index
+                index = at.place.step.index if at.place is not None else 0
+                at = at.parent
+        for instance, index in last.items():
+            for step in instance.places.spine.steps[:index]:
+                if step.is_control and step.effects.does & Does.RETURN:
+                    flow = self._slices.inside(step.stmt).into_exits()
+                    found = self._slices.flow(instance, step.index, flow)
+                    yield instance, found, flow.expressions()
 
-    def _fed_by_step(self, instance: Instance, place: Place) -> bool:
-        bit = self._slices.step_bits[instance][place.step.index]
-        return bool(bit & self._atoms) or place.expr in self._operand_parts.get(instance, ())
-
-    def _call_fed(self, instance: Instance) -> bool:
-        """Does the result of this instance's call, or of one above it, feed a derivative?"""
-        if instance.parent is None or instance.place is None:
-            return False
-        if instance not in self._fed:
-            self._fed[instance] = self.fed_by(instance.parent, instance.place)
-        return self._fed[instance]
+    def _use(self, instance: Instance, place: Place, call: n.Call) -> SharedUse:
+        step, guarded = place.step, place.use is Use.CONDITIONAL
+        if step.is_control:
+            flow = self._slices.inside(step.stmt).into_use(call, guarded)
+            operands = self._slices.flow(instance, step.index, flow)
+            parts = {*flow.expressions(), *walk(call)}
+        else:
+            root = step.stmt if guarded else call
+            operands, parts = self._slices.before(instance, step.index, root), {*walk(root)}
+        return SharedUse(instance, place, operands, frozenset(parts - {call}))
 
     def _is_inside(
         self, use: SharedUse, instance: Instance, below: set[n.Call], found: Slice
@@ -134,6 +173,23 @@ class SharedUses:
                 if bit & found.atoms and any(item is inner for item in walk(arg)):
                     return True
         return False
+
+
+def discards(instances: tuple[Instance, ...], slices: SliceTable) -> Dependents:
+    """What decides whether a fragment is discarded: conditionals with a discard inside, and those
+    with a return in front of one."""
+
+    def operands() -> Iterator[tuple[Instance, Slice, Iterable[n.Node]]]:
+        for instance in instances:
+            ahead = False
+            for step in reversed(instance.places.spine.steps):
+                does = step.effects.does
+                ahead = ahead or bool(does & Does.DISCARD)
+                if step.is_control and ahead and does & (Does.DISCARD | Does.RETURN):
+                    flow = slices.inside(step.stmt).into_exits()
+                    yield instance, slices.flow(instance, step.index, flow), flow.expressions()
+
+    return Dependents(slices, operands())
 
 
 def derivatives(table: EffectTable) -> Chooses:

@@ -17,8 +17,7 @@ class Code(Enum):
     WIDE = ("SC306", "is wider than the three channels a cache texel has for it")
     LVALUE = ("SC307", "is the place that an assignment writes to, not a value")
     CHEAP = ("SC308", "costs less than the cache fetch that would replace it")
-    CONDITIONAL = ("SC309", "is evaluated only under a condition")
-    AFTER_EXIT = ("SC310", "stands after an early return or a discard, so it is not always reached")
+    CONDITIONAL = ("SC309", "is evaluated only under a condition inside its statement")
     MUTABLE_GLOBAL = ("SC311", "reads a global variable that the shader changes")
     DERIVATIVE = ("SC312", "contains or depends on a screen-space derivative")
     SCREEN = ("SC313", "depends on where the fragment is on the screen, not only on the surface")
@@ -33,7 +32,7 @@ class Code(Enum):
         "decides where a cube map is looked up later in the shader; a driver may round that "
         "look-up together with neighbouring fragments, which may hold reused values",
     )
-    DISCARDS = ("SC316", "belongs to a shader that discards fragments, which is not supported yet")
+    DISCARDS = ("SC316", "decides whether the fragment is discarded, which a reused value must not")
     NOT_FLOAT = ("SC317", "is not made of floats; integers and booleans must not be filtered")
     INITIALISER = ("SC318", "is evaluated before main, in the initialiser of a global")
 

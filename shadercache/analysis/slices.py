@@ -14,7 +14,8 @@ from itertools import compress
 
 from shadercache.analysis.cost import CostTable
 from shadercache.analysis.effects import Does, EffectTable
-from shadercache.analysis.instances import Instance
+from shadercache.analysis.inside import Flow, Inside
+from shadercache.analysis.instances import Instance, Place
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 
@@ -60,6 +61,7 @@ class SliceTable:
         self._params: dict[tuple[Instance, str], Slice] = {}
         self._of_globals: dict[str, Slice] = {}
         self._steps: dict[Instance, list[Slice]] = {}
+        self._insides: dict[n.Stmt, Inside] = {}
         self._reaching: dict[tuple[Instance, str], list[tuple[Slice, bool]]] = {}
         self.step_bits: dict[Instance, list[int]] = {}
         self.argument_bits: dict[tuple[Instance, str], int] = {}
@@ -73,6 +75,28 @@ class SliceTable:
         found = self._of_names(instance, step, effects.reads)
         if effects.does & Does.DERIVATIVE:
             found = found | Slice(0, self.leaf_bit(DERIVATIVE))
+        return found
+
+    def value(self, instance: Instance, place: Place) -> Slice:
+        """What the value of an expression depends on, the expression itself apart."""
+        step = place.step
+        if not step.is_control:
+            return self.before(instance, step.index, place.expr)
+        flow = self.inside(step.stmt).into_value(place.expr)
+        return self.flow(instance, step.index, flow) | self.before(instance, step.index, place.expr)
+
+    def flow(self, instance: Instance, step: int, flow: Flow) -> Slice:
+        """What a flow inside a step depends on."""
+        found = self._of_names(instance, step, flow.names)
+        if flow.does & Does.DERIVATIVE:
+            found = found | Slice(0, self.leaf_bit(DERIVATIVE))
+        return found
+
+    def inside(self, stmt: n.Stmt) -> Inside:
+        """The parts of a step."""
+        found = self._insides.get(stmt)
+        if found is None:
+            found = self._insides[stmt] = Inside(stmt, self._table)
         return found
 
     def step(self, instance: Instance, index: int) -> Slice:
@@ -126,9 +150,8 @@ class SliceTable:
             self.argument_bits[instance, param.name] = bit
             self._params[instance, param.name] = self.before(caller, index, arg) | Slice(bit)
             if place.step.is_control:
-                # Inside a conditional or a loop any of its statements may have come before.
-                whole = self.before(caller, index, place.step.stmt)
-                self._params[instance, param.name] |= whole
+                flow = self.inside(place.step.stmt).into_value(arg)
+                self._params[instance, param.name] |= self.flow(caller, index, flow)
 
     def _fill(self, instance: Instance) -> None:
         slices = self._steps[instance] = []

@@ -23,15 +23,13 @@ class Step:
     """One unconditional statement.
 
     ``after_exit``: an earlier statement may have left the function or discarded the fragment, so
-    that this one is not always reached. ``order_matters``: the statement has side effects inside
-    its expression (not just at its root), so that nothing may be moved out of it.
+    that this one is not always reached.
     """
 
     index: int
     stmt: n.Stmt
     effects: Effects
     after_exit: bool
-    order_matters: bool
 
     @property
     def is_control(self) -> bool:
@@ -57,7 +55,7 @@ class Spine:
         for stmt in _flatten(stmts):
             effects = table.of(stmt)
             index = len(self.steps)
-            self.steps.append(Step(index, stmt, effects, left, _order_matters(stmt, table)))
+            self.steps.append(Step(index, stmt, effects, left))
             kills = _overwrites(stmt)
             for name in effects.writes | kills:
                 self._writes.setdefault(name, []).append((index, name in kills))
@@ -85,9 +83,10 @@ def _overwrites(stmt: n.Stmt) -> frozenset[str]:
     return frozenset()
 
 
-def _order_matters(stmt: n.Stmt, table: EffectTable) -> bool:
+def order_matters(stmt: n.Stmt, table: EffectTable) -> bool:
     """Does a part of the statement have a side effect, other than its last act?
 
+    Of a conditional only the condition counts: what stands under it are statements of their own.
     The last act is the assignment itself and, in ``x = f(...)`` or ``f(...)``, the call.
     """
     match stmt:

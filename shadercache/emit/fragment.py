@@ -54,11 +54,17 @@ class FragmentEmitter:
         self.precisions = PrecisionTable(program.module, program.facts)
         self.payload = program.prefix + "payload"
         self.store = program.prefix + "store"
-        found = program.candidates.slices.before(node.instance, node.place.step.index, node.expr)
+        main = program.candidates.instances[0].places.function
+        discards = EffectTable(program.module).of(main.body).does & Does.DISCARD
+        self.whole = node.unsure or bool(discards)
+        """Do fragments do without the payload, so that each pass goes through the shader?"""
+        found = program.candidates.slices.value(node.instance, node.place)
         self.fetches = program.candidates.derivatives.inside(node.instance, node.place, found)
 
     def one(self) -> Shader:
         """One pass: look up, else compute; then shade."""
+        if self.whole:
+            return self._finish("passes/one_here", [self._shade("fill")], both=True)
         made = self._one(())
         changed = self._left_changed(made)
         return self._one(changed) if changed else made
@@ -81,7 +87,7 @@ class FragmentEmitter:
         clones.append(self._clone(names, compute, (*cuts, self._node_cut("goal"))))
         if kept:
             extra.append(keep(self._own("compute"), [self._own(compute)]))
-        clones.append(self._clone(names, "shade", (self._node_cut("use"),)))
+        clones.append(self._shade("use", names))
         extra += [self._fetched(use.place.expr, name) for use, name in fetched]
         return self._finish("passes/one", clones, extra, both=True)
 
@@ -96,43 +102,67 @@ class FragmentEmitter:
 
     def hit(self) -> Shader:
         """Two passes, first. The discard comes last where the shading takes derivatives."""
-        clones = [self._clone(self._names(), "shade", (self._node_cut("use"),))]
-        early = self._finish("passes/hit", clones, both=True)
+        if self.whole:
+            early = self._finish("passes/hit_here", [self._shade("need")], both=True)
+        else:
+            early = self._finish("passes/hit", [self._shade("use")], both=True)
         main = EffectTable(early.module).functions["main"]
-        if EffectTable(early.module).of(main.body).does & (Does.DERIVATIVE | Does.IMPLICIT_LOD):
-            return self._finish("passes/hit_late", clones, both=True)
-        return early
+        if not EffectTable(early.module).of(main.body).does & (Does.DERIVATIVE | Does.IMPLICIT_LOD):
+            return early
+        if self.whole:
+            return self._finish("passes/hit_here_late", [self._shade("lack")], both=True)
+        return self._finish("passes/hit_late", [self._shade("use")], both=True)
 
     def miss(self) -> Shader:
         """Two passes, second: the original, keeping the payload."""
-        clones = [self._clone(self._names(), "shade", (self._node_cut("store"),))]
-        return self._finish("passes/miss", clones, both=True)
+        kind: CutKind = "keep" if self.whole else "store"
+        return self._finish("passes/miss", [self._shade(kind)], both=True)
 
     def reuse(self) -> Shader:
         """Three passes, first: carry payloads over."""
+        if self.whole:
+            return self._finish("passes/reuse_whole", [self._shade("use")])
         return self._finish("passes/reuse", [])
 
     def payload_only(self) -> Shader:
         """Three passes, second: compute payloads."""
-        clones = [self._clone(self._names(), "compute", (self._node_cut("goal"),))]
-        return self._finish("passes/payload", clones)
+        if self.whole:
+            return self._finish("passes/miss", [self._shade("keep")])
+        return self._finish("passes/payload", [self._compute()])
 
     def shade(self) -> Shader:
         """Three passes, third: the colour from the payload."""
-        clones = [self._clone(self._names(), "shade", (self._node_cut("use"),))]
-        return self._finish("passes/shade", clones, store=False)
+        return self._finish("passes/shade", [self._shade("use")], store=False)
 
     def payload_alone(self) -> Shader:
         """The payload in place of the colour, for the cost of the payload (P of P/T)."""
-        clones = [self._clone(self._names(), "compute", (self._node_cut("goal"),))]
-        return self._build("passes/payload_alone", clones, (), {self._own("value"): 0})
+        wanted = {self._own("value"): 0}
+        if self.whole:
+            clones = [self._shade("keep")]
+            return self._build("passes/payload_alone_whole", clones, (), wanted)
+        return self._build("passes/payload_alone", [self._compute()], (), wanted)
 
     def hit_mask(self) -> Shader:
         """What the look-up says, for the eyes and for the hit rate."""
         wanted = {self._own("outcome"): 0}
+        if self.whole:
+            return self._build("passes/hit_mask_whole", [self._shade("keep")], (), wanted)
         return self._build("passes/hit_mask", [], (), wanted)
 
     def unfit_for_one_pass(self) -> str | None:
+        """Why the node cannot be cached in one pass, if so."""
+        return self._unfit_here() if self.whole else self._unfit_ahead()
+
+    def _unfit_here(self) -> str | None:
+        table = EffectTable(self.program.module)
+        if table.of(self.node.expr).does & (Does.DERIVATIVE | Does.IMPLICIT_LOD):
+            return (
+                "the value takes derivatives under a condition, and in one pass neighbouring "
+                "fragments would not compute it together"
+            )
+        return None
+
+    def _unfit_ahead(self) -> str | None:
         """Why the payload cannot be computed in a branch before the shader proper, if so."""
         declared = self.program.facts.declared.values()
         if any(symbol.kind == "global" and not symbol.type.name for symbol in declared):
@@ -142,7 +172,7 @@ class FragmentEmitter:
             )
         for use in self.fetches:
             plain = use.instance.use is Use.PLAIN and use.place.use is Use.PLAIN
-            moves = use.instance.order_matters or use.place.step.order_matters
+            moves = use.instance.order_matters or use.place.order_matters
             left = use.instance.after_exit or use.place.step.after_exit
             if not plain or moves or left:
                 return (
@@ -165,6 +195,14 @@ class FragmentEmitter:
     def _clone(self, names: FreshNames, entry: str, cuts: tuple[Cut, ...]) -> Clones:
         prefix = self.program.prefix
         return specialise(self.program.module, cuts, prefix + entry, names, prefix)
+
+    def _shade(self, kind: CutKind, names: FreshNames | None = None) -> Clones:
+        """The whole shader with the node cut out in one way."""
+        return self._clone(names or self._names(), "shade", (self._node_cut(kind),))
+
+    def _compute(self) -> Clones:
+        """The payload alone."""
+        return self._clone(self._names(), "compute", (self._node_cut("goal"),))
 
     def _node_cut(self, kind: CutKind) -> Cut:
         assert self.node.instance is not None
@@ -193,8 +231,8 @@ class FragmentEmitter:
     ) -> Shader:
         prefix = self.program.prefix
         # ``main`` comes last: GLSL wants functions declared before they are called.
-        names = ("lookup", "store", template)
         precision = self.precisions.of(self.node.expr)
+        names = ("lookup", "store_valid" if self.whole else "store", template)
         parts = [load_part(name, self.components, prefix, precision) for name in names]
         user = insert_clones(self.program.module, *clones)
         module = merge(self.program.module, without_main(user), extra, *parts)

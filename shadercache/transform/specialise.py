@@ -9,18 +9,26 @@ With a *use* of ``fbm(q)`` in ``marble``, reached from ``main``::
                                                 void main() { ... }
                                                 void sc_main() { color = sc_marble(v_p); }
 
-Three things can be asked for, each at an expression on a call path:
+Several things can be asked for, each at an expression on a call path:
 
 * *use*: the expression is replaced by a variable;
 * *store*: its value goes to the variable first (in a statement of its own), then the variable is
   used;
 * *goal*: as store, and everything after it is cut off: the functions on the path return nothing.
 
+And where not every fragment comes by the expression:
+
+* *keep*: as store, and it is noted that there is a value (``sc_valid``);
+* *fill*: as keep, but a value from the cache (``sc_reuse``) is taken as it is;
+* *need*: as use, but a fragment without a value from the cache is discarded;
+* *lack*: as need, but it is only noted (``sc_lacks``), and what follows goes on.
+
 ``main`` is cloned like any function, so several programs' bodies can be made from one module.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from typing import Literal, TypeAlias
 
@@ -30,7 +38,7 @@ from shadercache.source import NOWHERE
 from shadercache.transform.names import FreshNames
 from shadercache.transform.replace import replace_expressions
 
-CutKind: TypeAlias = Literal["use", "store", "goal"]
+CutKind: TypeAlias = Literal["use", "store", "goal", "keep", "fill", "need", "lack"]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -112,15 +120,15 @@ class _Maker:
 
     def clone(self, function: n.FunctionDef, tree: _Tree, name: str | None = None) -> str:
         """Add the clone of a function with the cuts of ``tree`` made; return its name."""
-        body = _Body()
+        body = _Body(self.prefix)
         for call, below in tree.below.items():
             body.renamed[call] = self.clone(self.functions[call.name], below)
             if below.has_goal:
-                body.moved.append(_Moved(call, None, True))
+                body.moved.append(_Moved(call, None, "goal"))
         for cut in tree.cuts:
             body.used[cut.expr] = cut.variable
             if cut.kind != "use":
-                body.moved.append(_Moved(cut.expr, cut.variable, cut.kind == "goal"))
+                body.moved.append(_Moved(cut.expr, cut.variable, cut.kind))
         name = name or self.names.make(self.prefix + function.name)
         proto = replace(function.proto, name=name)
         if tree.has_goal:
@@ -133,20 +141,21 @@ class _Maker:
 
 @dataclass(frozen=True, slots=True)
 class _Moved:
-    """An expression that gets a statement of its own before the one it stands in.
+    """An expression that gets statements of its own before the one it stands in.
 
     Without a ``variable`` it is a call on the way to the goal, which returns nothing any more.
     """
 
     expr: n.Expr
     variable: str | None
-    is_last: bool
+    kind: CutKind
 
 
 @dataclass(slots=True)
 class _Body:
     """Rewrites the statements of one function."""
 
+    prefix: str
     renamed: dict[n.Expr, str] = field(default_factory=dict)
     used: dict[n.Expr, str] = field(default_factory=dict)
     moved: list[_Moved] = field(default_factory=list)
@@ -166,13 +175,42 @@ class _Body:
 
     def statement(self, stmt: n.Stmt, body: list[n.Stmt]) -> bool:
         """Append the rewritten statement; tell whether the goal is reached with it."""
-        inside = [item for item in self.moved if any(part is item.expr for part in walk(stmt))]
-        for item in sorted(inside, key=lambda item: item.is_last):
-            body.append(self._own_statement(item))
-            if item.is_last:
+        inside = [item for item in self.moved if _holds(stmt, item.expr)]
+        parts = _head(stmt)
+        ahead = [item for item in inside if any(_holds(part, item.expr) for part in parts)]
+        for item in sorted(ahead, key=lambda item: item.kind == "goal"):
+            body += self._own_statements(item)
+            if item.kind == "goal":
                 return True
-        body.append(replace_expressions(stmt, self._rewritten))
+        deeper = len(ahead) < len(inside)
+        body.append(self._control(stmt) if deeper else replace_expressions(stmt, self._rewritten))
         return False
+
+    def _control(self, stmt: n.Stmt) -> n.Stmt:
+        """A conditional under which there are expressions to move."""
+        match stmt:
+            case n.If():
+                condition = replace_expressions(stmt.condition, self._rewritten)
+                other = None if stmt.other is None else self._alone(stmt.other)
+                return replace(stmt, condition=condition, then=self._alone(stmt.then), other=other)
+            case n.Switch():
+                selector = replace_expressions(stmt.selector, self._rewritten)
+                return replace(stmt, selector=selector, body=tuple(self._list(stmt.body)))
+        raise AssertionError(f"nothing is moved within {type(stmt).__name__}")
+
+    def _alone(self, stmt: n.Stmt) -> n.Block:
+        """A statement under a conditional, as a block that has room for others."""
+        stmts = stmt.body if isinstance(stmt, n.Block) else (stmt,)
+        return n.Block(stmt.span, tuple(self._list(stmts)))
+
+    def _list(self, stmts: Iterable[n.Stmt]) -> list[n.Stmt]:
+        body: list[n.Stmt] = []
+        for stmt in stmts:
+            if isinstance(stmt, n.Block):
+                body.append(self._alone(stmt))
+            else:
+                self.statement(stmt, body)
+        return body
 
     def _rewritten(self, original: n.Expr, rebuilt: n.Expr) -> n.Expr:
         if original in self.used:
@@ -181,12 +219,49 @@ class _Body:
             return replace(rebuilt, name=self.renamed[original])
         return rebuilt
 
-    def _own_statement(self, item: _Moved) -> n.ExprStmt:
-        """``variable = expression;``, or the call that leads to the goal."""
+    def _own_statements(self, item: _Moved) -> list[n.Stmt]:
+        """``variable = expression;`` and the like, or the call that leads to the goal."""
         span = item.expr.span
         if item.variable is None:
-            return n.ExprStmt(span, replace_expressions(item.expr, self._rewritten))
+            return [n.ExprStmt(span, replace_expressions(item.expr, self._rewritten))]
+        match item.kind:
+            case "need":
+                return [self._unless_reused(n.Jump(span, "discard"))]
+            case "lack":
+                return [self._unless_reused(self._set("lacks"))]
+            case "fill":
+                return [self._unless_reused(self._computed(item)), self._set("valid")]
+            case "keep":
+                return [self._computed(item), self._set("valid")]
+        return [self._computed(item)]
+
+    def _computed(self, item: _Moved) -> n.Stmt:
         value = replace_expressions(
             item.expr, lambda old, new: new if old is item.expr else self._rewritten(old, new)
         )
-        return n.ExprStmt(span, n.Assign(span, "=", n.Name(span, item.variable), value))
+        assert item.variable is not None
+        return _assign(item.variable, value)
+
+    def _set(self, flag: str) -> n.Stmt:
+        return _assign(self.prefix + flag, n.Literal(NOWHERE, "true"))
+
+    def _unless_reused(self, stmt: n.Stmt) -> n.Stmt:
+        reuse = n.Name(NOWHERE, self.prefix + "reuse")
+        return n.If(NOWHERE, n.Unary(NOWHERE, "!", reuse), n.Block(NOWHERE, (stmt,)), None)
+
+
+def _assign(name: str, value: n.Expr) -> n.Stmt:
+    span = value.span
+    return n.ExprStmt(span, n.Assign(span, "=", n.Name(span, name), value))
+
+
+def _holds(root: n.Node, expr: n.Expr) -> bool:
+    return any(part is expr for part in walk(root))
+
+
+def _head(stmt: n.Stmt) -> tuple[n.Node, ...]:
+    """What of a statement is evaluated before any statement inside it."""
+    match stmt:
+        case n.If(condition=first) | n.Switch(selector=first):
+            return (first,)
+    return (stmt,)

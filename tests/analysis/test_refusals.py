@@ -5,11 +5,22 @@ from __future__ import annotations
 import pytest
 from shaders import analysed, find
 
+from shadercache.analysis.candidates import Candidate
+
 NOISE = """
 float noise(vec3 p) {
     return sin(p.x * 12.9) * sin(p.y * 78.2) * sin(p.z * 37.7) * sin(dot(p, p));
 }
 """
+
+UNSURE = "offered, but not every fragment needs it"
+
+
+def verdict(node: Candidate) -> str | None:
+    if node.refusal is not None:
+        return node.refusal.code.code
+    return UNSURE if node.unsure else None
+
 
 CASES = {
     "offered": ("o_color = vec4(noise(v_position));", "noise(v_position)", None),
@@ -73,7 +84,7 @@ CASES = {
     "conditional branch": (
         "o_color = vec4(0.0); if (v_uv.x > 0.5) o_color = vec4(noise(v_position));",
         "noise(v_position)",
-        "SC309",
+        UNSURE,
     ),
     "conditional operator": (
         "o_color = vec4(v_uv.x > 0.5 ? noise(v_position) : 0.0);",
@@ -88,17 +99,73 @@ CASES = {
     "switch": (
         "o_color = vec4(0.0); switch (int(v_uv.x)) { case 0: o_color = vec4(noise(v_position)); }",
         "noise(v_position)",
-        "SC309",
+        UNSURE,
     ),
     "after an early return": (
         "o_color = vec4(0.0); if (v_uv.x > 0.5) return; o_color = vec4(noise(v_position));",
         "noise(v_position)",
-        "SC310",
+        UNSURE,
     ),
     "after a discard": (
         "if (v_uv.x > 0.5) discard; o_color = vec4(noise(v_position));",
         "noise(v_position)",
-        "SC310",
+        UNSURE,
+    ),
+    "screen position in the condition alone": (
+        "o_color = vec4(0.0); if (gl_FragCoord.x > 9.0) { float a = noise(v_position);"
+        " o_color = vec4(noise(v_position + a)); }",
+        "noise(v_position + a)",
+        UNSURE,
+    ),
+    "screen position in a condition inside": (
+        "o_color = vec4(0.0); if (v_uv.x > 0.5) { float a = 1.0;"
+        " if (gl_FragCoord.x > 9.0) a = 2.0; o_color = vec4(noise(v_position * a)); }",
+        "noise(v_position * a)",
+        "SC313",
+    ),
+    "screen position in a case that falls through": (
+        "float a = 0.0; switch (int(v_uv.x)) { case 0: a = gl_FragCoord.x;"
+        " case 1: o_color = vec4(noise(v_position * a)); }",
+        "noise(v_position * a)",
+        "SC313",
+    ),
+    "a fetch under the same condition that it does not feed": (
+        "o_color = vec4(0.0); if (v_uv.x > 0.5) {"
+        " o_color = texture(u_map, v_uv); o_color *= noise(v_position); }",
+        "noise(v_position)",
+        UNSURE,
+    ),
+    "a fetch under the same condition that it feeds": (
+        "o_color = vec4(0.0); if (v_uv.x > 0.5) {"
+        " vec2 a = vec2(noise(v_position)); o_color = texture(u_map, a); }",
+        "noise(v_position)",
+        "SC315",
+    ),
+    "the condition of a fetch": (
+        "o_color = vec4(0.0); if (noise(v_position) > 0.5) o_color = texture(u_map, v_uv);",
+        "noise(v_position)",
+        "SC315",
+    ),
+    "the condition of a return before a fetch in a branch": (
+        "o_color = vec4(0.0); if (v_uv.x > 0.5) { if (noise(v_position) > 0.5) return;"
+        " o_color = texture(u_map, v_uv); }",
+        "noise(v_position)",
+        "SC315",
+    ),
+    "the condition of a return before a fetch": (
+        "o_color = vec4(0.0); if (noise(v_position) > 0.5) return; o_color = texture(u_map, v_uv);",
+        "noise(v_position)",
+        "SC315",
+    ),
+    "the condition of a return behind a fetch": (
+        "o_color = texture(u_map, v_uv); if (noise(v_position) > 0.5) return; o_color.x = 0.5;",
+        "noise(v_position)",
+        None,
+    ),
+    "the condition of a return before a discard": (
+        "o_color = vec4(0.0); if (noise(v_position) > 0.5) return; if (v_uv.x > 0.5) discard;",
+        "noise(v_position)",
+        "SC316",
     ),
     "before a discard": (
         "float a = noise(v_position); if (a > 0.5) discard; o_color = vec4(a);",
@@ -173,7 +240,7 @@ CASES = {
 def test_verdict(name: str) -> None:
     body, text, code = CASES[name]
     node = find(analysed(body, NOISE + "uniform samplerCube u_cube;\n"), text)
-    assert (node.refusal.code.code if node.refusal else None) == code
+    assert verdict(node) == code
 
 
 GLOBAL = NOISE + "float g = 1.0; void change() { g = v_uv.x; } float helper(vec3 p) { return "
@@ -228,13 +295,13 @@ GLOBAL = NOISE + "float g = 1.0; void change() { g = v_uv.x; } float helper(vec3
             NOISE + "float guarded(float x) { if (x > 0.5) return 1.0; return noise(v_position); }",
             "o_color = vec4(guarded(v_uv.x));",
             "noise(v_position)",
-            "SC310",
+            UNSURE,
         ),
     ],
 )
 def test_verdict_across_functions(declarations: str, body: str, text: str, code: str) -> None:
     node = find(analysed(body, declarations), text)
-    assert (node.refusal.code.code if node.refusal else None) == code
+    assert verdict(node) == code
 
 
 def test_every_refusal_says_why() -> None:

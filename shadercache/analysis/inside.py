@@ -1,0 +1,120 @@
+"""What flows where inside a conditional or loop, which the spine takes as one step.
+
+The parts of the step are its plain statements and the conditions that they stand under. A part is
+relevant for a value if it writes what the value reads, directly or through other parts, in whatever
+order they come; then its conditions are relevant too. Conditions of a ``return``, ``discard`` or
+``break`` are relevant for everything: whether the rest is reached hangs on them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from shadercache.analysis.effects import Does, Effects, EffectTable, union
+from shadercache.ast import nodes as n
+from shadercache.ast.walk import children, walk
+
+_EXITS = Does.RETURN | Does.DISCARD | Does.JUMP
+_LOOPS = (n.For, n.While, n.DoWhile)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Part:
+    """A plain statement, or a condition; and the conditions above it, outermost first."""
+
+    node: n.Node
+    effects: Effects
+    above: tuple[Part, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Flow:
+    """What flows into a value: names that it reads, and the parts that are relevant for it."""
+
+    names: frozenset[str]
+    parts: tuple[Part, ...]
+
+    @property
+    def does(self) -> Does:
+        """What the parts do."""
+        return union(part.effects for part in self.parts).does
+
+    def expressions(self) -> Iterator[n.Node]:
+        """Every expression of the parts."""
+        return (item for part in self.parts for item in walk(part.node))
+
+
+class Inside:
+    """The parts of one step."""
+
+    def __init__(self, stmt: n.Stmt, table: EffectTable) -> None:
+        self._table = table
+        self.parts = tuple(self._collect(stmt, ()))
+        self._of = {item: part for part in self.parts for item in walk(part.node)}
+
+    def into_value(self, expr: n.Expr) -> Flow:
+        """What the value of an expression hangs on, where it is evaluated."""
+        own = self._of[expr]
+        return self._closure(expr, (), set(own.above), Does.JUMP)
+
+    def into_use(self, expr: n.Expr, whole: bool) -> Flow:
+        """What decides whether an expression is evaluated, and on what; ``whole``: its statement
+        may skip it."""
+        own = self._of[expr]
+        inner = (own,) if whole or isinstance(own.node, _LOOPS) else ()
+        return self._closure(expr, (*own.above, *inner), set(), _EXITS)
+
+    def into_exits(self) -> Flow:
+        """What decides whether a ``return`` or ``discard`` is come by."""
+        return self._closure(None, (), set(), _EXITS)
+
+    def _closure(
+        self, expr: n.Expr | None, first: Iterable[Part], given: set[Part], exits: Does
+    ) -> Flow:
+        """``first`` are relevant from the start, ``given`` hold anyway, and conditions above what
+        does any of ``exits`` decide on everything."""
+        names = set(self._table.of(expr).reads) if expr is not None else set()
+        relevant: dict[Part, None] = {}
+        todo = [*first, *self._above_of(exits)]
+        while True:
+            for part in todo:
+                if part not in given:
+                    relevant[part] = None
+                    names |= part.effects.reads
+            todo = [
+                item
+                for part in self.parts
+                if part not in relevant and part.effects.writes & names
+                for item in (part, *part.above)
+                if item not in relevant and item not in given
+            ]
+            if not todo:
+                return Flow(frozenset(names), tuple(relevant))
+
+    def _above_of(self, exits: Does) -> Iterator[Part]:
+        for part in self.parts:
+            if part.effects.does & exits:
+                yield from part.above
+                if isinstance(part.node, _LOOPS):
+                    yield part
+
+    def _collect(self, node: n.Node, above: tuple[Part, ...]) -> Iterator[Part]:
+        match node:
+            case n.If(condition=first) | n.Switch(selector=first):
+                condition = self._part(first, above)
+                yield condition
+                for child in children(node):
+                    if child is not first:
+                        yield from self._collect(child, (*above, condition))
+            case n.For() | n.While() | n.DoWhile():
+                # A loop is one part: whatever is in it comes before whatever else.
+                yield self._part(node, above)
+            case n.Block():
+                for child in node.body:
+                    yield from self._collect(child, above)
+            case _:
+                yield self._part(node, above)
+
+    def _part(self, node: n.Node, above: tuple[Part, ...]) -> Part:
+        return Part(node, self._table.of(node), above)

@@ -1,0 +1,78 @@
+"""Laws 1 to 4 for values that not every fragment needs, and in shaders that discard."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from contextlib import closing
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from shadercache.compiler import Analysis, rewrite
+from shadercache.harness.context import Gpu
+from shadercache.harness.scene import Scene, load_scene
+from shadercache.harness.shaders import analyse_scene
+from shadercache.harness.verify import Verifier
+from shadercache.options import Options
+
+FOLDER = Path(__file__).with_name("conditions")
+SHADERS = ("branch", "switch", "returns", "discards", "alpha", "textures")
+EXPENSIVE = "noise("
+
+
+def load(name: str) -> tuple[Scene, Analysis]:
+    scene = load_scene(FOLDER)
+    return analyse_scene(replace(scene, fragment=FOLDER / f"{name}.frag"))
+
+
+@pytest.mark.xdist_group("gl")
+@pytest.mark.parametrize("name", SHADERS)
+def test_laws_1_to_4(name: str, gpu: Gpu) -> None:
+    scene, analysis = load(name)
+    nodes = [node for node in analysis.nodes if node.legal and EXPENSIVE in node.text]
+    assert nodes
+    with closing(Verifier(gpu, scene, analysis, (64, 64))) as verifier:
+        found = verifier.round_trip()
+        verdicts = [verifier.check(node, plain=False) for node in nodes]
+    assert found is not None
+    assert found.exact
+    broken = {item.text: item.failure or item.broken for item in verdicts if item.broken}
+    assert not broken
+
+
+def refused(name: str, text: str) -> dict[str, str]:
+    analysis = load(name)[1]
+    node = next(item for item in analysis.nodes if item.text == text and item.legal)
+    found = rewrite(analysis, node, unprofitable=True).manifest["refused"]
+    return {entry["algorithm"]: entry["reason"] for entry in found}
+
+
+def test_what_decides_a_discard_is_refused() -> None:
+    nodes = {node.text: node for node in reversed(load("alpha")[1].nodes)}
+    for text in ("noise(floor(p * 6.0))", "noise(floor(p * 3.0)) * 0.5"):
+        refusal = nodes[text].refusal
+        assert refusal is not None
+        assert refusal.code.code == "SC316"
+    assert nodes["noise(floor(n * 5.0))"].offered
+
+
+def test_a_fetch_under_a_condition_takes_one_pass_away() -> None:
+    assert set(refused("textures", "texture(picture, uv * 3.0).rgb")) == {"1-pass"}
+    assert not refused("textures", "noise(floor(p * 8.0)) * n")
+
+
+@pytest.mark.skipif(shutil.which("glslangValidator") is None, reason="glslang is not installed")
+@pytest.mark.parametrize("name", SHADERS)
+def test_the_reference_compiler_takes_every_program(name: str, tmp_path: Path) -> None:
+    analysis = load(name)[1]
+    for node in analysis.nodes:
+        if not node.offered:
+            continue
+        files = rewrite(analysis, node, Options()).files
+        for file, text in files.items():
+            (tmp_path / file).write_text(text, encoding="utf-8")
+        line = ["glslangValidator", *(str(tmp_path / file) for file in files)]
+        done = subprocess.run(line, capture_output=True, text=True)
+        assert done.returncode == 0, f"{node.text}:\n{done.stdout}"
