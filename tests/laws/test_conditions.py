@@ -11,10 +11,11 @@ from pathlib import Path
 import pytest
 
 from shadercache.compiler import Analysis, rewrite
+from shadercache.harness.bundle import Bundle
 from shadercache.harness.context import Gpu
 from shadercache.harness.scene import Scene, load_scene
 from shadercache.harness.shaders import analyse_scene
-from shadercache.harness.verify import Verifier
+from shadercache.harness.verify import Verdict, Verifier
 from shadercache.options import Options
 
 FOLDER = Path(__file__).with_name("conditions")
@@ -76,3 +77,29 @@ def test_the_reference_compiler_takes_every_program(name: str, tmp_path: Path) -
         line = ["glslangValidator", *(str(tmp_path / file) for file in files)]
         done = subprocess.run(line, capture_output=True, text=True)
         assert done.returncode == 0, f"{node.text}:\n{done.stdout}"
+
+
+@pytest.mark.xdist_group("gl")
+@pytest.mark.parametrize(
+    ("old", "new", "where", "law"),
+    (
+        ("if (!sc_reuse) {", "if (false) {", "1-pass.frag", "law 2 (1-pass)"),
+        ("if (!sc_reuse) {", "if (false) {", "2-pass.hit.frag", "law 2 (2-pass)"),
+        ("if (!sc_valid) {", "if (false) {", ".frag", "law 4"),
+        ("sc_shade();", "", "3-pass.reuse.frag", "law 4 (3-pass)"),
+    ),
+)
+def test_broken_programs_break_a_law(old: str, new: str, where: str, law: str, gpu: Gpu) -> None:
+    scene, analysis = load("discards" if "reuse" in where else "branch")
+    text = "noise(floor(p * 5.0))" if "reuse" in where else "noise(floor(p * 6.0))"
+    node = next(item for item in analysis.nodes if item.text == text)
+    emission = rewrite(analysis, node, Options(mode="proof", cache_format="rgba32f"))
+    assert any(old in text for name, text in emission.files.items() if where in name)
+    files = {
+        name: text.replace(old, new) if where in name else text
+        for name, text in emission.files.items()
+    }
+    verdict = Verdict(node.id, node.path, node.text, node.offered)
+    with closing(Verifier(gpu, scene, analysis, (64, 64))) as verifier:
+        verifier.check_bundle(Bundle(emission.manifest, files), verdict)
+    assert any(found.startswith(law) for found in verdict.broken), verdict.broken
