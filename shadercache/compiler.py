@@ -7,17 +7,18 @@ The passes, in order (each in its own file):
 3.  :mod:`transform.raise_version`  older versions, in words of the first that has what it takes
 4.  :mod:`transform.unique_names`   every identifier means one thing, so the rest works by name
 5.  :mod:`transform.split`          one declarator to a declaration
-6.  :mod:`sema.check`               types of the tree that the rest works on
-7.  :mod:`analysis.candidates`      every node, offered or refused
+6.  :mod:`transform.lower_choices`  costly choices inside expressions become conditionals
+7.  :mod:`sema.check`               types of the tree that the rest works on
+8.  :mod:`analysis.candidates`      every node, offered or refused
 
 and for one node, for each pass of each algorithm:
 
-8.  :mod:`transform.specialise`     cut the node out of clones of the functions on its call path
-9.  :mod:`emit.assemble`            add the look-up, the store and a new ``main``
-10. :mod:`transform.remove_dead`    keep what the pass's outputs need, in turns with
-11. :mod:`transform.drop_parameters`
-12. :mod:`transform.make_precise`   in proof mode only
-13. :mod:`emit.printer`             tree to text
+9.  :mod:`transform.specialise`     cut the node out of clones of the functions on its call path
+10. :mod:`emit.assemble`            add the look-up, the store and a new ``main``
+11. :mod:`transform.remove_dead`    keep what the pass's outputs need, in turns with
+12. :mod:`transform.drop_parameters`
+13. :mod:`transform.make_precise`   in proof mode only
+14. :mod:`emit.printer`             tree to text
 """
 
 from __future__ import annotations
@@ -45,6 +46,7 @@ from shadercache.sema.check import check
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.read import read
 from shadercache.source import Source
+from shadercache.transform.lower_choices import lower_choices
 from shadercache.transform.make_precise import precise_version
 from shadercache.transform.names import fresh_prefix
 from shadercache.transform.raise_version import Raised, StageTree, raise_versions
@@ -250,9 +252,12 @@ def _checked(source: Source, stage: Stage, reading: ReadOptions) -> StageTree:
 
 
 def _normalise(raised: Raised, source: Source, stage: Stage) -> tuple[n.Module, Facts]:
-    """Passes 4 to 6: bring a checked tree into the form that the rest works on."""
+    """Passes 4 to 7: bring a checked tree into the form that the rest works on."""
     module, facts = raised.module, raised.facts
     plain = split_declarations(make_names_unique(module, facts))
+    if plain is not module:
+        module, facts = plain, check(plain, source, stage)
+    plain = lower_choices(module, facts) if stage == "fragment" else module
     return (module, facts) if plain is module else (plain, check(plain, source, stage))
 
 

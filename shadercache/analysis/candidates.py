@@ -27,7 +27,7 @@ from shadercache.ast.walk import expressions
 from shadercache.diagnostics import shortened
 from shadercache.lang.types import Type
 from shadercache.sema.facts import Facts
-from shadercache.source import Source, Span
+from shadercache.source import NOWHERE, Source, Span
 
 MAX_CHANNELS = 3
 """Payload channels of a cache texel; the fourth holds the depth."""
@@ -107,7 +107,9 @@ def find_candidates(
     digests = _digests(instances, printed)
     found: list[Candidate] = []
     for instance in instances:
-        found.extend(judge.candidate(instance, place, digests) for place in instance.places.all)
+        # What has no place in the source was added: the user's own expressions are the nodes.
+        own = (place for place in instance.places.all if place.expr.span != NOWHERE)
+        found.extend(judge.candidate(instance, place, digests) for place in own)
     found.extend(_initialisers(module, facts, source, printed))
     return Candidates(tuple(found), instances, slices, takes, judge.total)
 

@@ -89,10 +89,20 @@ CASES = {
     "conditional operator": (
         "o_color = vec4(v_uv.x > 0.5 ? noise(v_position) : 0.0);",
         "noise(v_position)",
-        "SC309",
+        UNSURE,
     ),
     "right operand of &&": (
         "bool b = v_uv.x > 0.5 && noise(v_position) > 0.0; o_color = vec4(b);",
+        "noise(v_position)",
+        UNSURE,
+    ),
+    "cheap part of a conditional operator": (
+        "o_color = vec4(v_uv.x > 0.5 ? v_uv.y * 2.0 : 0.0);",
+        "v_uv.y * 2.0",
+        "SC309",
+    ),
+    "conditional operator beside a side effect": (
+        "float a = 0.0; o_color = vec4(v_uv.x > 0.5 ? noise(v_position) : 0.0, a++, 0.0, 1.0);",
         "noise(v_position)",
         "SC309",
     ),

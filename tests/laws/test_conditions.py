@@ -19,7 +19,7 @@ from shadercache.harness.verify import Verdict, Verifier
 from shadercache.options import Options
 
 FOLDER = Path(__file__).with_name("conditions")
-SHADERS = ("branch", "switch", "returns", "discards", "alpha", "textures")
+SHADERS = ("branch", "switch", "returns", "discards", "alpha", "textures", "choices")
 EXPENSIVE = "noise("
 
 
