@@ -20,8 +20,9 @@ float sum(float values[3]) {
 }
 
 void fill(out float values[3], in float with) {
-    for (int i = 0; i < values.length(); i++)
-        values[i] = with * float(i + 1);
+    values[0] = with;
+    values[1] = with * 2.0;
+    values[values.length() - 1] = with * 3.0;
 }
 
 void main() {

@@ -20,7 +20,7 @@ void main() {
     float sum = 0.0;
     float start = wave(v_position);
     float left = 1.0 + v_uv.x;
-    for (float t = 0.0; t < 2.0; advance(t, 0.25 + v_uv.y))
+    for (float t = 0.0; t < 2.0; advance(t, 0.25 + abs(v_uv.y)))
         sum += wave(v_normal + t) * start;
     while (more(left))
         sum += advance(start, 0.125);

@@ -18,6 +18,6 @@ void main() {
     o_color = vec4(a, b, below(), 1.0);
 }
 
-float wave(const in vec3 p, float) { return sin(p.x * 3.1) * cos(p.y * 2.3) + sin(p.z * 4.7); }
+float wave(const in vec3 p, float unused) { return sin(p.x * 3.1) * cos(p.y * 2.3) + sin(p.z * 4.7); }
 float below() { return wave(v_position.zyx, 1.0) + wave(v_normal, 2.0); }
 void set(out float x, const float y) { x = y * 0.5 + 0.25; }
