@@ -24,12 +24,17 @@ and for one node, for each pass of each algorithm:
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 from shadercache.analysis.candidates import Candidate, Candidates, find_candidates
+from shadercache.analysis.definitions import Definitions
 from shadercache.analysis.effects import EffectTable
+from shadercache.analysis.groups import Group, find_groups
+from shadercache.analysis.inputs import input_kinds
+from shadercache.analysis.refusals import Code
 from shadercache.analysis.restrictions import check_depth, check_size, check_stages, find_color
 from shadercache.ast import nodes as n
 from shadercache.ast.large import allow_deep_trees
@@ -95,6 +100,35 @@ class Analysis:
         texts = (self.fragment.text, self.vertex.text if self.vertex else "")
         changed = reading.defines or reading.undefined or reading.dialect != "glsl"
         return not changed and not any(_INCLUDE.search(text) for text in texts)
+
+    @cached_property
+    def groups(self) -> Mapping[Candidate, Group]:
+        """Which nodes have the same value: the group of every node."""
+        program = self.program
+        return find_groups(
+            program.module, program.facts, EffectTable(program.module), self.candidates
+        )
+
+    def on_cpu(self, node: Candidate) -> str | None:
+        """What to compute on the CPU in place of a value of uniforms only (SC303), as GLSL.
+
+        ``None`` for any other value, and where it takes more than one expression.
+        """
+        if node.refusal is None or node.refusal.code is not Code.UNIFORM:
+            return None
+        assert node.instance is not None and node.place is not None
+        found = self._definitions.closed(node.instance, node.place.step, node.expr)
+        return None if found is None else print_node(found)
+
+    @cached_property
+    def input_kinds(self) -> dict[str, str]:
+        """What the inputs of nodes are, by their names: see :mod:`analysis.inputs`."""
+        return input_kinds(self.program.module, self.program.facts)
+
+    @cached_property
+    def _definitions(self) -> Definitions:
+        program = self.program
+        return Definitions(program.facts, EffectTable(program.module), self.candidates.instances)
 
     @cached_property
     def _by_id(self) -> dict[str, Candidate]:

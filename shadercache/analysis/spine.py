@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from shadercache.analysis.effects import Does, Effects, EffectTable
+from shadercache.analysis.effects import Does, Effects, EffectTable, local_names
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import children
 
@@ -42,6 +42,7 @@ class Spine:
 
     def __init__(self, function: n.FunctionDef, table: EffectTable) -> None:
         self.function = function
+        self.local_names = local_names(function)
         self.steps: list[Step] = []
         self._writes: dict[str, list[tuple[int, bool]]] = {}
         self._collect(function.body.body, table)

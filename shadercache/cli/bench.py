@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -32,6 +33,7 @@ from shadercache.front.options import MAX_TOKENS
 from shadercache.options import DEFAULT_EPSILON, CacheFormat, Options
 
 if TYPE_CHECKING:
+    from shadercache.analysis.candidates import Candidate
     from shadercache.harness.measurement import Measurement, NodeResult
 
 
@@ -41,6 +43,9 @@ def command(
         list[str] | None,
         typer.Option(metavar="IDS", help="Only these nodes (ids or the scene's names)."),
     ] = None,
+    every_node: Annotated[
+        bool, typer.Option("--every-node", help="Also nodes of the same value as another.")
+    ] = False,
     passes: Annotated[str, typer.Option(metavar="1,2,3", help="Algorithms.")] = "all",
     period: Annotated[str, typer.Option(metavar="N,...", help="Refresh periods, frames.")] = "32",
     block: Annotated[str, typer.Option(metavar="K,...", help="Block edges, pixels.")] = "4",
@@ -70,9 +75,13 @@ def command(
 ) -> None:
     """Measure nodes by 1, 2 and 3 passes: P/T, time, ratio to the original, hit rate, error.
 
+    Of offered nodes that have the same value only the first is measured, and marked with their
+    number. --nodes measures what it is given.
+
     Everything is drawn interleaved in one process; the ratio's interval is a 95 % bootstrap.
     Writes JSON (with raw samples), CSV and two plots for each period and block into DIR.
     """
+    from shadercache.analysis.groups import one_of_each
     from shadercache.harness.context import open_context
     from shadercache.harness.measure import measure
     from shadercache.harness.measurement import MeasureOptions
@@ -87,13 +96,19 @@ def command(
     scene = load_scene(find_scene(target))
     reading = read_options(define, undefine, include, dialect, max_tokens)
     scene, analysis = analyse_scene(scene, reading)
+    equal: dict[Candidate, int] = {}
     if nodes:
         chosen = choose_nodes(scene, analysis, split_list(nodes))
     else:
-        chosen = [(node.id, node) for node in analysis.nodes if node.offered]
+        offered = [node for node in analysis.nodes if node.offered]
+        equal = one_of_each(offered, analysis.groups)
+        chosen = [(node.id, node) for node in (offered if every_node else equal)]
     options = Options(cache_format=cache_format, epsilon=epsilon)
     entries = [
-        make_entry(analysis, label, node, options, algorithms, unprofitable=True)
+        replace(
+            make_entry(analysis, label, node, options, algorithms, unprofitable=True),
+            equal=1 if every_node else equal.get(node, 1),
+        )
         for label, node in chosen
     ]
     replacement = load_mesh(mesh) if mesh else None
@@ -116,7 +131,8 @@ def command(
 def _label(node: NodeResult) -> str:
     if node.label != node.node_id:
         return node.label
-    return f"{node.label} {shorten(node.text, 32)}"
+    mark = f" ({node.equal} equal)" if node.equal > 1 else ""
+    return f"{node.label}{mark} {shorten(node.text, 32)}"
 
 
 def _store(out: Path, found: Measurement, report: dict[str, Any]) -> None:

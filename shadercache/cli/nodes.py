@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
@@ -18,14 +18,17 @@ from shadercache.cli.reading import (
     UndefineOption,
     read_options,
 )
+from shadercache.cli.scenes import find_scene
 from shadercache.cli.tables import format_table, shorten, terminal_width
 from shadercache.front.options import MAX_TOKENS
 
 if TYPE_CHECKING:
     from shadercache.analysis.candidates import Candidate
+    from shadercache.compiler import Analysis
     from shadercache.source import Source
 
 HEADER = ("id", "path", "at", "type", "cost", "P/T", "verdict", "inputs", "text")
+CHANGES = "changes with"
 INPUTS_WIDTH = 24
 TEXT_WIDTH = 60
 
@@ -38,6 +41,10 @@ def command(
     offered: Annotated[
         bool, typer.Option("--offered/--all", help="Leave out the nodes that are refused.")
     ] = False,
+    scene: Annotated[
+        str | None,
+        typer.Option(metavar="SCENE", help="Scene that says which uniforms change, and why."),
+    ] = None,
     sort: Annotated[
         Literal["source", "ratio"], typer.Option(help="By call path and place, or by P/T.")
     ] = "source",
@@ -52,26 +59,43 @@ def command(
 
     A node is one evaluation of one expression, on one path of calls. P/T is the static cost of
     the value over that of the whole shader. The verdict is "offered" or the code of the reason
-    why the value may not be cached. --json leaves nothing out.
+    why the value may not be cached. With --scene a column says which inputs change from frame
+    to frame: with the view, the light or the time. --json leaves nothing out: nodes that have the
+    same value share a "group", and values of uniforms only come with the GLSL to compute "on_cpu".
     """
     from shadercache.compiler import analyse
+    from shadercache.harness.scene import load_scene
 
     options = read_options(define, undefine, include, dialect, max_tokens)
     source = read_source(fragment)
-    nodes = analyse(source, read_source(vert) if vert else None, options).nodes
+    analysis = analyse(source, read_source(vert) if vert else None, options)
+    nodes = analysis.nodes
+    changes = load_scene(find_scene(scene)).changes if scene else None
     shown = [node for node in nodes if node.offered or not offered]
     if sort == "ratio":
         shown.sort(key=lambda node: node.ratio)
     if as_json:
-        print(json.dumps({"nodes": [_as_json(source, node) for node in shown]}, indent=1))
+        found = [_as_json(analysis, node, changes) for node in shown]
+        print(json.dumps({"nodes": found}, indent=1))
         return
-    rows = [_row(source, node) for node in shown]
-    print(format_table(HEADER, rows, right="at cost P/T", width=terminal_width()))
+    rows = [_row(source, node, changes) for node in shown]
+    header = HEADER if changes is None else (*HEADER[:-1], CHANGES, HEADER[-1])
+    print(format_table(header, rows, right="at cost P/T", width=terminal_width()))
     print(f"\n{_summary(nodes)}")
 
 
-def _row(source: Source, node: Candidate) -> tuple[str, ...]:
+def _changes(node: Candidate, changes: Mapping[str, str]) -> dict[str, list[str]]:
+    """The inputs of a node that change from frame to frame, by what they change with."""
+    found: dict[str, list[str]] = {}
+    for name in sorted(node.inputs & changes.keys()):
+        found.setdefault(changes[name], []).append(name)
+    return found
+
+
+def _row(source: Source, node: Candidate, changes: Mapping[str, str] | None) -> tuple[str, ...]:
     line, column = source.position(node.expr.span.start)
+    causes = {} if changes is None else _changes(node, changes)
+    told = "; ".join(f"{cause}: {' '.join(names)}" for cause, names in causes.items())
     return (
         node.id,
         node.path,
@@ -81,11 +105,17 @@ def _row(source: Source, node: Candidate) -> tuple[str, ...]:
         f"{node.ratio:.3f}",
         node.refusal.code.code if node.refusal else "offered",
         shorten(" ".join(sorted(node.inputs)), INPUTS_WIDTH),
+        *(() if changes is None else (shorten(told, INPUTS_WIDTH),)),
         shorten(node.text, TEXT_WIDTH),
     )
 
 
-def _as_json(source: Source, node: Candidate) -> dict[str, Any]:
+def _as_json(
+    analysis: Analysis, node: Candidate, changes: Mapping[str, str] | None
+) -> dict[str, Any]:
+    from shadercache.analysis.inputs import by_kind
+
+    source = analysis.fragment
     line, column = source.position(node.expr.span.start)
     end_line, end_column = source.position(node.expr.span.end)
     refusal = node.refusal
@@ -100,6 +130,10 @@ def _as_json(source: Source, node: Candidate) -> dict[str, Any]:
         "cost": node.cost,
         "ratio": node.ratio,
         "inputs": sorted(node.inputs),
+        "depends_on": by_kind(node.inputs, analysis.input_kinds),
+        **({} if changes is None else {"changes_with": _changes(node, changes)}),
+        "group": analysis.groups[node].first.id,
+        "on_cpu": analysis.on_cpu(node),
         "text": node.text,
         "offered": node.offered,
         "refusal": refusal

@@ -203,6 +203,7 @@ class PartsLane:
             payload=_timing(self.payload),
             hit=_timing(self.hit),
             variants=tuple(lane.result(reference, self.hit) for lane in lanes),
+            equal=entry.equal,
         )
 
     def _ratio(self, reference: ReferenceLane) -> float | None:

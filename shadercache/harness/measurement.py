@@ -16,11 +16,15 @@ from shadercache.harness.stats import Ratio, Timing
 
 @dataclass(frozen=True, eq=False)
 class Entry:
-    """A node to measure: its name in tables, its programs, and which variants (None: all)."""
+    """A node to measure: its name in tables, its programs, and which variants (None: all).
+
+    ``equal``: for how many nodes of the same value it stands, itself included.
+    """
 
     label: str
     bundle: Bundle
     algorithms: tuple[str, ...] | None = None
+    equal: int = 1
 
     @property
     def chosen(self) -> tuple[str, ...]:
@@ -115,7 +119,7 @@ class NodeResult:
     """One node. ``ratio`` is P/T as measured: payload alone over the original, both less geometry.
 
     ``payload`` and ``hit`` are the parts measured alone at the probed frames (None if the manifest
-    has no 3-pass or no 2-pass variant).
+    has no 3-pass or no 2-pass variant). ``equal`` as in :class:`Entry`.
     """
 
     label: str
@@ -128,6 +132,7 @@ class NodeResult:
     payload: Timing | None
     hit: Timing | None
     variants: tuple[VariantResult, ...]
+    equal: int = 1
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,7 +16,7 @@ from shadercache.harness.cache import CachePair
 from shadercache.harness.camera import Values
 from shadercache.harness.programs import Uniform
 from shadercache.harness.stage import Stage
-from shadercache.harness.textures import GlTexture
+from shadercache.harness.textures import GlTexture, texture_kind
 from shadercache.source import Source
 
 CACHE_ROLES = ("previous-cache", "current-cache")
@@ -138,7 +138,7 @@ class BoundPass:
         if texture is None:
             hint = f"in the scene, add [textures.{uniform.name}] with a file"
             return [self._problem("SC522", f"needs the texture {uniform.name}", hint)]
-        kind = "cube map" if isinstance(texture, moderngl.TextureCube) else "2D texture"
+        kind = texture_kind(texture)
         if kind != uniform.sampler:
             message = f"samples {uniform.name} as a {uniform.sampler}, but the scene has a {kind}"
             return [self._problem("SC523", message)]

@@ -16,7 +16,7 @@ from shadercache.harness.context import Gpu
 from shadercache.source import Source, Span
 
 # GL types of samplers and what moderngl must bind for them; others are told to be unsupported.
-_SAMPLERS = {0x8B5E: "2D texture", 0x8B60: "cube map"}
+_SAMPLERS = {0x8B5E: "2D texture", 0x8B60: "cube map", 0x8DC1: "array texture"}
 _SAMPLER_RANGES = (range(0x8B5D, 0x8B64), range(0x8DC0, 0x8DD9), range(0x9108, 0x910E))
 _FORMATS = {code: np.dtype(code) for code in "fiId"}
 
@@ -151,7 +151,8 @@ def _link(ctx: moderngl.Context, vertex: Source, fragment: Source) -> Program:
 def _uniform(shader: str, name: str, member: Any) -> Uniform:
     sampler = _SAMPLERS.get(member.gl_type)
     if sampler is None and any(member.gl_type in kinds for kinds in _SAMPLER_RANGES):
-        message = f"{shader}: the harness gives 2D textures and cube maps only, {name} is neither"
+        given = "2D textures, their arrays and cube maps only"
+        message = f"{shader}: the harness gives {given}, {name} is none"
         raise input_error("SC524", message)
     if sampler is not None and member.array_length > 1:
         raise input_error("SC524", f"{shader}: the harness cannot fill the sampler array {name}")

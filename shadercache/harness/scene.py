@@ -27,6 +27,9 @@ SEMANTICS = (
 )
 """What a uniform can be tied to; ``camera.semantic_values`` defines each."""
 
+CAUSES = ("view", "light", "time")
+"""Why a uniform may change from frame to frame. Those with a semantic tell it by that."""
+
 
 @dataclass(frozen=True, slots=True)
 class Camera:
@@ -75,7 +78,8 @@ class Scene:
     """A checked scene.
 
     ``constants`` hold the numbers of a uniform in the order of upload: the components of a vector,
-    the columns of a matrix, the elements of an array. ``nodes`` are names for node ids.
+    the columns of a matrix, the elements of an array. ``changes`` says why a uniform or a texture
+    changes, by its name: one of :data:`CAUSES`. ``nodes`` are names for node ids.
     """
 
     path: Path
@@ -94,6 +98,7 @@ class Scene:
     nodes: Mapping[str, str]
     demo: Demo | None
     cull: bool
+    changes: Mapping[str, str]
 
 
 def load_scene(path: Path) -> Scene:
@@ -124,6 +129,7 @@ def load_scene(path: Path) -> Scene:
         nodes=_strings(top.table("nodes")),
         demo=_demo(top.table("demo")) if top.has("demo") else None,
         cull=top.text("cull", "none", ("none", "back")) == "back",
+        changes=_changes(top.table("changes"), semantics),
     )
     top.refuse_unknown()
     top.raise_problems()
@@ -231,6 +237,21 @@ def _demo(table: Table) -> Demo:
     demo = Demo(tuple(nodes), period, table.whole("block", 4, least=2))
     table.refuse_unknown()
     return demo
+
+
+def _changes(table: Table, semantics: Mapping[str, str]) -> dict[str, str]:
+    """``light = ["u_light"]`` and the like, by the names of uniforms, with what semantics tell."""
+    found = {
+        name: "time" if word in ("time", "frame") else "view" for name, word in semantics.items()
+    }
+    for cause in CAUSES:
+        names = table.values.get(cause, [])
+        if table.has(cause) and not (isinstance(names, list) and all(map(_is_text, names))):
+            table.problem("SC505", cause, f"changes.{cause} must be an array of strings")
+            continue
+        found |= dict.fromkeys(names, cause)
+    table.refuse_unknown()
+    return found
 
 
 def _is_text(value: Any) -> bool:

@@ -52,4 +52,5 @@ def with_aliases(scene: Scene, renamed: Mapping[str, str]) -> Scene:
         constants=aliased(scene.constants),
         semantics=aliased(scene.semantics),
         textures=aliased(scene.textures),
+        changes=aliased(scene.changes),
     )

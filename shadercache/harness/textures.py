@@ -1,4 +1,4 @@
-"""Texture files on the GPU: ``.png`` (8 bits a channel) and ``.npz`` (any precision, cube maps).
+"""Texture files on the GPU: ``.png`` (8 bits a channel) and ``.npz`` (any precision, cube maps, arrays).
 
 Row 0 of a file is uploaded first: it lies at texture coordinate v = 0, for both kinds of file.
 Values reach the shader as stored; nothing is converted from or to sRGB.
@@ -18,7 +18,7 @@ from shadercache.harness.context import Gpu
 from shadercache.harness.mesh import load_npz
 from shadercache.harness.scene import TextureSpec
 
-GlTexture = moderngl.Texture | moderngl.TextureCube
+GlTexture = moderngl.Texture | moderngl.TextureCube | moderngl.TextureArray
 
 _DTYPES = {"float32": "f4", "float16": "f2", "uint8": "f1"}
 _FILTERS = {
@@ -29,27 +29,43 @@ _FILTERS = {
 }
 
 
-def load_pixels(path: Path) -> tuple[NDArray[np.generic], bool]:
-    """The pixels of a texture file and whether they are the six faces of a cube map.
+_ARRAYS = {"faces": "(6, n, n, c)", "layers": "(n, h, w, c)", "pixels": "(h, w, c)"}
+"""The array that a ``.npz`` file has one of, and its shape."""
+
+_KINDS = {
+    moderngl.Texture: "2D texture",
+    moderngl.TextureCube: "cube map",
+    moderngl.TextureArray: "array texture",
+}
+
+
+def texture_kind(texture: GlTexture) -> str:
+    """What kind of sampler reads it: ``2D texture``, ``cube map`` or ``array texture``."""
+    return _KINDS[type(texture)]
+
+
+def load_pixels(path: Path) -> tuple[NDArray[np.generic], str]:
+    """The pixels of a texture file and whether they are a picture, faces of a cube map or layers.
 
     Returns:
-        ``(pixels, False)`` with shape (h, w, c), or ``(faces, True)`` with shape (6, h, h, c) in
-        the order +X, -X, +Y, -Y, +Z, -Z; float32, float16 or uint8, 1 to 4 channels.
+        ``(pixels, "pixels")`` with shape (h, w, c), ``(layers, "layers")`` with shape (n, h, w, c),
+        or ``(faces, "faces")`` with shape (6, h, h, c) in the order +X, -X, +Y, -Y, +Z, -Z;
+        float32, float16 or uint8, 1 to 4 channels.
 
     Raises:
         InputError: SC530 unreadable file, SC531 no such array, a wrong shape or type.
     """
     if path.suffix.lower() == ".png":
-        return _load_png(path), False
+        return _load_png(path), "pixels"
     arrays = load_npz(path, "SC530", "the texture")
-    is_cube = "faces" in arrays
-    pixels = arrays.get("faces", arrays.get("pixels"))
-    if pixels is None:
-        raise input_error("SC531", f"the texture {path} has neither 'pixels' nor 'faces'")
-    if pixels.ndim == (3 if is_cube else 2):
+    what = next((name for name in _ARRAYS if name in arrays), None)
+    if what is None:
+        raise input_error("SC531", f"the texture {path} has no 'pixels', 'faces' or 'layers'")
+    pixels = arrays[what]
+    if pixels.ndim == _ARRAYS[what].count(","):
         pixels = pixels[..., np.newaxis]
-    _check(path, pixels, is_cube)
-    return np.ascontiguousarray(pixels), is_cube
+    _check(path, pixels, what)
+    return np.ascontiguousarray(pixels), what
 
 
 def _load_png(path: Path) -> NDArray[np.generic]:
@@ -60,13 +76,13 @@ def _load_png(path: Path) -> NDArray[np.generic]:
         raise input_error("SC530", f"cannot read the texture {path}: {error}") from None
 
 
-def _check(path: Path, pixels: NDArray[np.generic], is_cube: bool) -> None:
+def _check(path: Path, pixels: NDArray[np.generic], what: str) -> None:
     shape = pixels.shape
-    good = len(shape) == (4 if is_cube else 3) and min(shape) > 0 and shape[-1] <= 4
-    if good and is_cube:
+    wanted = _ARRAYS[what]
+    good = len(shape) == wanted.count(",") + 1 and min(shape) > 0 and shape[-1] <= 4
+    if good and what == "faces":
         good = shape[0] == 6 and shape[1] == shape[2]
     if not good:
-        wanted = "(6, n, n, c)" if is_cube else "(h, w, c)"
         raise _bad(path, f"has shape {shape}, not {wanted} with 1 to 4 channels")
     if pixels.dtype.name not in _DTYPES:
         raise _bad(path, f"has {pixels.dtype} values, not float32, float16 or uint8")
@@ -84,21 +100,23 @@ def upload_texture(gpu: Gpu, spec: TextureSpec) -> GlTexture:
     Raises:
         InputError: SC530, SC531 as ``load_pixels``.
     """
-    pixels, is_cube = load_pixels(spec.path)
-    texture = _create(gpu.ctx, pixels, is_cube)
+    pixels, what = load_pixels(spec.path)
+    texture = _create(gpu.ctx, pixels, what)
     if spec.mipmap:
         texture.build_mipmaps()
     texture.filter = _FILTERS[spec.filter, spec.mipmap]
-    if isinstance(texture, moderngl.Texture):
+    if not isinstance(texture, moderngl.TextureCube):
         texture.repeat_x = texture.repeat_y = spec.wrap == "repeat"
     if spec.anisotropy > 1.0:
         texture.anisotropy = min(spec.anisotropy, gpu.ctx.max_anisotropy)
     return texture
 
 
-def _create(ctx: moderngl.Context, pixels: NDArray[np.generic], is_cube: bool) -> GlTexture:
+def _create(ctx: moderngl.Context, pixels: NDArray[np.generic], what: str) -> GlTexture:
     height, width, channels = pixels.shape[-3:]
-    kind = _DTYPES[pixels.dtype.name]
-    if is_cube:
-        return ctx.texture_cube((width, height), channels, pixels.tobytes(), dtype=kind)
-    return ctx.texture((width, height), channels, pixels.tobytes(), dtype=kind)
+    kind, data = _DTYPES[pixels.dtype.name], pixels.tobytes()
+    if what == "faces":
+        return ctx.texture_cube((width, height), channels, data, dtype=kind)
+    if what == "layers":
+        return ctx.texture_array((width, height, len(pixels)), channels, data, dtype=kind)
+    return ctx.texture((width, height), channels, data, dtype=kind)

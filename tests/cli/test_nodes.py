@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
 
 from shadercache.cli.nodes import HEADER
+from shadercache.paths import data_path
 
 from .conftest import Shell
 
@@ -110,3 +112,33 @@ def test_nonsense_is_rejected_without_a_traceback(shell: Shell, text: bytes) -> 
     outcome = shell("nodes", "-", stdin=text)
     assert outcome.status == 1
     assert "error: " in outcome.err and "Traceback" not in outcome.err
+
+
+def test_what_a_node_depends_on_by_kind(shell: Shell, fragment: Path, rings: str) -> None:
+    nodes = shell("nodes", fragment, "--json").json["nodes"]
+    node = next(node for node in nodes if node["id"] == rings)
+    assert node["depends_on"] == {"varyings": ["v_position"], "textures": ["u_wood"]}
+    assert "changes_with" not in node
+
+
+def test_what_changes_with_the_light(shell: Shell) -> None:
+    dragon = data_path("corpus", "dragon")
+    outcome = shell("nodes", dragon / "dragon.frag", "--scene", "dragon", "--json")
+    found = {json.dumps(node["changes_with"]) for node in outcome.json["nodes"]}
+    assert {"{}", '{"light": ["u_light"]}', '{"view": ["u_eye"], "light": ["u_light"]}'} <= found
+    table = shell("nodes", dragon / "dragon.frag", "--scene", "dragon").out
+    assert "changes with" in table.splitlines()[0] and "light: u_light" in table
+
+
+def test_groups_name_the_node_that_stands_for_them(shell: Shell, fragment: Path) -> None:
+    nodes = {node["id"]: node for node in shell("nodes", fragment, "--json").json["nodes"]}
+    assert all(nodes[node["group"]]["group"] == node["group"] for node in nodes.values())
+    assert len({node["group"] for node in nodes.values()}) < len(nodes)
+    for node in nodes.values():
+        assert nodes[node["group"]]["offered"] or not node["offered"]
+
+
+def test_only_values_of_uniforms_have_a_text_for_the_cpu(shell: Shell, fragment: Path) -> None:
+    nodes = shell("nodes", fragment, "--json").json["nodes"]
+    told = {node["refusal"]["code"] for node in nodes if node["on_cpu"] is not None}
+    assert told <= {"SC303"}

@@ -155,7 +155,7 @@ def test_wrong_textures(textured: Stage, tmp_path: Path) -> None:
     )
     assert found == ["SC530"]
     for name, arrays, words in (
-        ("a", {"other": np.zeros((2, 2))}, "neither"),
+        ("a", {"other": np.zeros((2, 2))}, "no .pixels."),
         ("b", {"pixels": np.zeros((2, 2, 5), np.float32)}, "shape"),
         ("c", {"pixels": np.zeros((2, 2, 3))}, "float64"),
         ("d", {"faces": np.zeros((5, 2, 2, 3), np.float32)}, "shape"),

@@ -1,0 +1,40 @@
+"""The cases: fragment shaders, each of which is a trap for one thing the compiler might get wrong.
+
+Beside each stands what is expected of it: ``name.txt`` has a line for every node.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from pathlib import Path
+
+from shadercache.compiler import Analysis, analyse
+from shadercache.source import Source
+
+FOLDER = Path(__file__).parent
+NAMES = sorted(path.stem for path in FOLDER.glob("*.frag"))
+
+_VERSION = re.compile(r"#version (\d+)")
+
+
+def sources(name: str) -> tuple[Source, Source]:
+    """The case's fragment shader and the vertex shader of its version."""
+    return tuple(
+        Source(path.name, path.read_text(encoding="utf-8"))
+        for path in (FOLDER / f"{name}.frag", vertex(name))
+    )
+
+
+def vertex(name: str) -> Path:
+    """The vertex shader of the case's version."""
+    version = _VERSION.match((FOLDER / f"{name}.frag").read_text(encoding="utf-8"))
+    assert version is not None
+    found = FOLDER / f"shader_{version[1]}.vert"
+    return found if found.exists() else FOLDER / "shader.vert"
+
+
+@cache
+def analysed(name: str) -> Analysis:
+    """What the compiler makes of a case. Raises :class:`InputError` where it refuses it whole."""
+    return analyse(*sources(name))

@@ -1,0 +1,126 @@
+"""Hand-written traps: what is offered of each, laws 1 to 4, and the reference compiler's word."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from collections.abc import Iterable
+from contextlib import closing
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from laws.slices import VARIABLE, day_slice, seed
+
+from shadercache.analysis.candidates import Candidate
+from shadercache.compiler import emit_original, rewrite
+from shadercache.diagnostics import InputError, shortened
+from shadercache.harness.context import Gpu
+from shadercache.harness.scene import load_scene
+from shadercache.harness.shaders import with_aliases
+from shadercache.harness.verify import Verifier
+from shadercache.options import Mode, Options
+from tests.conftest import Golden
+
+from .cases import FOLDER, NAMES, analysed, sources, vertex
+
+SIZE = (40, 40)
+NODES = 3
+"""Of each case every day; the slices of successive days cover all of them."""
+
+WIDTH = 90
+MODES: tuple[Mode, ...] = ("plain", "proof")
+
+
+def told(name: str) -> list[Candidate]:
+    """The nodes of a case, but not those inside of ``wave``, which is the same in most of them."""
+    nodes = analysed(name).nodes
+    if name == "called_twice":
+        return list(nodes)
+    return [node for node in nodes if not node.path.split(" > ")[-1].startswith("wave")]
+
+
+def legal(name: str) -> list[Candidate]:
+    return [node for node in told(name) if node.legal]
+
+
+def cacheable(name: str) -> bool:
+    """Is the case one of which any value could be cached, or is it refused as a whole?"""
+    try:
+        analysed(name)
+    except InputError:
+        return False
+    return True
+
+
+CACHEABLE = [name for name in NAMES if cacheable(name)]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_golden_nodes(name: str, golden: Golden) -> None:
+    try:
+        lines = [_line(node) for node in told(name)]
+    except InputError as error:
+        lines = [item.render() for item in error.diagnostics]
+    golden(FOLDER / f"{name}.txt", "".join(f"{line}\n" for line in lines))
+
+
+def _line(node: Candidate) -> str:
+    verdict = node.refusal.code.code if node.refusal else "offered"
+    return f"{verdict:8}{node.path}: {shortened(node.text, WIDTH)}"
+
+
+@pytest.mark.xdist_group("gl")
+@pytest.mark.parametrize("name", CACHEABLE)
+def test_laws_1_to_4(name: str, gpu: Gpu, scene_folder: Path) -> None:
+    scene = load_scene(scene_folder)
+    analysis = analysed(name)
+    paths = (scene_folder / f"{name}.frag", scene_folder / vertex(name).name)
+    scene = replace(scene, fragment=paths[0], vertex=paths[1])
+    scene = with_aliases(scene, analysis.renamed)
+    with closing(Verifier(gpu, scene, analysis, SIZE)) as verifier:
+        found = verifier.round_trip()
+        nodes = day_slice(legal(name), seed(), NODES)
+        verdicts = [verifier.check(node, plain=False) for node in nodes]
+        assert verifier.covered[0].mean() > 0.2
+    assert found is not None and found.exact
+    broken = {
+        f"{item.path}: {item.text}": item.failure or item.broken for item in verdicts if item.broken
+    }
+    assert not broken, f"{VARIABLE}={seed()} repeats this"
+
+
+@pytest.mark.skipif(shutil.which("glslangValidator") is None, reason="glslang is not installed")
+@pytest.mark.parametrize("name", CACHEABLE)
+def test_the_reference_compiler_says_no_more_than_of_the_original(
+    name: str, tmp_path: Path
+) -> None:
+    analysis = analysed(name)
+    shaders = {Path(source.name).suffix: source.text for source in sources(name)}
+    accepted = _complaints([(f"user{suffix}", text) for suffix, text in shaders.items()], tmp_path)
+    assert not any(line.startswith("ERROR") for line in accepted)
+    texts = [item for mode in MODES for item in emit_original(analysis, mode).files.items()]
+    for node in legal(name):
+        for mode in MODES:
+            emission = rewrite(analysis, node, Options(mode), unprofitable=True)
+            texts += emission.files.items()
+    assert _complaints(texts, tmp_path) <= accepted
+
+
+def _complaints(texts: Iterable[tuple[str, str]], folder: Path) -> set[str]:
+    """What glslang says of the shaders, without file and line: each text is judged alone."""
+    files = {}
+    for name, text in texts:
+        files.setdefault((Path(name).suffix, text), f"{len(files)}-{name}")
+    for (_, text), name in files.items():
+        (folder / name).write_text(text, encoding="utf-8")
+    # -C: all errors of a file, not the first alone.
+    line = ["glslangValidator", "-C", *(str(folder / name) for name in files.values())]
+    done = subprocess.run(line, capture_output=True, text=True)
+    said = [line for line in done.stdout.splitlines() if not line.startswith(str(folder))]
+    return {_bare(line) for line in said if line.strip()}
+
+
+def _bare(line: str) -> str:
+    word, _, rest = line.partition(": ")
+    return f"{word}: {rest.partition(': ')[2]}" if word in ("ERROR", "WARNING") else line
