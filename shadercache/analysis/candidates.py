@@ -23,8 +23,11 @@ from shadercache.lang.types import Type
 from shadercache.sema.facts import Facts
 from shadercache.source import Source, Span
 
-MAX_CHANNELS = 3
-"""Payload channels of a cache texel; the fourth holds the depth."""
+MAX_CHANNELS = 7
+"""Payload channels of two cache texels; the eighth holds the depth."""
+
+STORABLE = frozenset[str | None](("float", "int", "uint", "bool"))
+"""Scalar types that a channel of 32 bits can hold."""
 
 MAX_TEXT = 2_000
 """Characters of a node's text: each of 10,000 sums in a row holds those before it."""
@@ -118,6 +121,7 @@ class _Judge:
         bit = slices.leaf_bit
         written = written_anywhere(module, table)
         self.mutable = sum({bit(name) for name in written})
+        self.structs = {d.type.struct for d in module.decls if isinstance(d, n.VarDecl)} - {None}
         self.derivative = bit(DERIVATIVE)
         self.varying = sum({bit(name) for name in _varyings(module)})
 
@@ -173,9 +177,16 @@ class _Judge:
             return Refusal(Code.OPAQUE, str(kind))
         if kind.components is None or kind.components > MAX_CHANNELS:
             return Refusal(Code.WIDE, str(kind))
-        if not (kind.is_float and (kind.is_scalar or kind.is_vector)):
-            return Refusal(Code.NOT_FLOAT, str(kind))
+        if not kind.bases <= STORABLE or not self._declared_outside(kind):
+            return Refusal(Code.UNSTORABLE, str(kind))
         return None
+
+    def _declared_outside(self, kind: Type) -> bool:
+        """Can a global variable of the type be declared?"""
+        if kind.struct is None:
+            return True
+        known = self.facts.structs.get(kind.struct) in self.structs
+        return known and all(map(self._declared_outside, kind.struct.fields.values()))
 
     def _by_effects(self, instance: Instance, place: Place) -> Refusal | None:
         effects = self.table.of(place.expr)

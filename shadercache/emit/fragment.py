@@ -21,6 +21,7 @@ from shadercache.emit.assemble import (
     without_main,
 )
 from shadercache.emit.keep_globals import call_keeping
+from shadercache.emit.layout import Layout
 from shadercache.emit.runtime import load_part, runtime_names
 from shadercache.sema.facts import Facts, Symbol
 from shadercache.transform.drop_parameters import drop_parameters
@@ -50,10 +51,11 @@ class FragmentEmitter:
     def __init__(self, program: FragmentProgram, node: Candidate) -> None:
         assert node.instance is not None and node.place is not None
         self.program, self.node = program, node
-        self.components = node.type.components or 1
+        self.layout = Layout(node.type)
         self.precisions = PrecisionTable(program.module, program.facts)
         self.payload = program.prefix + "payload"
-        self.store = program.prefix + "store"
+        stores = ("store", "store_2") if self.layout.second else ("store",)
+        self.stores = [program.prefix + name for name in stores]
         found = program.candidates.slices.before(node.instance, node.place.step.index, node.expr)
         self.fetches = program.candidates.derivatives.inside(node.instance, node.place, found)
 
@@ -180,7 +182,7 @@ class FragmentEmitter:
     ) -> Shader:
         """``both``: colour and cache are written; else the cache if ``store``, else the colour."""
         outputs = [self.program.color] if both or not store else []
-        outputs += [self.store] if store else []
+        outputs += self.stores if store else []
         locations = {name: i for i, name in enumerate(outputs)}
         return self._build(template, clones, extra or (), locations)
 
@@ -195,7 +197,7 @@ class FragmentEmitter:
         # ``main`` comes last: GLSL wants functions declared before they are called.
         names = ("lookup", "store", template)
         precision = self.precisions.of(self.node.expr)
-        parts = [load_part(name, self.components, prefix, precision) for name in names]
+        parts = [load_part(name, self.layout, prefix, precision) for name in names]
         user = insert_clones(self.program.module, *clones)
         module = merge(self.program.module, without_main(user), extra, *parts)
         made = {clone.name for group in clones for _, clone in group.made}

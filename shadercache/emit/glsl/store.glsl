@@ -1,10 +1,20 @@
-// What a pass writes into the cache: the payload, padded to three channels, and 1/w.
+// What a pass writes into the cache: the payload, padded to three channels, and 1/w; what does not
+// fit there goes to the second texture.
 
 in vec4 sc_current;  // clip-space position in this frame
-out vec4 sc_store;   // the texel of the cache
+out TEXEL sc_store;  // the texel of the cache
+#if SC_TARGETS == 2
+out TEXEL sc_store_2;
+#endif
 
 PAYLOAD sc_payload;
 
-vec4 sc_texel() {
-    return vec4(sc_payload PADDING, 1.0 / sc_current.w);
+TEXEL sc_texel() {
+    return TEXEL(PACKED_1, DEPTH);
 }
+
+#if SC_TARGETS == 2
+TEXEL sc_texel_2() {
+    return TEXEL(PACKED_2);
+}
+#endif
