@@ -23,8 +23,8 @@ from shadercache.lang.types import Type
 from shadercache.sema.facts import Facts
 from shadercache.source import Source, Span
 
-MAX_CHANNELS = 7
-"""Payload channels of two cache texels; the eighth holds the depth."""
+FIRST_TEXEL, SECOND_TEXEL = 3, 4
+"""Channels for the payload in the two texels that a cache can have; the eighth holds the depth."""
 
 STORABLE = frozenset[str | None](("float", "int", "uint", "bool"))
 """Scalar types that a channel of 32 bits can hold."""
@@ -155,8 +155,12 @@ class _Judge:
             or self._by_effects(instance, place)
             or self._by_inputs(place.expr, found)
             or self._by_use(instance, place)
-            or (Refusal(Code.CHEAP) if cost < FETCH else None)
+            or self._by_cost(kind, cost)
         )
+
+    def _by_cost(self, kind: Type, cost: float) -> Refusal | None:
+        fetches = 1 if kind.components_or_one <= FIRST_TEXEL else 2
+        return Refusal(Code.CHEAP) if cost < fetches * FETCH else None
 
     def _by_place(self, instance: Instance, place: Place) -> Refusal | None:
         uses = (instance.use, place.use)
@@ -175,7 +179,7 @@ class _Judge:
     def _by_type(self, kind: Type) -> Refusal | None:
         if kind.is_void or kind.holds_opaque:
             return Refusal(Code.OPAQUE, str(kind))
-        if kind.components is None or kind.components > MAX_CHANNELS:
+        if kind.components is None or kind.components > FIRST_TEXEL + SECOND_TEXEL:
             return Refusal(Code.WIDE, str(kind))
         if not kind.bases <= STORABLE or not self._declared_outside(kind):
             return Refusal(Code.UNSTORABLE, str(kind))

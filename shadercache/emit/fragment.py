@@ -51,7 +51,7 @@ class FragmentEmitter:
     def __init__(self, program: FragmentProgram, node: Candidate) -> None:
         assert node.instance is not None and node.place is not None
         self.program, self.node = program, node
-        self.layout = Layout(node.type)
+        self.layout = Layout(node.type, program.module.profile == "es")
         self.precisions = PrecisionTable(program.module, program.facts)
         self.payload = program.prefix + "payload"
         stores = ("store", "store_2") if self.layout.second else ("store",)
@@ -195,7 +195,7 @@ class FragmentEmitter:
     ) -> Shader:
         prefix = self.program.prefix
         # ``main`` comes last: GLSL wants functions declared before they are called.
-        names = ("lookup", "store", template)
+        names = ("lookup", "wide", "store", template)
         precision = self.precisions.of(self.node.expr)
         parts = [load_part(name, self.layout, prefix, precision) for name in names]
         user = insert_clones(self.program.module, *clones)

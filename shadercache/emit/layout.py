@@ -17,11 +17,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import groupby
 
+from shadercache.analysis.candidates import FIRST_TEXEL, SECOND_TEXEL
 from shadercache.lang.types import Type
 from shadercache.options import CacheFormat
-
-FIRST, SECOND = 3, 4
-"""Payload channels of the two texels."""
 
 _XYZW = "xyzw"
 _NARROWEST = {1: "r", 2: "rg", 3: "rgba", 4: "rgba"}
@@ -38,9 +36,13 @@ class _Leaf:
 
 @dataclass(frozen=True)
 class Layout:
-    """Where each scalar of a payload lies. ``type`` has at most :data:`FIRST` + :data:`SECOND`."""
+    """Where each scalar of a payload lies. ``type`` has at most seven scalars.
+
+    ``es``: is it for GLSL ES, where integers may have 16 bits until they are made ``highp``?
+    """
 
     type: Type
+    es: bool = False
 
     @property
     def bits(self) -> bool:
@@ -51,7 +53,7 @@ class Layout:
     def channels(self) -> tuple[int, ...]:
         """How many channels of each texel the payload takes."""
         count = self.type.components_or_one
-        return (count,) if count <= FIRST else (FIRST, count - FIRST)
+        return (count,) if count <= FIRST_TEXEL else (FIRST_TEXEL, count - FIRST_TEXEL)
 
     @property
     def second(self) -> bool:
@@ -68,9 +70,9 @@ class Layout:
         kind = "32ui" if self.bits else cache_format.removeprefix("rgba")
         return (f"rgba{kind}", *(_NARROWEST[n] + kind for n in self.channels[1:]))
 
-    def macros(self, payload: str) -> dict[str, str]:
-        """The macros of the ``.glsl`` files; ``payload`` is the variable's name."""
-        leaves = list(_leaves(self.type, payload, 0))
+    def macros(self, prefix: str) -> dict[str, str]:
+        """The macros of the ``.glsl`` files, where all names have that prefix."""
+        leaves = list(_leaves(self.type, f"{prefix}payload", 0))
         zero = "0u" if self.bits else "0.0"
         used = self.type.components_or_one
         found = {
@@ -78,9 +80,13 @@ class Layout:
             "SC_BITS": str(int(self.bits)),
             "UNPACKED": self._unpacked(self.type, iter(leaves)),
         }
-        for number, (start, end) in enumerate(((0, FIRST), (FIRST, FIRST + SECOND)), start=1):
+        for number, (start, end) in enumerate(
+            ((0, FIRST_TEXEL), (FIRST_TEXEL, FIRST_TEXEL + SECOND_TEXEL)), start=1
+        ):
             padding = [zero] * (end - max(start, min(end, used)))
-            found[f"PACKED_{number}"] = ", ".join([*self._packed(leaves, start, end), *padding])
+            found[f"PACKED_{number}"] = ", ".join(
+                [*self._packed(leaves, start, end, prefix), *padding]
+            )
             discrete = _discrete(leaves, start, end)
             found[f"SC_DISCRETE_{number}"] = str(int(any(discrete)))
             marks = ("0xFFFFFFFFu" if mark else "0u" for mark in discrete)
@@ -94,7 +100,7 @@ class Layout:
         """The names of the structs that the payload is made of."""
         return tuple(dict.fromkeys(_structs(self.type)))
 
-    def _packed(self, leaves: list[_Leaf], start: int, end: int) -> list[str]:
+    def _packed(self, leaves: list[_Leaf], start: int, end: int, prefix: str) -> list[str]:
         """The channels from ``start`` to ``end``, those of one vector together."""
         parts: list[str] = []
         for leaf in leaves:
@@ -105,6 +111,8 @@ class Layout:
             text = leaf.path
             if len(inside) < count:
                 text += "." + "".join(_XYZW[i] for i in inside)
+            if self.es and leaf.type.base == "int":
+                text = f"{prefix}wide_{len(inside)}({text})"
             parts.append(self._to_channel(text, leaf.type.base, len(inside)))
         return parts
 
@@ -132,8 +140,8 @@ class Layout:
     def _fetched(self, leaf: _Leaf) -> list[str]:
         parts: list[str] = []
         channels = range(leaf.start, leaf.start + leaf.type.components_or_one)
-        for number, group in groupby(channels, key=lambda channel: channel // FIRST > 0):
-            first = FIRST if number else 0
+        for number, group in groupby(channels, key=lambda channel: channel // FIRST_TEXEL > 0):
+            first = FIRST_TEXEL if number else 0
             name = "texel_2" if number else "texel"
             text = f"{name}.{''.join(_XYZW[channel - first] for channel in group)}"
             as_float = self.bits and leaf.type.base == "float"

@@ -1,7 +1,7 @@
 """The fixed GLSL text of the variants, parsed.
 
-It stands in the ``.glsl`` files of this folder; the payload's type and how it is packed are filled in
-through macros.
+It stands in the ``.glsl`` files of this folder; the payload's type and how it is packed are filled
+in through macros.
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ FOLDER = Path(__file__).with_name("glsl")
 SPREAD = 24.0
 """How many epsilons a single texel of the filter may be off in depth (docs/NUMERICS.md)."""
 
+
 @cache
 def load_part(
     name: str, layout: Layout, prefix: str, precision: str | None = None
@@ -37,7 +38,7 @@ def load_part(
     macros = {
         "PAYLOAD": f"{precision} {kind}" if precision and layout.takes_precision else kind,
         "SC_SPREAD": str(SPREAD),
-        **layout.macros(f"{prefix}payload"),
+        **layout.macros(prefix),
         **{f"SC_{key.upper()}": str(value) for key, value in OUTCOMES.items()},
     }
     lines = ["#version 330", *(f"#define {key} {value}" for key, value in macros.items())]

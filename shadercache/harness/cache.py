@@ -46,7 +46,8 @@ class _Layer:
 
     def clear(self, value: Sequence[float]) -> None:
         if self.dtype.kind != "u":
-            self.frame.clear(*value)
+            red, green, blue, alpha = value
+            self.frame.clear(red, green, blue, alpha)
             return
         # The result of ``glClear`` is undefined for integers; empty texels are copied instead.
         if self.empty is None:

@@ -1,4 +1,4 @@
-"""Laws 2 to 4 for a payload of every type: the bits that are stored are the bits that come back."""
+"""Laws 2 to 5 for a payload of every type: the bits that are stored are the bits that come back."""
 
 from __future__ import annotations
 
@@ -7,16 +7,18 @@ from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
 
+import numpy as np
 import pytest
 from harness.test_independent import agree
-from laws.ground_truth import VERTEX, body_mesh, body_scene
+from laws.ground_truth import body_mesh, body_scene
 from laws.test_mutations import Replace, broken
+from payloads import DESKTOP, ES, FRAGMENT, PAYLOADS, VERTEX, analysed_payload
 
 from shadercache.analysis.candidates import Candidate
-from shadercache.compiler import Analysis, analyse, rewrite
+from shadercache.compiler import analyse, rewrite
 from shadercache.harness.bundle import Bundle, load_bundle
 from shadercache.harness.context import Gpu
-from shadercache.harness.runner import RunOptions, VariantRunner
+from shadercache.harness.runner import OriginalRunner, RunOptions, VariantRunner
 from shadercache.harness.stage import Stage
 from shadercache.harness.verify import Verifier
 from shadercache.options import Options
@@ -26,74 +28,17 @@ pytestmark = pytest.mark.xdist_group("payload-types")
 
 ALL = ("1-pass", "2-pass", "3-pass")
 HIT = "2-pass.hit.frag"
-
-PAYLOADS = {
-    # As floats these are a signalling NaN, infinity and two denormal numbers.
-    "bits": (
-        "uvec4(0x7F800001u, 0x7F800000u, 1u, 2u) << uint(wave.x > 0.0)",
-        "vec3(it.x == 0xFF000002u, it.z == 2u, it.w == 4u)",
-    ),
-    "float": ("wave.x", "vec3(it)"),
-    "vec2": ("wave.xy", "it.xyx"),
-    "vec3": ("wave.xyz", "it"),
-    "vec4": ("wave * wave.yzwx", "it.xyz * it.w"),
-    "int": ("int(9.0 * wave.x)", "vec3(it) / 9.0"),
-    "uint": ("floatBitsToUint(wave.x) >> 20", "vec3(it & 1023u) / 1024.0"),
-    "ivec2": ("ivec2(5.0 * wave.xy)", "vec3(it, it.x - it.y) / 5.0"),
-    "ivec3": ("ivec3(5.0 * wave.xyz)", "vec3(it) / 5.0"),
-    "ivec4": ("ivec4(3.0 * wave)", "vec3(it.xyz + it.w) / 5.0"),
-    "uvec2": ("uvec2(3.0 + 3.0 * wave.xy)", "vec3(it.xyx) / 6.0"),
-    "uvec3": ("uvec3(3.0 + 3.0 * wave.xyz)", "vec3(it) / 6.0"),
-    "uvec4": ("uvec4(3.0 + 3.0 * wave)", "vec3(it.xyz * it.w) / 36.0"),
-    "bool": ("wave.x * wave.y > 0.0", "(it ? vec3(1.0, 0.5, 0.2) : vec3(0.1))"),
-    "bvec2": ("greaterThan(wave.xy, wave.yz)", "vec3(it, it.x != it.y)"),
-    "bvec3": ("greaterThan(wave.xyz, wave.yzx)", "vec3(it)"),
-    "bvec4": ("greaterThan(wave, vec4(0.1))", "vec3(it.xyz) * (it.w ? 1.0 : 0.5)"),
-    "mat2": ("outerProduct(wave.xy, wave.zw)", "vec3(it * wave.xy, it[1][0])"),
-    "mat2x3": ("outerProduct(wave.xyz, wave.xy)", "it * wave.xy"),
-    "mat3x2": ("outerProduct(wave.xy, wave.xyz)", "wave.xy * it"),
-    "Pair": ("Pair(wave.xy, wave.z)", "vec3(it.a, it.b)"),
-    "Whole": ("Whole(wave.xyz, wave)", "it.a + it.b.xyz * it.b.w"),
-    "Mixed": (
-        "Mixed(Pair(wave.xy, wave.z), wave.x > 0.3, ivec2(2.0 * wave.yz), uint(3.0 + wave.x))",
-        "vec3(it.pair.a, it.pair.b) * (it.sign ? 1.0 : 0.4) + vec3(it.cell, it.number) / 20.0",
-    ),
-    "float[5]": (
-        "float[5](wave.x, wave.y, wave.z, wave.w, wave.x * wave.y)",
-        "vec3(it[0] + it[3], it[1] + it[4], it[2])",
-    ),
-}
-
-FRAGMENT = """#version 330
-in vec3 v_position;
-in vec3 v_normal;
-out vec4 o_color;
-struct Pair { vec2 a; float b; };
-struct Whole { vec3 a; vec4 b; };
-struct Mixed { Pair pair; bool sign; ivec2 cell; uint number; };
-void main() {
-    vec4 wave = sin(9.0 * v_position.xyzx) * cos(5.0 * v_position.yzxy);
-    TYPE it = VALUE;
-    o_color = vec4(0.5 + 0.5 * (USE) * normalize(v_normal).z, 1.0);
-}
-"""
+CASES = [(name, DESKTOP) for name in PAYLOADS] + [
+    (name, ES) for name in ("vec4", "ivec3", "bvec2", "mat2", "Mixed")
+]
 
 
-def analysed(name: str) -> tuple[Analysis, Candidate]:
-    """The shader whose payload is of a type, and its node."""
-    value, use = PAYLOADS[name]
-    kind = "uvec4" if name == "bits" else name
-    text = FRAGMENT.replace("TYPE", kind).replace("VALUE", value).replace("USE", use)
-    analysis = analyse(Source("typed.frag", text), Source("typed.vert", VERTEX))
-    node = next(node for node in analysis.nodes if node.text == value)
-    assert str(node.type) == kind
-    return analysis, node
-
-
-@pytest.fixture(scope="module", params=list(PAYLOADS))
+@pytest.fixture(
+    scope="module", params=CASES, ids=[f"{name}{'-es' * (head == ES)}" for name, head in CASES]
+)
 def case(gpu: Gpu, request: pytest.FixtureRequest) -> Iterator[tuple[Verifier, Candidate]]:
     """The trash can's shape, turning fast, under a shader with such a payload."""
-    analysis, node = analysed(request.param)
+    analysis, node = analysed_payload(*request.param)
     scene, mesh = body_scene("trashcan", 3.0), body_mesh("trashcan")
     with closing(Verifier(gpu, scene, analysis, mesh=mesh)) as made:
         yield made, node
@@ -109,7 +54,10 @@ def test_laws_2_to_4(case: tuple[Verifier, Candidate]) -> None:
     verdict = verifier.check(node)
     assert verdict.broken == [], verdict.failure
     assert set(verdict.always) == set(ALL)
-    assert max(item.maximum for item in verdict.plain.values()) < 1e-2
+    # Drivers round a mediump number before it becomes an integer, or do not: up to a step here.
+    discrete = node.type.bases != {"float"}
+    for item in verdict.plain.values():
+        assert item.maximum < 1e-5 or (discrete and item.changed < 0.01)
 
 
 def test_payloads_are_reused_in_motion(case: tuple[Verifier, Candidate]) -> None:
@@ -121,16 +69,23 @@ def test_payloads_are_reused_in_motion(case: tuple[Verifier, Candidate]) -> None
             runner.draw(frame)
         mask = runner.hit_mask(3)
     share = (mask == bundle.mask_values["hit"]).sum() / (mask > 0).sum()
-    assert share > 0.5, f"{share:.3f} of the pixels are hits"
+    # Where integers change from one pixel to the next, nothing may be reused.
+    assert share > (0.8 if node.type.bases == {"float"} else 0.1)
 
 
+@pytest.mark.parametrize(
+    "case", [(name, DESKTOP) for name in ("vec4", "int", "bvec4", "mat2", "Mixed")], indirect=True
+)
 def test_a_store_that_loses_the_payload_is_noticed(case: tuple[Verifier, Candidate]) -> None:
     verifier, node = case
     bundle = proof_of(verifier, node)
-    store, zero = "sc_store = sc_texel();", "u" if "usampler" in bundle.files[HIT] else ""
-    lost = {store: f"{store} sc_store.xyz = {zero}vec3(0);"}
+    store, kind = (
+        "sc_store = sc_texel();",
+        "uvec" if "uvec4 sc_store" in bundle.files[HIT] else "vec",
+    )
+    lost = {store: f"{store} sc_store.xyz = {kind}3(0);"}
     if "sc_store_2" in bundle.files[HIT]:
-        lost["sc_store_2 = sc_texel_2();"] = f"sc_store_2 = {zero}vec4(0);"
+        lost["sc_store_2 = sc_texel_2();"] = f"sc_store_2 = {kind}4(0);"
     for old, new in lost.items():
         mutation = Replace(old, new, "2-pass.miss")
         assert "law 3 (2-pass)" in broken(verifier, mutation.bundle(bundle)), old
@@ -138,13 +93,67 @@ def test_a_store_that_loses_the_payload_is_noticed(case: tuple[Verifier, Candida
 
 @pytest.mark.parametrize("name", ["vec4", "bits", "Mixed"])
 def test_an_engine_needs_only_the_manifest(gpu: Gpu, tmp_path: Path, name: str) -> None:
-    analysis, node = analysed(name)
+    analysis, node = analysed_payload(name)
     emission = rewrite(analysis, node, unprofitable=True)
     for file, text in emission.files.items():
         (tmp_path / file).write_text(text)
     (tmp_path / "manifest.json").write_text(json.dumps(emission.manifest))
-    with Stage(
-        gpu, body_scene("trashcan", 3.0), (96, 96), "rgba32f", body_mesh("trashcan")
-    ) as stage:
+    bundle = load_bundle(tmp_path)
+    scene, mesh = body_scene("trashcan", 3.0), body_mesh("trashcan")
+    with Stage(gpu, scene, (96, 96), "rgba32f", mesh) as stage:
         for algorithm in ALL:
-            assert agree(stage, load_bundle(tmp_path), tmp_path, algorithm, None)
+            assert agree(stage, bundle, tmp_path, algorithm, None)
+            assert agree(stage, bundle, tmp_path, algorithm, "rgba32f")
+
+
+@pytest.mark.parametrize("name", ["vec3", "vec4", "bits", "Mixed"])
+def test_a_run_can_be_taken_up_from_its_cache(gpu: Gpu, name: str) -> None:
+    analysis, node = analysed_payload(name)
+    emission = rewrite(analysis, node, Options(cache_format="rgba32f"), unprofitable=True)
+    bundle = Bundle(emission.manifest, emission.files)
+    scene, mesh = body_scene("trashcan", 1.0), body_mesh("trashcan")
+    with (
+        Stage(gpu, scene, (96, 96), "rgba32f", mesh) as stage,
+        VariantRunner(stage, bundle, "2-pass") as runner,
+        VariantRunner(stage, bundle, "3-pass") as other,
+    ):
+        runner.draw(0)
+        stored = runner.cache()
+        image = runner.image(1).copy()
+        other.restore(stored, 0)
+        assert other.cache().tobytes() == stored.tobytes()
+        assert other.image(1).tobytes() == image.tobytes()
+
+
+CELLS = "ivec3(floor(4.0 * v_position))"
+NO_QUESTION = Replace("return ((a ^ b | a ^ c | a ^ d) & discrete) == uvec4(0u);", "return true;")
+
+
+@pytest.mark.parametrize("broken_on_purpose", [False, True])
+def test_integers_do_not_slide(gpu: Gpu, broken_on_purpose: bool) -> None:
+    """Law 5: a motion of less than half a pixel a frame must not carry integers along.
+
+    Without the question whether all four texels agree, a pixel keeps its integer for ever.
+    """
+    text = FRAGMENT.replace("HEAD", DESKTOP).replace("TYPE", "ivec3").replace("VALUE", CELLS)
+    text = text.replace("(USE) * normalize(v_normal).z", "vec3(it & 1)")
+    vertex = Source("cells.vert", VERTEX.replace("HEAD", DESKTOP))
+    analysis = analyse(Source("cells.frag", text), vertex)
+    node = next(node for node in analysis.nodes if node.text == CELLS)
+    emission = rewrite(analysis, node, unprofitable=True)
+    bundle = Bundle(emission.manifest, emission.files)
+    if broken_on_purpose:
+        bundle = NO_QUESTION.bundle(bundle)
+    wrong, covered = 0, 0
+    with (
+        Stage(gpu, body_scene("trashcan", 0.3), (192, 192), "rgba32f", body_mesh("trashcan")) as on,
+        OriginalRunner(on, bundle) as original,
+        VariantRunner(on, bundle, "2-pass") as runner,
+    ):
+        for frame in range(16):
+            expected = original.image(frame).copy()
+            found = runner.image(frame)
+            wrong += int((found != expected).any(axis=-1).sum())
+            covered += int(np.count_nonzero(expected[..., 3]))
+    share = wrong / covered
+    assert (share > 0.05) if broken_on_purpose else (share < 1e-4), f"{share:.2e}"
