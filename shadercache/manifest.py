@@ -11,6 +11,7 @@ from typing import Any
 
 from shadercache import __version__
 from shadercache.analysis.candidates import Candidate
+from shadercache.emit.layout import Layout
 from shadercache.emit.program_set import Pass, ProgramSet
 from shadercache.emit.runtime import OUTCOMES
 from shadercache.options import Options
@@ -21,7 +22,10 @@ SCHEMA_VERSION = 1
 CLEAR = (0.0, 0.0, 0.0, -1.0)
 """Of an empty cache texel: 1/w is positive wherever something is drawn, so -1 matches nothing."""
 
-_CHANNELS = ("x", "xy", "xyz")
+CLEAR_BITS = (0.0, 0.0, 0.0, 0.0)
+"""Where texels are unsigned integers: a depth of zero matches nothing either."""
+
+_CHANNELS = ("x", "xy", "xyz", "xyzw")
 
 FRAME = (
     "Swap the two caches: what was written in the last frame is the previous cache now.",
@@ -31,6 +35,11 @@ FRAME = (
     "frame; the clock is the frame number modulo the period, reduced on the CPU.",
     "Draw the passes of the variant in order. All objects finish a pass before the next begins. "
     "Bind targets[i] at colour attachment i; do not blend.",
+)
+
+FRAME_OF_TWO = (
+    "What is said of a cache holds for its second texture (cache.second) as well; both are cleared "
+    "to values of their own."
 )
 
 RESET = (
@@ -60,7 +69,7 @@ def build_manifest(
     """The manifest of a program set; ``renamed`` leads from the user's names to the variants'."""
     assert programs.original is not None and programs.debug is not None
     assert programs.payload is not None
-    channels = _CHANNELS[(node.type.components or 1) - 1]
+    layout = Layout(node.type)
     relies = list(RELIES_ON)
     if programs.unchanging:
         names = ", ".join(programs.unchanging)
@@ -72,16 +81,8 @@ def build_manifest(
         "node": _node(fragment, node),
         "mode": options.mode,
         "color": {"output": programs.color, "location": 0},
-        "cache": {
-            "format": options.cache_format,
-            "buffers": 2,
-            "clear": list(CLEAR),
-            "filter": "nearest",
-            "wrap": "clamp-to-edge",
-            "channels": {"payload": channels, "depth": "w"},
-            "depth_encoding": "1/w",
-        },
-        "uniforms": _uniforms(programs.prefix, options),
+        "cache": _cache(layout, options),
+        "uniforms": _uniforms(programs.prefix, layout, options),
         "renamed": dict(renamed),
         "previous": programs.previous,
         "original": _pass(programs.original),
@@ -95,7 +96,7 @@ def build_manifest(
         ],
         "payload": _pass(programs.payload),
         "debug": _pass(programs.debug) | {"values": OUTCOMES},
-        "frame": list(FRAME),
+        "frame": [*FRAME, *[FRAME_OF_TWO] * layout.second],
         "reset": list(RESET),
         "relies_on": relies,
     }
@@ -109,6 +110,24 @@ def original_manifest(programs: ProgramSet, options: Options) -> dict[str, Any]:
         "mode": options.mode,
         "original": _pass(programs.original),
     }
+
+
+def _cache(layout: Layout, options: Options) -> dict[str, Any]:
+    formats = layout.formats(options.cache_format)
+    channels = [_CHANNELS[count - 1] for count in layout.channels]
+    cache: dict[str, Any] = {
+        "format": formats[0],
+        "buffers": 2,
+        "clear": list(CLEAR_BITS if layout.bits else CLEAR),
+        "filter": "nearest",
+        "wrap": "clamp-to-edge",
+        "channels": {"payload": channels[0], "depth": "w"},
+        "depth_encoding": "floatBitsToUint(1/w)" if layout.bits else "1/w",
+    }
+    if layout.second:
+        more = {"format": formats[1], "clear": [0.0] * 4, "channels": {"payload": channels[1]}}
+        cache["second"] = more
+    return cache
 
 
 def _source(source: Source) -> dict[str, str]:
@@ -145,7 +164,7 @@ def _pass(item: Pass) -> dict[str, Any]:
     }
 
 
-def _uniforms(prefix: str, options: Options) -> list[dict[str, Any]]:
+def _uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[str, Any]]:
     """Every uniform that the compiler adds, the twins of the user's apart."""
 
     def entry(
@@ -154,9 +173,15 @@ def _uniforms(prefix: str, options: Options) -> list[dict[str, Any]]:
         base = {"name": prefix + name, "type": kind, "role": role, "meaning": meaning}
         return base | {"unit": unit, "range": more.get("range"), "default": more.get("default")}
 
+    sampler = "usampler2D" if layout.bits else "sampler2D"
+    second = [
+        entry("cache_2", sampler, "previous-cache-2", "the rest of what the last frame stored"),
+        entry("payloads_2", sampler, "current-cache-2", "the rest of what this frame has stored"),
+    ]
     return [
-        entry("cache", "sampler2D", "previous-cache", "what the last frame stored"),
-        entry("payloads", "sampler2D", "current-cache", "what this frame has stored so far"),
+        entry("cache", sampler, "previous-cache", "what the last frame stored"),
+        entry("payloads", sampler, "current-cache", "what this frame has stored so far"),
+        *(second if layout.second else ()),
         entry(
             "clock",
             "int",

@@ -29,8 +29,11 @@ from shadercache.lang.types import Type
 from shadercache.sema.facts import Facts
 from shadercache.source import NOWHERE, Source, Span
 
-MAX_CHANNELS = 3
-"""Payload channels of a cache texel; the fourth holds the depth."""
+FIRST_TEXEL, SECOND_TEXEL = 3, 4
+"""Channels for the payload in the two texels that a cache can have; the eighth holds the depth."""
+
+STORABLE = frozenset[str | None](("float", "int", "uint", "bool"))
+"""Scalar types that a channel of 32 bits can hold."""
 
 MAX_TEXT = 2_000
 """Characters of a node's text: each of 10,000 sums in a row holds those before it."""
@@ -134,6 +137,7 @@ class _Judge:
         bit = slices.leaf_bit
         written = written_anywhere(module, table)
         self.mutable = sum({bit(name) for name in written})
+        self.structs = {d.type.struct for d in module.decls if isinstance(d, n.VarDecl)} - {None}
         self.derivative = bit(DERIVATIVE)
         self.varying = sum({bit(name) for name in _varyings(module)})
 
@@ -167,8 +171,12 @@ class _Judge:
             or self._by_effects(instance, place)
             or self._by_inputs(place.expr, found)
             or self._by_use(instance, place)
-            or (Refusal(Code.CHEAP) if cost < FETCH else None)
+            or self._by_cost(kind, cost)
         )
+
+    def _by_cost(self, kind: Type, cost: float) -> Refusal | None:
+        fetches = 1 if kind.components_or_one <= FIRST_TEXEL else 2
+        return Refusal(Code.CHEAP) if cost < fetches * FETCH else None
 
     def _by_place(self, instance: Instance, place: Place) -> Refusal | None:
         uses = (instance.use, place.use)
@@ -183,11 +191,18 @@ class _Judge:
     def _by_type(self, kind: Type) -> Refusal | None:
         if kind.is_void or kind.holds_opaque:
             return Refusal(Code.OPAQUE, str(kind))
-        if kind.components is None or kind.components > MAX_CHANNELS:
+        if kind.components is None or kind.components > FIRST_TEXEL + SECOND_TEXEL:
             return Refusal(Code.WIDE, str(kind))
-        if not (kind.is_float and (kind.is_scalar or kind.is_vector)):
-            return Refusal(Code.NOT_FLOAT, str(kind))
+        if not kind.bases <= STORABLE or not self._declared_outside(kind):
+            return Refusal(Code.UNSTORABLE, str(kind))
         return None
+
+    def _declared_outside(self, kind: Type) -> bool:
+        """Can a global variable of the type be declared?"""
+        if kind.struct is None:
+            return True
+        known = self.facts.structs.get(kind.struct) in self.structs
+        return known and all(map(self._declared_outside, kind.struct.fields.values()))
 
     def _by_effects(self, instance: Instance, place: Place) -> Refusal | None:
         effects = self.table.of(place.expr)

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 from shadercache.analysis.effects import EffectTable
 from shadercache.analysis.instances import Instance
-from shadercache.analysis.spine import Step
+from shadercache.analysis.spine import Step, order_matters
 from shadercache.ast import nodes as n
 from shadercache.ast.rewrite import map_expressions_keyed
 from shadercache.ast.walk import expressions
@@ -57,7 +57,8 @@ class Definitions:
 
     def version(self, instance: Instance, step: Step, name: str) -> int | None:
         """How many steps may have written a variable before; ``None`` if it changes within this."""
-        if name in step.effects.writes and (step.is_control or step.order_matters):
+        moves = step.is_control or order_matters(step.stmt, self._table)
+        if name in step.effects.writes and moves:
             return None
         return bisect_left(instance.places.spine.writes(name), (step.index, False))
 

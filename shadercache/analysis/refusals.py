@@ -14,7 +14,7 @@ class Code(Enum):
     UNIFORM = ("SC303", "depends on uniforms only; compute it once on the CPU")
     SIDE_EFFECT = ("SC304", "has a side effect, which a hit would skip")
     OPAQUE = ("SC305", "has no value that could be stored (a sampler or void)")
-    WIDE = ("SC306", "is wider than the three channels a cache texel has for it")
+    WIDE = ("SC306", "is wider than the seven channels that two cache texels have for it")
     LVALUE = ("SC307", "is the place that an assignment writes to, not a value")
     CHEAP = ("SC308", "costs less than the cache fetch that would replace it")
     CONDITIONAL = ("SC309", "is evaluated only under a condition inside its statement")
@@ -33,7 +33,11 @@ class Code(Enum):
         "look-up together with neighbouring fragments, which may hold reused values",
     )
     DISCARDS = ("SC316", "decides whether the fragment is discarded, which a reused value must not")
-    NOT_FLOAT = ("SC317", "is not made of floats; integers and booleans must not be filtered")
+    UNSTORABLE = (
+        "SC317",
+        "is of a type that cannot be stored: numbers of 64 bits, or a struct that is not declared "
+        "by name outside of functions",
+    )
     INITIALISER = ("SC318", "is evaluated before main, in the initialiser of a global")
 
     @property

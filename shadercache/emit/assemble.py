@@ -19,6 +19,7 @@ class Shader:
 
     module: n.Module
     inputs: tuple[str, ...]
+    outputs: tuple[str, ...]
     uniforms: tuple[str, ...]
 
 
@@ -26,7 +27,8 @@ def merge(module: n.Module, user: Iterable[n.Decl], *parts: Iterable[n.Decl]) ->
     """One module: the runtime's variables, then the user's declarations, then the functions.
 
     The runtime's variables come first because the user's (cloned) functions may use them. Where
-    several parts declare the same variable the first declaration stands.
+    several parts declare the same variable the first declaration stands. A variable of a struct
+    of the user's comes right behind that struct.
     """
     seen: set[str] = set()
     variables: list[n.Decl] = []
@@ -39,8 +41,24 @@ def merge(module: n.Module, user: Iterable[n.Decl], *parts: Iterable[n.Decl]) ->
         (functions if isinstance(decl, n.FunctionDef) else variables).append(decl)
     # Default precisions govern everything behind them.
     precision = [d for d in user if isinstance(d, n.PrecisionDecl)]
-    rest = [d for d in user if not isinstance(d, n.PrecisionDecl)]
+    rest: list[n.Decl] = []
+    for decl in user:
+        if not isinstance(decl, n.PrecisionDecl):
+            rest.append(decl)
+        if (struct := _defined(decl)) is not None:
+            rest += [item for item in variables if _type_name(item) == struct]
+            variables = [item for item in variables if _type_name(item) != struct]
     return replace(module, decls=(*precision, *variables, *rest, *functions))
+
+
+def _defined(decl: n.Decl) -> str | None:
+    """The name of the struct that a declaration defines, if it does."""
+    struct = decl.type.struct if isinstance(decl, n.VarDecl) else None
+    return struct.name if struct is not None else None
+
+
+def _type_name(decl: n.Decl) -> str | None:
+    return decl.type.name if isinstance(decl, n.VarDecl) else None
 
 
 def without_main(module: n.Module) -> tuple[n.Decl, ...]:
@@ -75,8 +93,9 @@ def _located(decl: n.VarDecl, location: int) -> n.VarDecl:
 
 
 def interface(module: n.Module) -> Shader:
-    """The module with the names of its inputs and uniforms, in order of declaration."""
+    """The module with the names of its inputs, outputs and uniforms, in order of declaration."""
     inputs: list[str] = []
+    outputs: list[str] = []
     uniforms: list[str] = []
     for decl in module.decls:
         if isinstance(decl, n.VarDecl):
@@ -87,9 +106,11 @@ def interface(module: n.Module) -> Shader:
             continue
         if decl.qualifiers.has("in"):
             inputs += names
+        elif decl.qualifiers.has("out"):
+            outputs += names
         elif decl.qualifiers.has("uniform"):
             uniforms += names
-    return Shader(module, tuple(inputs), tuple(uniforms))
+    return Shader(module, tuple(inputs), tuple(outputs), tuple(uniforms))
 
 
 def variable(kind: str, name: str, precision: str | None = None) -> n.VarDecl:

@@ -21,6 +21,7 @@ from shadercache.emit.assemble import (
     without_main,
 )
 from shadercache.emit.keep_globals import call_keeping
+from shadercache.emit.layout import Layout
 from shadercache.emit.runtime import load_part, runtime_names
 from shadercache.sema.facts import Facts, Symbol
 from shadercache.transform.drop_parameters import drop_parameters
@@ -50,10 +51,11 @@ class FragmentEmitter:
     def __init__(self, program: FragmentProgram, node: Candidate) -> None:
         assert node.instance is not None and node.place is not None
         self.program, self.node = program, node
-        self.components = node.type.components or 1
+        self.layout = Layout(node.type, program.module.profile == "es")
         self.precisions = PrecisionTable(program.module, program.facts)
         self.payload = program.prefix + "payload"
-        self.store = program.prefix + "store"
+        stores = ("store", "store_2") if self.layout.second else ("store",)
+        self.stores = [program.prefix + name for name in stores]
         main = program.candidates.instances[0].places.function
         discards = EffectTable(program.module).of(main.body).does & Does.DISCARD
         self.whole = node.unsure or bool(discards)
@@ -218,7 +220,7 @@ class FragmentEmitter:
     ) -> Shader:
         """``both``: colour and cache are written; else the cache if ``store``, else the colour."""
         outputs = [self.program.color] if both or not store else []
-        outputs += [self.store] if store else []
+        outputs += self.stores if store else []
         locations = {name: i for i, name in enumerate(outputs)}
         return self._build(template, clones, extra or (), locations)
 
@@ -231,9 +233,9 @@ class FragmentEmitter:
     ) -> Shader:
         prefix = self.program.prefix
         # ``main`` comes last: GLSL wants functions declared before they are called.
-        precision = self.precisions.of(self.node.expr)
-        names = ("lookup", "store_valid" if self.whole else "store", template)
-        parts = [load_part(name, self.components, prefix, precision) for name in names]
+        names = ("lookup", "wide", "store", template)
+        options = (self.layout, prefix, self.precisions.of(self.node.expr), self.whole)
+        parts = [load_part(name, *options) for name in names]
         user = insert_clones(self.program.module, *clones)
         module = merge(self.program.module, without_main(user), extra, *parts)
         made = {clone.name for group in clones for _, clone in group.made}

@@ -21,6 +21,8 @@ from shadercache.transform.precisions import with_precisions
 
 COLOR, CACHE, MASK = "color", "cache", "mask"
 PREVIOUS, CURRENT = "previous-cache", "current-cache"
+SECOND = "-2"
+"""Ends what belongs to the second texture of a cache: a target, what is read."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,7 +151,21 @@ class _Writer:
         self.made.files[f"{item.file}.frag"] = self._text(item, fragment, "fragment")
         self.made.files[f"{item.file}.vert"] = self._text(item, vertex, "vertex")
         uniforms = tuple(dict.fromkeys((*vertex.uniforms, *fragment.uniforms)))
-        return replace(item, uniforms=uniforms, attributes=vertex.inputs)
+        return replace(
+            item,
+            targets=self._with_second(item.targets, fragment.outputs, {CACHE: "store"}),
+            reads=self._with_second(item.reads, uniforms, {PREVIOUS: "cache", CURRENT: "payloads"}),
+            uniforms=uniforms,
+            attributes=vertex.inputs,
+        )
+
+    def _with_second(
+        self, listed: tuple[str, ...], declared: tuple[str, ...], names: dict[str, str]
+    ) -> tuple[str, ...]:
+        """What a pass writes or reads, with the second texture where the shader declares it."""
+        prefix = self.made.prefix
+        more = (w + SECOND for w in listed if w in names and f"{prefix}{names[w]}_2" in declared)
+        return (*listed, *more)
 
     def _text(self, item: Pass, shader: Shader, stage: Stage) -> str:
         module = with_precisions(shader.module)

@@ -1,6 +1,7 @@
 """The fixed GLSL text of the variants, parsed.
 
-It stands in the ``.glsl`` files of this folder; the payload's type is filled in through macros.
+It stands in the ``.glsl`` files of this folder; the payload's type and how it is packed are filled
+in through macros.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from functools import cache
 from pathlib import Path
 
 from shadercache.ast import nodes as n
+from shadercache.emit.layout import Layout
 from shadercache.front.parse import parse
 from shadercache.source import Source
 from shadercache.transform.forget_places import without_places
@@ -23,29 +25,34 @@ FOLDER = Path(__file__).with_name("glsl")
 SPREAD = 24.0
 """How many epsilons a single texel of the filter may be off in depth (docs/NUMERICS.md)."""
 
-_CHANNELS = ("x", "xy", "xyz")
-
 
 @cache
 def load_part(
-    name: str, components: int, prefix: str, precision: str | None = None
+    name: str, layout: Layout, prefix: str, precision: str | None = None, whole: bool = False
 ) -> tuple[n.Decl, ...]:
-    """The declarations of one file, for a payload of 1 to 3 floats, with the given name prefix.
+    """The declarations of one file, for a payload of this layout, with the given name prefix.
 
-    ``precision`` is the payload's, in GLSL ES.
+    ``precision`` is the payload's, in GLSL ES; ``whole``: not every fragment has a payload.
     """
-    kind = "float" if components == 1 else f"vec{components}"
+    kind = str(layout.type)
     macros = {
-        "PAYLOAD": f"{precision} {kind}" if precision else kind,
-        "CHANNELS": _CHANNELS[components - 1],
+        "PAYLOAD": f"{precision} {kind}" if precision and layout.takes_precision else kind,
         "SC_SPREAD": str(SPREAD),
-        "PADDING": ", 0.0" * (3 - components),
+        "SC_WHOLE": str(int(whole)),
+        **layout.macros(prefix),
         **{f"SC_{key.upper()}": str(value) for key, value in OUTCOMES.items()},
     }
     lines = ["#version 330", *(f"#define {key} {value}" for key, value in macros.items())]
-    text = (FOLDER / f"{name}.glsl").read_text(encoding="utf-8")
-    source = Source(f"{name}.glsl", "\n".join([*lines, text.replace(PREFIX, prefix)]))
-    return tuple(without_places(decl) for decl in parse(source).decls)
+    # The parser has to know that these are types; what is in them is declared by the user.
+    lines += [f"struct {struct} {{ float unknown; }};" for struct in layout.structs]
+    text = (_text("macros") + _text(name)).replace(PREFIX, prefix)
+    source = Source(f"{name}.glsl", "\n".join([*lines, text]))
+    decls = parse(source).decls[len(layout.structs) :]
+    return tuple(without_places(decl) for decl in decls)
+
+
+def _text(name: str) -> str:
+    return (FOLDER / f"{name}.glsl").read_text(encoding="utf-8")
 
 
 @cache

@@ -20,8 +20,9 @@ from dataclasses import dataclass, replace
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 from shadercache.emit.assemble import Shader, interface, merge
+from shadercache.emit.layout import Layout
 from shadercache.emit.runtime import load_part
-from shadercache.lang.types import builtin_type
+from shadercache.lang.types import FLOAT, builtin_type
 from shadercache.source import NOWHERE
 from shadercache.transform.reachable import declared_names
 from shadercache.transform.remove_dead import remove_dead
@@ -74,7 +75,7 @@ class VertexEmitter:
 
     def _extended(self) -> n.Module:
         main = rename_function(self.module, "main", self.prefix + "vertex")
-        part = load_part("vertex", 1, self.prefix)
+        part = load_part("vertex", Layout(FLOAT), self.prefix)
         variables = [d for d in part if isinstance(d, n.VarDecl)]
         functions = [d for d in part if isinstance(d, n.FunctionDef)]
         return merge(self.module, (*main.decls, *self._twins()), variables, functions)

@@ -38,10 +38,10 @@ class PassSpec:
 
 @dataclass(frozen=True, eq=False)
 class CacheSpec:
-    """Format of the two cache textures, what they are cleared to, and their filter."""
+    """Formats of a cache's textures (one, or two), what each is cleared to, and their filter."""
 
-    format: str
-    clear: tuple[float, float, float, float]
+    formats: tuple[str, ...]
+    clear: tuple[tuple[float, ...], ...]
     filter: str
 
 
@@ -126,9 +126,10 @@ class Bundle:
     def cache(self) -> CacheSpec:
         """How the cache textures are made."""
         cache = _need(self.manifest, "cache")
-        red, green, blue, alpha = map(float, _need(cache, "clear"))
-        clear = (red, green, blue, alpha)
-        return CacheSpec(str(_need(cache, "format")), clear, str(_need(cache, "filter")))
+        textures = [cache, cache["second"]] if "second" in cache else [cache]
+        formats = tuple(str(_need(texture, "format")) for texture in textures)
+        clear = tuple(tuple(map(float, _need(texture, "clear"))) for texture in textures)
+        return CacheSpec(formats, clear, str(_need(cache, "filter")))
 
     @cached_property
     def roles(self) -> dict[str, str]:

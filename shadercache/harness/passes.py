@@ -19,7 +19,8 @@ from shadercache.harness.stage import Stage
 from shadercache.harness.textures import GlTexture, texture_kind
 from shadercache.source import Source
 
-CACHE_ROLES = ("previous-cache", "current-cache")
+CACHE_ROLES = ("previous-cache", "current-cache", "previous-cache-2", "current-cache-2")
+CACHE_TARGETS = ("cache", "cache-2")
 NUMBER_ROLES = ("clock", "period", "block", "epsilon")
 
 
@@ -106,7 +107,7 @@ class BoundPass:
         made = self._stage.targets
         by_name = {"color": made.color}
         if caches is not None:
-            by_name["cache"] = caches.current
+            by_name |= dict(zip(CACHE_TARGETS, caches.current, strict=False))
         if "mask" in self._spec.targets:
             by_name["mask"] = made.mask
         return tuple(by_name[name] for name in self._spec.targets)
@@ -114,7 +115,7 @@ class BoundPass:
     def _bind(self, naming: Naming) -> None:
         problems: list[Diagnostic] = []
         for target in self._spec.targets:
-            if target not in ("color", "cache", "mask"):
+            if target not in ("color", *CACHE_TARGETS, "mask"):
                 problems.append(self._problem("SC525", f"has an unknown target {target!r}"))
         values = self._stage.values(0)
         for name, uniform in self._program.uniforms.items():
@@ -183,4 +184,5 @@ def _has_initialiser(spec: PassSpec, name: str) -> bool:
 
 def _cache_texture(role: str, caches: CachePair | None) -> moderngl.Texture:
     assert caches is not None
-    return caches.previous if role == "previous-cache" else caches.current
+    textures = caches.previous if role.startswith("previous") else caches.current
+    return textures[1 if role.endswith("-2") else 0]

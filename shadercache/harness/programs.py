@@ -16,7 +16,12 @@ from shadercache.harness.context import Gpu
 from shadercache.source import Source, Span
 
 # GL types of samplers and what moderngl must bind for them; others are told to be unsupported.
-_SAMPLERS = {0x8B5E: "2D texture", 0x8B60: "cube map", 0x8DC1: "array texture"}
+_SAMPLERS = {
+    0x8B5E: "2D texture",
+    0x8B60: "cube map",
+    0x8DC1: "array texture",
+    0x8DD2: "2D texture of integers",
+}
 _SAMPLER_RANGES = (range(0x8B5D, 0x8B64), range(0x8DC0, 0x8DD9), range(0x9108, 0x910E))
 _FORMATS = {code: np.dtype(code) for code in "fiId"}
 

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from shadercache.diagnostics import DiagnosticError
 from shadercache.harness.bundle import Bundle, PassSpec
+from shadercache.harness.cache import as_precise_as
 from shadercache.harness.camera import Values
 from shadercache.harness.owner import Owner
 from shadercache.harness.passes import NO_NAMES, BoundPass, FrameInputs, Naming
@@ -157,7 +158,8 @@ class VariantRunner(_Runner):
         self._before: Values | None = None
         self._clear = bundle.cache.clear
         specs = bundle.passes(algorithm)
-        self._caches = stage.targets.lend_cache(self.options.cache_format or bundle.cache.format)
+        formats = as_precise_as(bundle.cache.formats, self.options.cache_format)
+        self._caches = stage.targets.lend_cache(formats)
         self._holds_caches = True
         try:
             self._caches.set_filter(bundle.cache.filter)
@@ -223,11 +225,14 @@ class VariantRunner(_Runner):
         return self.stage.targets.mask_values()
 
     def cache(self) -> NDArray[np.float32]:
-        """What the last drawn frame stored, (h, w, 4): the next frame will read it."""
+        """What the last drawn frame stored, (h, w, channels): the next frame will read it.
+
+        Channels of unsigned integers come as the floats of the same bits.
+        """
         return self._caches.read_previous()
 
     def restore(self, cache: NDArray[np.float32], frame: int) -> None:
-        """Go on as if ``frame`` had been the last one drawn and had stored ``cache`` (h, w, 4)."""
+        """Go on as if ``frame`` had been the last one drawn and had stored ``cache``."""
         self._caches.write_previous(cache)
         self._before = self._values(frame)
 

@@ -78,13 +78,13 @@ class Targets:
             self._framebuffers[key] = found
         return found
 
-    def lend_cache(self, form: str) -> CachePair:
-        """A pair of cache textures with undefined contents; hand it back with ``take_back``."""
+    def lend_cache(self, formats: tuple[str, ...]) -> CachePair:
+        """Cache textures with undefined contents; hand them back with ``take_back``."""
         for pair in self._idle:
-            if pair.format == form:
+            if pair.formats == formats:
                 self._idle.remove(pair)
                 return pair
-        pair = CachePair(self.ctx, self.size, form)
+        pair = CachePair(self.ctx, self.size, formats)
         self._pairs.append(pair)
         return pair
 

@@ -110,9 +110,11 @@ def difference(image: Image, reference: Image, covered: NDArray[np.bool_]) -> Di
     changed = (one.view(np.uint32) != other.view(np.uint32)).any(axis=-1)
     if not changed.any():
         return Difference()
-    finite = np.isfinite(one).all() and np.isfinite(other).all()
-    apart = np.abs(one.astype(np.float64) - other).max(axis=-1) if finite else np.full(1, np.inf)
-    return Difference(float(apart.max()), float(np.percentile(apart, 99.9)), float(changed.mean()))
+    share = float(changed.mean())
+    if not (np.isfinite(one).all() and np.isfinite(other).all()):
+        return Difference(np.inf, np.inf, share)
+    apart = np.abs(one.astype(np.float64) - other).max(axis=-1)
+    return Difference(float(apart.max()), float(np.percentile(apart, 99.9)), share)
 
 
 class Verifier:

@@ -22,6 +22,8 @@ def verdict(node: Candidate) -> str | None:
     return UNSURE if node.unsure else None
 
 
+OTHERS = "uniform samplerCube u_cube; struct Big { vec3 x; vec3 y; vec2 z; };\n"
+
 CASES = {
     "offered": ("o_color = vec4(noise(v_position));", "noise(v_position)", None),
     "offered in a declaration": (
@@ -73,7 +75,31 @@ CASES = {
         "SC304",
     ),
     "opaque": ("o_color = texture(u_map, v_uv);", "u_map", "SC305"),
-    "too wide": ("o_color = texture(u_map, v_uv);", "texture(u_map, v_uv)", "SC306"),
+    "offered with four channels": (
+        "o_color = sin(v_position.xyzx) * cos(v_position.yzxy);",
+        "sin(v_position.xyzx) * cos(v_position.yzxy)",
+        None,
+    ),
+    "cheaper than the two fetches of four channels": (
+        "o_color = textureLod(u_map, v_uv, 0.0);",
+        "textureLod(u_map, v_uv, 0.0)",
+        "SC308",
+    ),
+    "too wide": (
+        "mat3 m = outerProduct(sin(v_position), cos(v_position)); o_color = vec4(m[0], 1.0);",
+        "outerProduct(sin(v_position), cos(v_position))",
+        "SC306",
+    ),
+    "too wide a struct": (
+        "Big b = Big(v_position, sin(v_normal), v_uv); o_color = vec4(b.x, b.z);",
+        "Big(v_position, sin(v_normal), v_uv)",
+        "SC306",
+    ),
+    "a struct without a place outside": (
+        "struct Small { vec3 x; }; Small s = Small(sin(v_position)); o_color = vec4(s.x, 1.0);",
+        "Small(sin(v_position))",
+        "SC317",
+    ),
     "l-value": ("o_color = vec4(noise(v_position));", "o_color", "SC307"),
     "l-value of a swizzle": (
         "vec3 a; a.xy = v_uv; a.z = noise(v_position); o_color = vec4(a, 1.0);",
@@ -241,7 +267,7 @@ CASES = {
     "integers": (
         "int i = int(noise(v_position)); o_color = vec4(i);",
         "int(noise(v_position))",
-        "SC317",
+        None,
     ),
 }
 
@@ -249,7 +275,7 @@ CASES = {
 @pytest.mark.parametrize("name", CASES)
 def test_verdict(name: str) -> None:
     body, text, code = CASES[name]
-    node = find(analysed(body, NOISE + "uniform samplerCube u_cube;\n"), text)
+    node = find(analysed(body, NOISE + OTHERS), text)
     assert verdict(node) == code
 
 

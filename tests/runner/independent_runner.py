@@ -7,6 +7,7 @@ from its caller what every engine has anyway: a mesh, textures, and the uniforms
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -14,7 +15,8 @@ from typing import Any
 import moderngl
 import numpy as np
 
-CACHE_DTYPES = {"rgba16f": "f2", "rgba32f": "f4"}
+CHANNELS = {"r": 1, "rg": 2, "rgba": 4}
+DTYPES = {"16f": "f2", "32f": "f4", "32ui": "u4"}
 DEPTH_TESTS = {"less": "<", "lequal": "<="}
 FILTERS = {"linear": moderngl.LINEAR, "nearest": moderngl.NEAREST}
 
@@ -48,9 +50,9 @@ class IndependentRunner:
         }
         self.index = ctx.buffer(index.astype("u4").tobytes())
         cache = self.manifest["cache"]
-        kind = CACHE_DTYPES[cache_format or cache["format"]]
-        self.caches = [ctx.texture(size, 4, dtype=kind) for _ in range(cache["buffers"])]
-        for texture in self.caches:
+        self.layers = [cache, cache["second"]] if "second" in cache else [cache]
+        self.caches = [self._textures(size, cache_format) for _ in range(cache["buffers"])]
+        for texture in self.caches[0] + self.caches[1]:
             texture.filter = (FILTERS[cache["filter"]],) * 2
             texture.repeat_x = texture.repeat_y = False
         self.color = ctx.texture(size, 4, dtype="f4")
@@ -59,6 +61,24 @@ class IndependentRunner:
         variant = next(v for v in self.manifest["variants"] if v["algorithm"] == algorithm)
         self.passes = [(item, self._program(item)) for item in variant["passes"]]
         self.last_values: Mapping[str, Any] | None = None
+
+    def _textures(self, size: tuple[int, int], precision: str | None) -> list[moderngl.Texture]:
+        """The textures of one cache; ``precision`` (a format) replaces that of floats."""
+        made: list[moderngl.Texture] = []
+        for layer in self.layers:
+            channels, kind = re.fullmatch("([rgba]+)(.+)", layer["format"]).groups()
+            if precision and kind.endswith("f"):
+                kind = precision.removeprefix("rgba")
+            made.append(self.ctx.texture(size, CHANNELS[channels], dtype=DTYPES[kind]))
+        return made
+
+    def _clear(self, cache: list[moderngl.Texture]) -> None:
+        for texture, layer in zip(cache, self.layers, strict=True):
+            if texture.dtype == "u4":
+                texel = np.array(layer["clear"][: texture.components], "u4")
+                texture.write(np.tile(texel, texture.width * texture.height).tobytes())
+            else:
+                self._framebuffer(texture, depth=False).clear(*layer["clear"])
 
     def _program(self, item: Mapping[str, Any]) -> tuple[moderngl.Program, moderngl.VertexArray]:
         program = self.ctx.program(
@@ -84,18 +104,17 @@ class IndependentRunner:
 
         Args: ``values`` maps the user's uniforms to what moderngl takes as their value.
         """
-        clear = self.manifest["cache"]["clear"]
         previous, current = self.caches
         on_reset = self.last_values is None
         if on_reset:
-            self._framebuffer(previous, depth=False).clear(*clear)
-        self._framebuffer(current, depth=False).clear(*clear)
+            self._clear(previous)
+        self._clear(current)
         self._framebuffer(self.color).clear(0.0, 0.0, 0.0, 0.0, depth=1.0)
         self.ctx.enable_only(self.flags)
         defaults = {item["role"]: item["default"] for item in self.manifest["uniforms"]}
         numbers = defaults | {"clock": frame % period, "period": period, "block": block}
-        targets = {"color": self.color, "cache": current}
-        caches = {"previous-cache": previous, "current-cache": current}
+        targets = {"color": self.color, **_named("cache", current)}
+        caches = {**_named("previous-cache", previous), **_named("current-cache", current)}
         for item, (program, array) in self.passes:
             if on_reset and not item["on_reset"]:
                 continue
@@ -128,3 +147,8 @@ class IndependentRunner:
                 program[name].value = numbers[self.roles[name]]
             else:
                 program[name].value = last[self.twins[name]] if name in self.twins else values[name]
+
+
+def _named(name: str, cache: list[moderngl.Texture]) -> dict[str, moderngl.Texture]:
+    """The textures of a cache as the manifest calls them."""
+    return dict(zip((name, f"{name}-2"), cache, strict=False))

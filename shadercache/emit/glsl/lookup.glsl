@@ -1,10 +1,12 @@
-// The look-up in the cache of the previous frame. PAYLOAD and CHANNELS stand for the payload's type
-// and for the texel's channels that hold it.
+// The look-up in the cache of the previous frame. Words in capitals: see macros.glsl.
 
 in vec4 sc_current;   // clip-space position in this frame
 in vec4 sc_previous;  // clip-space position of the same surface point in the previous frame
 
-uniform sampler2D sc_cache;  // what the previous frame stored: payload and 1/w
+uniform SAMPLER sc_cache;    // what the previous frame stored: payload and 1/w
+#if SC_TARGETS == 2
+uniform SAMPLER sc_cache_2;  // the rest of the payload
+#endif
 uniform int sc_clock;        // frames, already reduced to [0, sc_period)
 uniform int sc_period;       // frames between two refreshes of a pixel
 uniform int sc_block;        // edge in pixels of the squares that are refreshed together
@@ -31,9 +33,25 @@ bool sc_due() {
     return phase == 0 || phase == sc_period;
 }
 
+#if SC_BITS
+// What four texels hold at a place between them: floats are blended, integers and booleans (marked
+// in a mask) are those of one of the texels.
+uvec4 sc_blend(uvec4 a, uvec4 b, uvec4 c, uvec4 d, vec2 part, uvec4 discrete) {
+    vec4 low = mix(uintBitsToFloat(a), uintBitsToFloat(b), part.x);
+    vec4 high = mix(uintBitsToFloat(c), uintBitsToFloat(d), part.x);
+    vec4 blended = mix(low, high, part.y);
+    return (a & discrete) | (floatBitsToUint(blended) & ~discrete);
+}
+
+// Do four texels hold the same integers and booleans?
+bool sc_same(uvec4 a, uvec4 b, uvec4 c, uvec4 d, uvec4 discrete) {
+    return (((a ^ b) | (a ^ c) | (a ^ d)) & discrete) == uvec4(0u);
+}
+#endif
+
 // Reprojection: where the surface point was, whether it was seen there, and what was stored.
 // Returns SC_HIT, SC_REFRESH, SC_OUTSIDE or SC_DEPTH.
-int sc_look_up(out vec4 texel) {
+int sc_look_up(OUT_TEXELS) {
     ivec2 last = textureSize(sc_cache, 0) - 1;
     vec2 motion = sc_previous.xy / sc_previous.w - sc_current.xy / sc_current.w;
     vec2 corner = gl_FragCoord.xy - 0.5 + 0.5 * vec2(last + 1) * motion;
@@ -42,11 +60,27 @@ int sc_look_up(out vec4 texel) {
     vec2 part = corner - whole;
     ivec2 near = clamp(ivec2(whole), ivec2(0), last);
     ivec2 far = min(near + ivec2(ceil(part)), last);
-    vec4 a = texelFetch(sc_cache, near, 0);
-    vec4 b = texelFetch(sc_cache, ivec2(far.x, near.y), 0);
-    vec4 c = texelFetch(sc_cache, ivec2(near.x, far.y), 0);
-    vec4 d = texelFetch(sc_cache, far, 0);
+    TEXEL a = texelFetch(sc_cache, near, 0);
+    TEXEL b = texelFetch(sc_cache, ivec2(far.x, near.y), 0);
+    TEXEL c = texelFetch(sc_cache, ivec2(near.x, far.y), 0);
+    TEXEL d = texelFetch(sc_cache, far, 0);
+#if SC_TARGETS == 2
+    TEXEL a_2 = texelFetch(sc_cache_2, near, 0);
+    TEXEL b_2 = texelFetch(sc_cache_2, ivec2(far.x, near.y), 0);
+    TEXEL c_2 = texelFetch(sc_cache_2, ivec2(near.x, far.y), 0);
+    TEXEL d_2 = texelFetch(sc_cache_2, far, 0);
+#endif
+#if SC_BITS
+    texel = sc_blend(a, b, c, d, part, DISCRETE_1);
+#if SC_TARGETS == 2
+    texel_2 = sc_blend(a_2, b_2, c_2, d_2, part, DISCRETE_2);
+#endif
+#else
     texel = mix(mix(a, b, part.x), mix(c, d, part.x), part.y);
+#if SC_TARGETS == 2
+    texel_2 = mix(mix(a_2, b_2, part.x), mix(c_2, d_2, part.x), part.y);
+#endif
+#endif
     if (sc_due()) {
         return SC_REFRESH;
     }
@@ -57,10 +91,21 @@ int sc_look_up(out vec4 texel) {
     }
     // All depths are 1/w. The blended one must agree closely, each single one roughly: else a front
     // and a back could blend to just the right depth. A comparison with NaN is false and so a miss.
-    vec4 each = abs(vec4(a.w, b.w, c.w, d.w) * sc_previous.w - 1.0);
-    if (!(abs(texel.w * sc_previous.w - 1.0) <= sc_epsilon
+    vec4 each = abs(vec4(FLOAT(a.w), FLOAT(b.w), FLOAT(c.w), FLOAT(d.w)) * sc_previous.w - 1.0);
+    if (!(abs(FLOAT(texel.w) * sc_previous.w - 1.0) <= sc_epsilon
             && all(lessThanEqual(each, vec4(SC_SPREAD * sc_epsilon))))) {
         return SC_DEPTH;
     }
+    // No integer lies between two others: where the texels differ, none of them is right.
+#if SC_DISCRETE_1
+    if (!sc_same(a, b, c, d, DISCRETE_1)) {
+        return SC_DEPTH;
+    }
+#endif
+#if SC_DISCRETE_2
+    if (!sc_same(a_2, b_2, c_2, d_2, DISCRETE_2)) {
+        return SC_DEPTH;
+    }
+#endif
     return SC_HIT;
 }

@@ -1,10 +1,36 @@
-// What a pass writes into the cache: the payload, padded to three channels, and 1/w.
+// What a pass writes into the cache: the payload, padded to three channels, and 1/w; what does not
+// fit there goes to the second texture. Where not every fragment has a payload (SC_WHOLE) a texel may
+// be empty, which matches nothing.
 
 in vec4 sc_current;  // clip-space position in this frame
-out vec4 sc_store;   // the texel of the cache
+out TEXEL sc_store;  // the texel of the cache
+#if SC_TARGETS == 2
+out TEXEL sc_store_2;
+#endif
 
 PAYLOAD sc_payload;
+#if SC_WHOLE
+bool sc_reuse = false;  // is there a payload from the cache?
+bool sc_valid = false;  // is there a payload to store?
+bool sc_lacks = false;  // was a payload needed, and none there?
+#endif
 
-vec4 sc_texel() {
-    return vec4(sc_payload PADDING, 1.0 / sc_current.w);
+TEXEL sc_texel() {
+#if SC_WHOLE
+    if (!sc_valid) {
+        return EMPTY;
+    }
+#endif
+    return TEXEL(PACKED_1, DEPTH);
 }
+
+#if SC_TARGETS == 2
+TEXEL sc_texel_2() {
+#if SC_WHOLE
+    if (!sc_valid) {
+        return TEXEL(0);
+    }
+#endif
+    return TEXEL(PACKED_2);
+}
+#endif

@@ -1,10 +1,10 @@
 // Two passes, first: shade hits from the payload, leave misses open.
 void main() {
-    vec4 texel;
-    if (sc_look_up(texel) != SC_HIT) {
+    DECLARE_TEXELS;
+    if (sc_look_up(TEXELS) != SC_HIT) {
         discard;
     }
-    sc_payload = texel.CHANNELS;
+    sc_payload = UNPACKED;
     sc_shade();
-    sc_store = sc_texel();
+    STORE;
 }

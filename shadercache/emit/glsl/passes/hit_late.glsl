@@ -1,11 +1,11 @@
 // Two passes, first: shade hits from the payload, leave misses open. The shading takes derivatives,
 // which are undefined behind a discard, so the discard comes last.
 void main() {
-    vec4 texel;
-    int outcome = sc_look_up(texel);
-    sc_payload = texel.CHANNELS;
+    DECLARE_TEXELS;
+    int outcome = sc_look_up(TEXELS);
+    sc_payload = UNPACKED;
     sc_shade();
-    sc_store = sc_texel();
+    STORE;
     if (outcome != SC_HIT) {
         discard;
     }

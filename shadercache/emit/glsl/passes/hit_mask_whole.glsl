@@ -2,7 +2,7 @@
 out float sc_outcome;
 
 void main() {
-    vec4 texel;
-    sc_outcome = float(sc_look_up(texel));
+    DECLARE_TEXELS;
+    sc_outcome = float(sc_look_up(TEXELS));
     sc_shade();
 }

@@ -5,5 +5,12 @@ PAYLOAD sc_payload;
 
 void main() {
     sc_compute();
-    sc_value = vec4(sc_payload PADDING, 1.0);
+#if SC_BITS
+    sc_value = vec4(uvec4(PACKED_1, 1u));
+#else
+    sc_value = vec4(PACKED_1, 1.0);
+#endif
+#if SC_TARGETS == 2
+    sc_value += vec4(TEXEL(PACKED_2));
+#endif
 }

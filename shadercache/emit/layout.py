@@ -1,0 +1,181 @@
+"""How a payload lies in the cache: its scalars in the channels of one or two texels.
+
+Three channels of the first texel and four of the second hold the payload, scalar by scalar in the
+order of a constructor's arguments; the first texel's last channel holds 1/w. What is made of floats
+alone lies in floats and is filtered. As soon as there is an integer or a boolean inside, all lies
+in 32-bit unsigned integers: bits of integers do not survive in float channels, whose NaNs a driver
+may change and whose smallest numbers it may flush to zero (GLSL 4.60 section 4.7.1)::
+
+    vec4                   (x, y, z, 1/w) (w)
+    struct { vec2 a; bool b; }    (bits of a.x, bits of a.y, b, bits of 1/w)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import groupby
+
+from shadercache.analysis.candidates import FIRST_TEXEL, SECOND_TEXEL
+from shadercache.lang.types import Type
+from shadercache.options import CacheFormat
+
+_XYZW = "xyzw"
+_NARROWEST = {1: "r", 2: "rg", 3: "rgba", 4: "rgba"}
+
+
+@dataclass(frozen=True)
+class _Leaf:
+    """A scalar or vector of the payload: how it is reached, its type, its first channel."""
+
+    path: str
+    type: Type
+    start: int
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Where each scalar of a payload lies. ``type`` has at most seven scalars.
+
+    ``es``: is it for GLSL ES, where integers may have 16 bits until they are made ``highp``?
+    """
+
+    type: Type
+    es: bool = False
+
+    @property
+    def bits(self) -> bool:
+        """Are the texels unsigned integers?"""
+        return self.type.bases != {"float"}
+
+    @property
+    def channels(self) -> tuple[int, ...]:
+        """How many channels of each texel the payload takes."""
+        count = self.type.components_or_one
+        return (count,) if count <= FIRST_TEXEL else (FIRST_TEXEL, count - FIRST_TEXEL)
+
+    @property
+    def second(self) -> bool:
+        """Is there a second texel?"""
+        return len(self.channels) == 2
+
+    @property
+    def takes_precision(self) -> bool:
+        """Can a variable of the type be declared with a precision (GLSL ES 3.00 section 4.5.2)?"""
+        return self.type.base in ("float", "int", "uint")
+
+    def formats(self, cache_format: CacheFormat) -> tuple[str, ...]:
+        """The format of each texture; ``cache_format`` decides the precision of floats."""
+        kind = "32ui" if self.bits else cache_format.removeprefix("rgba")
+        return (f"rgba{kind}", *(_NARROWEST[n] + kind for n in self.channels[1:]))
+
+    def macros(self, prefix: str) -> dict[str, str]:
+        """The macros of the ``.glsl`` files, where all names have that prefix."""
+        leaves = list(_leaves(self.type, f"{prefix}payload", 0))
+        zero = "0u" if self.bits else "0.0"
+        used = self.type.components_or_one
+        found = {
+            "SC_TARGETS": str(len(self.channels)),
+            "SC_BITS": str(int(self.bits)),
+            "UNPACKED": self._unpacked(self.type, iter(leaves)),
+        }
+        for number, (start, end) in enumerate(
+            ((0, FIRST_TEXEL), (FIRST_TEXEL, FIRST_TEXEL + SECOND_TEXEL)), start=1
+        ):
+            padding = [zero] * (end - max(start, min(end, used)))
+            found[f"PACKED_{number}"] = ", ".join(
+                [*self._packed(leaves, start, end, prefix), *padding]
+            )
+            discrete = _discrete(leaves, start, end)
+            found[f"SC_DISCRETE_{number}"] = str(int(any(discrete)))
+            marks = ("0xFFFFFFFFu" if mark else "0u" for mark in discrete)
+            found[f"DISCRETE_{number}"] = f"uvec4({', '.join(marks)})"
+        if len(leaves) == 1 and not self.bits and not self.second:
+            found["CHANNELS"] = _XYZW[:used]
+        return found
+
+    @cached_property
+    def structs(self) -> tuple[str, ...]:
+        """The names of the structs that the payload is made of."""
+        return tuple(dict.fromkeys(_structs(self.type)))
+
+    def _packed(self, leaves: list[_Leaf], start: int, end: int, prefix: str) -> list[str]:
+        """The channels from ``start`` to ``end``, those of one vector together."""
+        parts: list[str] = []
+        for leaf in leaves:
+            count = leaf.type.components_or_one
+            inside = [i for i in range(count) if start <= leaf.start + i < end]
+            if not inside:
+                continue
+            text = leaf.path
+            if len(inside) < count:
+                text += "." + "".join(_XYZW[i] for i in inside)
+            if self.es and leaf.type.base == "int":
+                text = f"{prefix}wide_{len(inside)}({text})"
+            parts.append(self._to_channel(text, leaf.type.base, len(inside)))
+        return parts
+
+    def _to_channel(self, text: str, base: str | None, count: int) -> str:
+        if not self.bits or base == "uint":
+            return text
+        if base == "float":
+            return f"floatBitsToUint({text})"
+        return f"uint({text})" if count == 1 else f"uvec{count}({text})"
+
+    def _unpacked(self, kind: Type, leaves: Iterator[_Leaf]) -> str:
+        """An expression of ``kind`` from the texels, for the next of the leaves."""
+        if kind.is_array:
+            parts = [self._unpacked(kind.element, leaves) for _ in range(kind.dims[0] or 0)]
+            return f"{kind}({', '.join(parts)})"
+        if kind.struct is not None:
+            parts = [self._unpacked(field, leaves) for field in kind.struct.fields.values()]
+            return f"{kind}({', '.join(parts)})"
+        found = [self._fetched(next(leaves)) for _ in range(kind.cols)]
+        parts = [part for column in found for part in column]
+        # Only floats and unsigned integers need no conversion from what a channel holds.
+        plain = kind.cols == len(parts) == 1 and kind.base in ("float", "uint")
+        return parts[0] if plain else f"{kind}({', '.join(parts)})"
+
+    def _fetched(self, leaf: _Leaf) -> list[str]:
+        parts: list[str] = []
+        channels = range(leaf.start, leaf.start + leaf.type.components_or_one)
+        for number, group in groupby(channels, key=lambda channel: channel // FIRST_TEXEL > 0):
+            first = FIRST_TEXEL if number else 0
+            name = "texel_2" if number else "texel"
+            text = f"{name}.{''.join(_XYZW[channel - first] for channel in group)}"
+            as_float = self.bits and leaf.type.base == "float"
+            parts.append(f"uintBitsToFloat({text})" if as_float else text)
+        return parts
+
+
+def _discrete(leaves: list[_Leaf], start: int, end: int) -> list[bool]:
+    """Which channels of a texel hold integers or booleans."""
+    marks = [False] * 4
+    for leaf in leaves:
+        for channel in range(leaf.start, leaf.start + leaf.type.components_or_one):
+            if start <= channel < end:
+                marks[channel - start] = leaf.type.base != "float"
+    return marks
+
+
+def _leaves(kind: Type, path: str, start: int) -> Iterator[_Leaf]:
+    """The scalars and vectors (of a matrix: its columns) inside a value, in order."""
+    if kind.is_array or kind.is_matrix:
+        count = kind.dims[0] or 0 if kind.is_array else kind.cols
+        inner = [(kind.element, f"{path}[{i}]") for i in range(count)]
+    elif kind.struct is not None:
+        inner = [(field, f"{path}.{name}") for name, field in kind.struct.fields.items()]
+    else:
+        yield _Leaf(path, kind, start)
+        return
+    for field, below in inner:
+        yield from _leaves(field, below, start)
+        start += field.components_or_one
+
+
+def _structs(kind: Type) -> Iterator[str]:
+    if kind.struct is not None:
+        for field in kind.struct.fields.values():
+            yield from _structs(field)
+        yield kind.name

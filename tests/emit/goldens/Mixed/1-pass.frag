@@ -1,0 +1,122 @@
+#version 330
+// shadercache: 1-pass, node main.11-a0ace7bc
+
+in vec4 sc_current;
+in vec4 sc_previous;
+uniform usampler2D sc_cache;
+uniform usampler2D sc_cache_2;
+uniform int sc_clock;
+uniform int sc_period;
+uniform int sc_block;
+uniform float sc_epsilon;
+layout(location = 1) out uvec4 sc_store;
+layout(location = 2) out uvec4 sc_store_2;
+in vec3 v_position;
+in vec3 v_normal;
+layout(location = 0) out vec4 o_color;
+
+struct Pair {
+    vec2 a;
+    float b;
+};
+
+struct Mixed {
+    Pair pair;
+    bool sign;
+    ivec2 cell;
+    uint number;
+};
+
+Mixed sc_payload;
+
+void sc_compute() {
+    vec4 wave = sin(9.0 * v_position.xyzx) * cos(5.0 * v_position.yzxy);
+    sc_payload = Mixed(Pair(wave.xy, wave.z), wave.x > 0.3, ivec2(2.0 * wave.yz), uint(3.0 + wave.x));
+}
+
+void sc_shade() {
+    Mixed it = sc_payload;
+    o_color = vec4(0.5 + 0.5 * (vec3(it.pair.a, it.pair.b) * (it.sign ? 1.0 : 0.4) + vec3(it.cell, it.number) / 9.0) * normalize(v_normal).z, 1.0);
+}
+
+uint sc_hash(uvec2 block) {
+    uint x = block.x * 1973u + block.y * 9277u + 26699u;
+    x ^= x << 13;
+    x ^= x >> 17;
+    x ^= x << 5;
+    x *= 0x9E3779B9u;
+    return x ^ x >> 15;
+}
+
+bool sc_due() {
+    uvec2 block = uvec2(gl_FragCoord.xy / float(sc_block));
+    int h = int((sc_hash(block) >> 16) * uint(sc_period) >> 16);
+    int phase = h + sc_clock;
+    return phase == 0 || phase == sc_period;
+}
+
+uvec4 sc_blend(uvec4 a, uvec4 b, uvec4 c, uvec4 d, vec2 part, uvec4 discrete) {
+    vec4 low = mix(uintBitsToFloat(a), uintBitsToFloat(b), part.x);
+    vec4 high = mix(uintBitsToFloat(c), uintBitsToFloat(d), part.x);
+    vec4 blended = mix(low, high, part.y);
+    return a & discrete | floatBitsToUint(blended) & ~discrete;
+}
+
+bool sc_same(uvec4 a, uvec4 b, uvec4 c, uvec4 d, uvec4 discrete) {
+    return ((a ^ b | a ^ c | a ^ d) & discrete) == uvec4(0u);
+}
+
+int sc_look_up(out uvec4 texel, out uvec4 texel_2) {
+    ivec2 last = textureSize(sc_cache, 0) - 1;
+    vec2 motion = sc_previous.xy / sc_previous.w - sc_current.xy / sc_current.w;
+    vec2 corner = gl_FragCoord.xy - 0.5 + 0.5 * vec2(last + 1) * motion;
+    vec2 whole = floor(corner);
+    vec2 part = corner - whole;
+    ivec2 near = clamp(ivec2(whole), ivec2(0), last);
+    ivec2 far = min(near + ivec2(ceil(part)), last);
+    uvec4 a = texelFetch(sc_cache, near, 0);
+    uvec4 b = texelFetch(sc_cache, ivec2(far.x, near.y), 0);
+    uvec4 c = texelFetch(sc_cache, ivec2(near.x, far.y), 0);
+    uvec4 d = texelFetch(sc_cache, far, 0);
+    uvec4 a_2 = texelFetch(sc_cache_2, near, 0);
+    uvec4 b_2 = texelFetch(sc_cache_2, ivec2(far.x, near.y), 0);
+    uvec4 c_2 = texelFetch(sc_cache_2, ivec2(near.x, far.y), 0);
+    uvec4 d_2 = texelFetch(sc_cache_2, far, 0);
+    texel = sc_blend(a, b, c, d, part, uvec4(0u, 0u, 0u, 0u));
+    texel_2 = sc_blend(a_2, b_2, c_2, d_2, part, uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu));
+    if (sc_due()) {
+        return 2;
+    }
+    if (!(sc_previous.w > 0.0 && all(greaterThanEqual(corner, vec2(0.0))) && all(lessThanEqual(corner, vec2(last))))) {
+        return 3;
+    }
+    vec4 each = abs(vec4(uintBitsToFloat(a.w), uintBitsToFloat(b.w), uintBitsToFloat(c.w), uintBitsToFloat(d.w)) * sc_previous.w - 1.0);
+    if (!(abs(uintBitsToFloat(texel.w) * sc_previous.w - 1.0) <= sc_epsilon && all(lessThanEqual(each, vec4(24.0 * sc_epsilon))))) {
+        return 4;
+    }
+    if (!sc_same(a_2, b_2, c_2, d_2, uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu))) {
+        return 4;
+    }
+    return 1;
+}
+
+uvec4 sc_texel() {
+    return uvec4(floatBitsToUint(sc_payload.pair.a), floatBitsToUint(sc_payload.pair.b), floatBitsToUint(1.0 / sc_current.w));
+}
+
+uvec4 sc_texel_2() {
+    return uvec4(uint(sc_payload.sign), uvec2(sc_payload.cell), sc_payload.number);
+}
+
+void main() {
+    uvec4 texel;
+    uvec4 texel_2;
+    if (sc_look_up(texel, texel_2) == 1) {
+        sc_payload = Mixed(Pair(uintBitsToFloat(texel.xy), uintBitsToFloat(texel.z)), bool(texel_2.x), ivec2(texel_2.yz), texel_2.w);
+    } else {
+        sc_compute();
+    }
+    sc_shade();
+    sc_store = sc_texel();
+    sc_store_2 = sc_texel_2();
+}

@@ -1,0 +1,40 @@
+#version 330
+// shadercache: 3-pass.payload, node main.11-a0ace7bc
+
+in vec4 sc_current;
+layout(location = 0) out uvec4 sc_store;
+layout(location = 1) out uvec4 sc_store_2;
+in vec3 v_position;
+
+struct Pair {
+    vec2 a;
+    float b;
+};
+
+struct Mixed {
+    Pair pair;
+    bool sign;
+    ivec2 cell;
+    uint number;
+};
+
+Mixed sc_payload;
+
+void sc_compute() {
+    vec4 wave = sin(9.0 * v_position.xyzx) * cos(5.0 * v_position.yzxy);
+    sc_payload = Mixed(Pair(wave.xy, wave.z), wave.x > 0.3, ivec2(2.0 * wave.yz), uint(3.0 + wave.x));
+}
+
+uvec4 sc_texel() {
+    return uvec4(floatBitsToUint(sc_payload.pair.a), floatBitsToUint(sc_payload.pair.b), floatBitsToUint(1.0 / sc_current.w));
+}
+
+uvec4 sc_texel_2() {
+    return uvec4(uint(sc_payload.sign), uvec2(sc_payload.cell), sc_payload.number);
+}
+
+void main() {
+    sc_compute();
+    sc_store = sc_texel();
+    sc_store_2 = sc_texel_2();
+}

@@ -1,0 +1,33 @@
+#version 330
+// shadercache: 3-pass.shade, node main.11-a0ace7bc
+
+uniform usampler2D sc_payloads;
+uniform usampler2D sc_payloads_2;
+in vec3 v_normal;
+layout(location = 0) out vec4 o_color;
+
+struct Pair {
+    vec2 a;
+    float b;
+};
+
+struct Mixed {
+    Pair pair;
+    bool sign;
+    ivec2 cell;
+    uint number;
+};
+
+Mixed sc_payload;
+
+void sc_shade() {
+    Mixed it = sc_payload;
+    o_color = vec4(0.5 + 0.5 * (vec3(it.pair.a, it.pair.b) * (it.sign ? 1.0 : 0.4) + vec3(it.cell, it.number) / 9.0) * normalize(v_normal).z, 1.0);
+}
+
+void main() {
+    uvec4 texel = texelFetch(sc_payloads, ivec2(gl_FragCoord.xy), 0);
+    uvec4 texel_2 = texelFetch(sc_payloads_2, ivec2(gl_FragCoord.xy), 0);
+    sc_payload = Mixed(Pair(uintBitsToFloat(texel.xy), uintBitsToFloat(texel.z)), bool(texel_2.x), ivec2(texel_2.yz), texel_2.w);
+    sc_shade();
+}

@@ -1,0 +1,95 @@
+#version 330
+// shadercache: 1-pass, node main.11-ff053a83
+
+in vec4 sc_current;
+in vec4 sc_previous;
+uniform sampler2D sc_cache;
+uniform sampler2D sc_cache_2;
+uniform int sc_clock;
+uniform int sc_period;
+uniform int sc_block;
+uniform float sc_epsilon;
+vec4 sc_payload;
+layout(location = 1) out vec4 sc_store;
+layout(location = 2) out vec4 sc_store_2;
+in vec3 v_position;
+in vec3 v_normal;
+layout(location = 0) out vec4 o_color;
+
+void sc_compute() {
+    vec4 wave = sin(9.0 * v_position.xyzx) * cos(5.0 * v_position.yzxy);
+    sc_payload = wave * wave.yzwx;
+}
+
+void sc_shade() {
+    vec4 it = sc_payload;
+    o_color = vec4(0.5 + 0.5 * (it.xyz * it.w) * normalize(v_normal).z, 1.0);
+}
+
+uint sc_hash(uvec2 block) {
+    uint x = block.x * 1973u + block.y * 9277u + 26699u;
+    x ^= x << 13;
+    x ^= x >> 17;
+    x ^= x << 5;
+    x *= 0x9E3779B9u;
+    return x ^ x >> 15;
+}
+
+bool sc_due() {
+    uvec2 block = uvec2(gl_FragCoord.xy / float(sc_block));
+    int h = int((sc_hash(block) >> 16) * uint(sc_period) >> 16);
+    int phase = h + sc_clock;
+    return phase == 0 || phase == sc_period;
+}
+
+int sc_look_up(out vec4 texel, out vec4 texel_2) {
+    ivec2 last = textureSize(sc_cache, 0) - 1;
+    vec2 motion = sc_previous.xy / sc_previous.w - sc_current.xy / sc_current.w;
+    vec2 corner = gl_FragCoord.xy - 0.5 + 0.5 * vec2(last + 1) * motion;
+    vec2 whole = floor(corner);
+    vec2 part = corner - whole;
+    ivec2 near = clamp(ivec2(whole), ivec2(0), last);
+    ivec2 far = min(near + ivec2(ceil(part)), last);
+    vec4 a = texelFetch(sc_cache, near, 0);
+    vec4 b = texelFetch(sc_cache, ivec2(far.x, near.y), 0);
+    vec4 c = texelFetch(sc_cache, ivec2(near.x, far.y), 0);
+    vec4 d = texelFetch(sc_cache, far, 0);
+    vec4 a_2 = texelFetch(sc_cache_2, near, 0);
+    vec4 b_2 = texelFetch(sc_cache_2, ivec2(far.x, near.y), 0);
+    vec4 c_2 = texelFetch(sc_cache_2, ivec2(near.x, far.y), 0);
+    vec4 d_2 = texelFetch(sc_cache_2, far, 0);
+    texel = mix(mix(a, b, part.x), mix(c, d, part.x), part.y);
+    texel_2 = mix(mix(a_2, b_2, part.x), mix(c_2, d_2, part.x), part.y);
+    if (sc_due()) {
+        return 2;
+    }
+    if (!(sc_previous.w > 0.0 && all(greaterThanEqual(corner, vec2(0.0))) && all(lessThanEqual(corner, vec2(last))))) {
+        return 3;
+    }
+    vec4 each = abs(vec4(a.w, b.w, c.w, d.w) * sc_previous.w - 1.0);
+    if (!(abs(texel.w * sc_previous.w - 1.0) <= sc_epsilon && all(lessThanEqual(each, vec4(24.0 * sc_epsilon))))) {
+        return 4;
+    }
+    return 1;
+}
+
+vec4 sc_texel() {
+    return vec4(sc_payload.xyz, 1.0 / sc_current.w);
+}
+
+vec4 sc_texel_2() {
+    return vec4(sc_payload.w, 0.0, 0.0, 0.0);
+}
+
+void main() {
+    vec4 texel;
+    vec4 texel_2;
+    if (sc_look_up(texel, texel_2) == 1) {
+        sc_payload = vec4(texel.xyz, texel_2.x);
+    } else {
+        sc_compute();
+    }
+    sc_shade();
+    sc_store = sc_texel();
+    sc_store_2 = sc_texel_2();
+}

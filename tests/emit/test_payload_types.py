@@ -1,0 +1,166 @@
+"""Layouts of payloads, and the programs of every type."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+from conftest import Golden
+from emit.test_programs import check_programs
+from jsonschema import Draft202012Validator
+from payloads import DESKTOP, ES, PAYLOADS, analysed_payload
+from shaders import analysed, find
+
+import shadercache
+from shadercache.compiler import rewrite
+from shadercache.emit.layout import Layout
+from shadercache.lang.types import (
+    BOOL,
+    FLOAT,
+    INT,
+    UINT,
+    Type,
+    array_of,
+    matrix,
+    struct_type,
+    vector,
+)
+from shadercache.options import Mode, Options
+
+RAY = struct_type("Ray", {"origin": vector("float", 3), "id": INT})
+FLAGGED = struct_type("Flagged", {"ray": RAY, "flags": vector("bool", 2), "count": UINT})
+
+LAYOUTS = [
+    (FLOAT, ("rgba16f",), "sc_payload, 0.0, 0.0", "0.0, 0.0, 0.0, 0.0", "texel.x"),
+    (vector("float", 3), ("rgba16f",), "sc_payload", "0.0, 0.0, 0.0, 0.0", "texel.xyz"),
+    (
+        vector("float", 4),
+        ("rgba16f", "r16f"),
+        "sc_payload.xyz",
+        "sc_payload.w, 0.0, 0.0, 0.0",
+        "vec4(texel.xyz, texel_2.x)",
+    ),
+    (INT, ("rgba32ui",), "uint(sc_payload), 0u, 0u", "0u, 0u, 0u, 0u", "int(texel.x)"),
+    (vector("uint", 2), ("rgba32ui",), "sc_payload, 0u", "0u, 0u, 0u, 0u", "texel.xy"),
+    (BOOL, ("rgba32ui",), "uint(sc_payload), 0u, 0u", "0u, 0u, 0u, 0u", "bool(texel.x)"),
+    (
+        vector("bool", 4),
+        ("rgba32ui", "r32ui"),
+        "uvec3(sc_payload.xyz)",
+        "uint(sc_payload.w), 0u, 0u, 0u",
+        "bvec4(texel.xyz, texel_2.x)",
+    ),
+    (
+        matrix("float", 2, 3),
+        ("rgba16f", "rgba16f"),
+        "sc_payload[0]",
+        "sc_payload[1], 0.0",
+        "mat2x3(texel.xyz, texel_2.xyz)",
+    ),
+    (
+        array_of(vector("float", 2), 2),
+        ("rgba16f", "r16f"),
+        "sc_payload[0], sc_payload[1].x",
+        "sc_payload[1].y, 0.0, 0.0, 0.0",
+        "vec2[2](texel.xy, vec2(texel.z, texel_2.x))",
+    ),
+    (
+        FLAGGED,
+        ("rgba32ui", "rgba32ui"),
+        "floatBitsToUint(sc_payload.ray.origin)",
+        "uint(sc_payload.ray.id), uvec2(sc_payload.flags), sc_payload.count",
+        "Flagged(Ray(uintBitsToFloat(texel.xyz), int(texel_2.x)), bvec2(texel_2.yz), texel_2.w)",
+    ),
+]
+
+
+@pytest.mark.parametrize(
+    ("kind", "formats", "first", "second", "unpacked"), LAYOUTS, ids=[str(c[0]) for c in LAYOUTS]
+)
+def test_layout(
+    kind: Type, formats: tuple[str, ...], first: str, second: str, unpacked: str
+) -> None:
+    layout = Layout(kind)
+    macros = layout.macros("sc_")
+    assert layout.formats("rgba16f") == formats
+    assert (macros["PACKED_1"], macros["PACKED_2"]) == (first, second)
+    assert macros["UNPACKED"] == unpacked
+
+
+def test_the_masks_mark_what_must_not_be_blended() -> None:
+    mixed = struct_type("Mixed", {"at": vector("float", 2), "id": INT, "more": FLOAT, "on": BOOL})
+    macros = Layout(mixed).macros("sc_")
+    assert macros["DISCRETE_1"] == "uvec4(0u, 0u, 0xFFFFFFFFu, 0u)"
+    assert macros["DISCRETE_2"] == "uvec4(0u, 0xFFFFFFFFu, 0u, 0u)"
+    assert Layout(FLAGGED).macros("sc_")["SC_DISCRETE_1"] == "0"
+
+
+@pytest.mark.parametrize("name", PAYLOADS)
+def test_every_program_is_valid_and_holds_nothing_unused(name: str) -> None:
+    path = Path(shadercache.__file__).with_name("manifest.schema.json")
+    validator = Draft202012Validator(json.loads(path.read_text(encoding="utf-8")))
+    analysis, node = analysed_payload(name)
+    modes: tuple[Mode, ...] = ("plain", "proof")
+    for mode in modes:
+        emission = rewrite(analysis, node, Options(mode=mode), unprofitable=True)
+        check_programs(emission)
+        validator.validate(emission.manifest)
+        for variant in emission.manifest["variants"]:
+            for item in variant["passes"]:
+                layers = {name for name in item["targets"] if name.startswith("cache")}
+                wanted = {"cache", "cache-2"} if Layout(node.type).second else {"cache"}
+                assert layers in (wanted, set())
+
+
+@pytest.mark.parametrize("name", ["vec4", "Mixed"])
+def test_golden_programs(name: str, golden: Golden) -> None:
+    emission = rewrite(*analysed_payload(name), unprofitable=True)
+    for file in ("1-pass.frag", "3-pass.payload.frag", "3-pass.shade.frag", "payload-alone.frag"):
+        golden(f"tests/emit/goldens/{name}/{file}", emission.files[file])
+    parts = {key: emission.manifest[key] for key in ("cache", "uniforms", "variants", "frame")}
+    golden(f"tests/emit/goldens/{name}/manifest.json", json.dumps(parts, indent=2) + "\n")
+
+
+@pytest.mark.skipif(shutil.which("glslangValidator") is None, reason="needs glslang-tools")
+@pytest.mark.parametrize("head", [DESKTOP, ES], ids=["330", "es"])
+def test_glslang_accepts_every_program_without_a_warning(head: str, tmp_path: Path) -> None:
+    files: list[str] = []
+    modes: tuple[Mode, ...] = ("plain", "proof")
+    for number, name in enumerate(PAYLOADS):
+        for mode in modes:
+            emission = rewrite(*analysed_payload(name, head), Options(mode), unprofitable=True)
+            for file, text in emission.files.items():
+                path = tmp_path / f"{number}-{mode}-{file}"
+                path.write_text(text)
+                files.append(str(path))
+    done = subprocess.run(["glslangValidator", *files], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout
+    assert "WARNING" not in done.stdout
+
+
+def test_a_payload_is_as_precise_as_its_expression() -> None:
+    for name, declared in (
+        ("ivec3", "mediump ivec3 sc_payload;"),
+        ("vec4", "mediump vec4 sc_payload;"),
+        ("bvec3", "bvec3 sc_payload;"),
+        ("Mixed", "Mixed sc_payload;"),
+    ):
+        text = rewrite(*analysed_payload(name, ES), unprofitable=True).files["3-pass.shade.frag"]
+        assert f"\n{declared}" in text
+
+
+def test_a_struct_stands_before_the_variable() -> None:
+    """And what the struct needs stands before it, as the user has it."""
+    analysis = analysed(
+        "Many m = make(v_position); o_color = vec4(m.values[0], m.values[1], 0.0, 1.0);",
+        "const int COUNT = 2; struct Many { float values[COUNT]; };"
+        "Many make(vec3 p) { Many m; m.values[0] = sin(p.x); m.values[1] = sin(p.y); return m; }",
+    )
+    emission = rewrite(analysis, find(analysis, "make(v_position)"), unprofitable=True)
+    check_programs(emission)
+    text = emission.files["3-pass.shade.frag"]
+    places = [text.index(words) for words in ("COUNT = 2", "struct Many", "Many sc_payload;")]
+    assert places == sorted(places)
