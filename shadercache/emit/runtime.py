@@ -34,17 +34,18 @@ def load_part(
 
     ``precision`` is the payload's, in GLSL ES.
     """
-    kind = str(layout.type)
-    macros = {
-        "PAYLOAD": f"{precision} {kind}" if precision and layout.takes_precision else kind,
-        "SC_SPREAD": str(SPREAD),
-        **layout.macros(prefix),
-        **{f"SC_{key.upper()}": str(value) for key, value in OUTCOMES.items()},
-    }
-    lines = ["#version 330", *(f"#define {key} {value}" for key, value in macros.items())]
+    macros = layout.macros(prefix)
+    if precision and layout.takes_precision:
+        macros["PAYLOAD"] = f"{precision} {macros['PAYLOAD']}"
+    macros |= {"SPREAD": str(SPREAD)}
+    macros |= {key.upper(): str(value) for key, value in OUTCOMES.items()}
+    # Names of the user's can stand in what a macro means; none begins with the prefix.
+    capitals = prefix.upper()
+    lines = ["#version 330", *(f"#define {capitals}{key} {macros[key]}" for key in macros)]
     # The parser has to know that these are types; what is in them is declared by the user.
     lines += [f"struct {struct} {{ float unknown; }};" for struct in layout.structs]
     text = (_text("macros") + _text(name)).replace(PREFIX, prefix)
+    text = text.replace(PREFIX.upper(), capitals)
     source = Source(f"{name}.glsl", "\n".join([*lines, text]))
     decls = parse(source).decls[len(layout.structs) :]
     return tuple(without_places(decl) for decl in decls)

@@ -2,19 +2,19 @@
 // fit there goes to the second texture.
 
 in vec4 sc_current;  // clip-space position in this frame
-out TEXEL sc_store;  // the texel of the cache
+out SC_TEXEL sc_store;  // the texel of the cache
 #if SC_TARGETS == 2
-out TEXEL sc_store_2;
+out SC_TEXEL sc_store_2;
 #endif
 
-PAYLOAD sc_payload;
+SC_PAYLOAD sc_payload;
 
-TEXEL sc_texel() {
-    return TEXEL(PACKED_1, DEPTH);
+SC_TEXEL sc_texel() {
+    return SC_TEXEL(SC_PACKED_1, SC_INVERSE_W);
 }
 
 #if SC_TARGETS == 2
-TEXEL sc_texel_2() {
-    return TEXEL(PACKED_2);
+SC_TEXEL sc_texel_2() {
+    return SC_TEXEL(SC_PACKED_2);
 }
 #endif
