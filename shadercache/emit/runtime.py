@@ -7,7 +7,7 @@ in through macros.
 from __future__ import annotations
 
 import re
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 from shadercache.ast import nodes as n
@@ -26,7 +26,7 @@ SPREAD = 24.0
 """How many epsilons a single texel of the filter may be off in depth (docs/NUMERICS.md)."""
 
 
-@cache
+@lru_cache(maxsize=512)  # each struct of each shader is a type of its own
 def load_part(
     name: str, layout: Layout, prefix: str, precision: str | None = None
 ) -> tuple[n.Decl, ...]:
