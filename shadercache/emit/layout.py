@@ -22,6 +22,7 @@ from shadercache.lang.types import Type
 from shadercache.options import CacheFormat
 
 _XYZW = "xyzw"
+_LOCALS = ["texel", "texel_2", "outcome"]
 _NARROWEST = {1: "r", 2: "rg", 3: "rgba", 4: "rgba"}
 
 
@@ -71,14 +72,21 @@ class Layout:
         return (f"rgba{kind}", *(_NARROWEST[n] + kind for n in self.channels[1:]))
 
     def macros(self, prefix: str) -> dict[str, str]:
-        """The macros of the ``.glsl`` files, where all names have that prefix."""
+        """The macros of the ``.glsl`` files, where all names have that prefix.
+
+        Theirs do not have it: it is still to be put before them, in capitals.
+        """
         leaves = list(_leaves(self.type, f"{prefix}payload", 0))
+        # A constructor must not be hidden by a variable of the function that it stands in.
+        names = [f"{prefix}local_{i}" for i in (1, 2, 3)] if self.structs else _LOCALS
         zero = "0u" if self.bits else "0.0"
         used = self.type.components_or_one
         found = {
-            "SC_TARGETS": str(len(self.channels)),
-            "SC_BITS": str(int(self.bits)),
-            "UNPACKED": self._unpacked(self.type, iter(leaves)),
+            "TARGETS": str(len(self.channels)),
+            "BITS": str(int(self.bits)),
+            "PAYLOAD": str(self.type),
+            "UNPACKED": self._unpacked(self.type, iter(leaves), names),
+            **{f"LOCAL_{number}": name for number, name in enumerate(names, start=1)},
         }
         for number, (start, end) in enumerate(
             ((0, FIRST_TEXEL), (FIRST_TEXEL, FIRST_TEXEL + SECOND_TEXEL)), start=1
@@ -88,7 +96,7 @@ class Layout:
                 [*self._packed(leaves, start, end, prefix), *padding]
             )
             discrete = _discrete(leaves, start, end)
-            found[f"SC_DISCRETE_{number}"] = str(int(any(discrete)))
+            found[f"ANY_DISCRETE_{number}"] = str(int(any(discrete)))
             marks = ("0xFFFFFFFFu" if mark else "0u" for mark in discrete)
             found[f"DISCRETE_{number}"] = f"uvec4({', '.join(marks)})"
         if len(leaves) == 1 and not self.bits and not self.second:
@@ -123,27 +131,26 @@ class Layout:
             return f"floatBitsToUint({text})"
         return f"uint({text})" if count == 1 else f"uvec{count}({text})"
 
-    def _unpacked(self, kind: Type, leaves: Iterator[_Leaf]) -> str:
+    def _unpacked(self, kind: Type, leaves: Iterator[_Leaf], names: list[str]) -> str:
         """An expression of ``kind`` from the texels, for the next of the leaves."""
         if kind.is_array:
-            parts = [self._unpacked(kind.element, leaves) for _ in range(kind.dims[0] or 0)]
+            parts = [self._unpacked(kind.element, leaves, names) for _ in range(kind.dims[0] or 0)]
             return f"{kind}({', '.join(parts)})"
         if kind.struct is not None:
-            parts = [self._unpacked(field, leaves) for field in kind.struct.fields.values()]
+            parts = [self._unpacked(field, leaves, names) for field in kind.struct.fields.values()]
             return f"{kind}({', '.join(parts)})"
-        found = [self._fetched(next(leaves)) for _ in range(kind.cols)]
+        found = [self._fetched(next(leaves), names) for _ in range(kind.cols)]
         parts = [part for column in found for part in column]
         # Only floats and unsigned integers need no conversion from what a channel holds.
         plain = kind.cols == len(parts) == 1 and kind.base in ("float", "uint")
         return parts[0] if plain else f"{kind}({', '.join(parts)})"
 
-    def _fetched(self, leaf: _Leaf) -> list[str]:
+    def _fetched(self, leaf: _Leaf, names: list[str]) -> list[str]:
         parts: list[str] = []
         channels = range(leaf.start, leaf.start + leaf.type.components_or_one)
-        for number, group in groupby(channels, key=lambda channel: channel // FIRST_TEXEL > 0):
+        for number, group in groupby(channels, key=lambda channel: int(channel >= FIRST_TEXEL)):
             first = FIRST_TEXEL if number else 0
-            name = "texel_2" if number else "texel"
-            text = f"{name}.{''.join(_XYZW[channel - first] for channel in group)}"
+            text = f"{names[number]}.{''.join(_XYZW[channel - first] for channel in group)}"
             as_float = self.bits and leaf.type.base == "float"
             parts.append(f"uintBitsToFloat({text})" if as_float else text)
         return parts

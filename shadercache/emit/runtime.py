@@ -7,7 +7,7 @@ in through macros.
 from __future__ import annotations
 
 import re
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 from shadercache.ast import nodes as n
@@ -26,7 +26,7 @@ SPREAD = 24.0
 """How many epsilons a single texel of the filter may be off in depth (docs/NUMERICS.md)."""
 
 
-@cache
+@lru_cache(maxsize=512)  # each struct of each shader is a type of its own
 def load_part(
     name: str, layout: Layout, prefix: str, precision: str | None = None, whole: bool = False
 ) -> tuple[n.Decl, ...]:
@@ -34,18 +34,18 @@ def load_part(
 
     ``precision`` is the payload's, in GLSL ES; ``whole``: not every fragment has a payload.
     """
-    kind = str(layout.type)
-    macros = {
-        "PAYLOAD": f"{precision} {kind}" if precision and layout.takes_precision else kind,
-        "SC_SPREAD": str(SPREAD),
-        "SC_WHOLE": str(int(whole)),
-        **layout.macros(prefix),
-        **{f"SC_{key.upper()}": str(value) for key, value in OUTCOMES.items()},
-    }
-    lines = ["#version 330", *(f"#define {key} {value}" for key, value in macros.items())]
+    macros = layout.macros(prefix)
+    if precision and layout.takes_precision:
+        macros["PAYLOAD"] = f"{precision} {macros['PAYLOAD']}"
+    macros |= {"SPREAD": str(SPREAD), "WHOLE": str(int(whole))}
+    macros |= {key.upper(): str(value) for key, value in OUTCOMES.items()}
+    # Names of the user's can stand in what a macro means; none begins with the prefix.
+    capitals = prefix.upper()
+    lines = ["#version 330", *(f"#define {capitals}{key} {macros[key]}" for key in macros)]
     # The parser has to know that these are types; what is in them is declared by the user.
     lines += [f"struct {struct} {{ float unknown; }};" for struct in layout.structs]
     text = (_text("macros") + _text(name)).replace(PREFIX, prefix)
+    text = text.replace(PREFIX.upper(), capitals)
     source = Source(f"{name}.glsl", "\n".join([*lines, text]))
     decls = parse(source).decls[len(layout.structs) :]
     return tuple(without_places(decl) for decl in decls)

@@ -13,12 +13,12 @@ PREFIX = "sc_"
 
 
 def fresh_prefix(*texts: str, stem: str = "sc") -> str:
-    """A prefix that no identifier in the given source texts begins with.
+    """A prefix that no identifier in the given source texts begins with, in capitals or not.
 
     ``sc_``, else ``sc1_``, ``sc2_`` ... GLSL reserves names that begin with ``gl_`` or hold two
     underscores (GLSL 3.30 section 3.6); neither can come out.
     """
-    taken = {word for text in texts for word in re.findall(rf"{stem}\d*_", text)}
+    taken = {word.lower() for text in texts for word in re.findall(rf"(?i){stem}\d*_", text)}
     number = 0
     prefix = f"{stem}_"
     while prefix in taken:

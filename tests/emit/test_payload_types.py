@@ -72,7 +72,8 @@ LAYOUTS = [
         ("rgba32ui", "rgba32ui"),
         "floatBitsToUint(sc_payload.ray.origin)",
         "uint(sc_payload.ray.id), uvec2(sc_payload.flags), sc_payload.count",
-        "Flagged(Ray(uintBitsToFloat(texel.xyz), int(texel_2.x)), bvec2(texel_2.yz), texel_2.w)",
+        "Flagged(Ray(uintBitsToFloat(sc_local_1.xyz), int(sc_local_2.x)), bvec2(sc_local_2.yz), "
+        "sc_local_2.w)",
     ),
 ]
 
@@ -95,7 +96,7 @@ def test_the_masks_mark_what_must_not_be_blended() -> None:
     macros = Layout(mixed).macros("sc_")
     assert macros["DISCRETE_1"] == "uvec4(0u, 0u, 0xFFFFFFFFu, 0u)"
     assert macros["DISCRETE_2"] == "uvec4(0u, 0xFFFFFFFFu, 0u, 0u)"
-    assert Layout(FLAGGED).macros("sc_")["SC_DISCRETE_1"] == "0"
+    assert Layout(FLAGGED).macros("sc_")["ANY_DISCRETE_1"] == "0"
 
 
 @pytest.mark.parametrize("name", PAYLOADS)
@@ -164,3 +165,18 @@ def test_a_struct_stands_before_the_variable() -> None:
     text = emission.files["3-pass.shade.frag"]
     places = [text.index(words) for words in ("COUNT = 2", "struct Many", "Many sc_payload;")]
     assert places == sorted(places)
+
+
+def test_names_of_structs_and_fields_do_not_collide_with_ours() -> None:
+    """Not with the runtime's local variables, nor with its macros."""
+    analysis = analysed(
+        "outcome m = make(v_position); o_color = vec4(m.t.DEPTH, m.SC_TEXEL, 0.0, 1.0)"
+        "+ texture(u_map, v_uv);",
+        "struct texel { float DEPTH; }; struct outcome { texel t; float SC_TEXEL; int STORE; };"
+        "outcome make(vec3 p) { return outcome(texel(sin(p.x)), sin(p.y), 1); }",
+    )
+    emission = rewrite(analysis, find(analysis, "make(v_position)"), unprofitable=True)
+    check_programs(emission)
+    text = emission.files["2-pass.hit.frag"]
+    assert "outcome(texel(uintBitsToFloat(sc1_local_1.x))" in text
+    assert text.index("discard") > text.index("sc1_shade();"), "the variant with most locals"

@@ -3,16 +3,16 @@
 in vec4 sc_current;   // clip-space position in this frame
 in vec4 sc_previous;  // clip-space position of the same surface point in the previous frame
 
-uniform SAMPLER sc_cache;    // what the previous frame stored: payload and 1/w
+uniform SC_SAMPLER sc_cache;    // what the previous frame stored: payload and 1/w
 #if SC_TARGETS == 2
-uniform SAMPLER sc_cache_2;  // the rest of the payload
+uniform SC_SAMPLER sc_cache_2;  // the rest of the payload
 #endif
 uniform int sc_clock;        // frames, already reduced to [0, sc_period)
 uniform int sc_period;       // frames between two refreshes of a pixel
 uniform int sc_block;        // edge in pixels of the squares that are refreshed together
 uniform float sc_epsilon;    // greatest accepted difference of depths, relative to the depth
 
-PAYLOAD sc_payload;
+SC_PAYLOAD sc_payload;
 
 // A well mixed 32-bit hash of a block's coordinates.
 uint sc_hash(uvec2 block) {
@@ -51,7 +51,7 @@ bool sc_same(uvec4 a, uvec4 b, uvec4 c, uvec4 d, uvec4 discrete) {
 
 // Reprojection: where the surface point was, whether it was seen there, and what was stored.
 // Returns SC_HIT, SC_REFRESH, SC_OUTSIDE or SC_DEPTH.
-int sc_look_up(OUT_TEXELS) {
+int sc_look_up(SC_OUT_TEXELS) {
     ivec2 last = textureSize(sc_cache, 0) - 1;
     vec2 motion = sc_previous.xy / sc_previous.w - sc_current.xy / sc_current.w;
     vec2 corner = gl_FragCoord.xy - 0.5 + 0.5 * vec2(last + 1) * motion;
@@ -60,20 +60,20 @@ int sc_look_up(OUT_TEXELS) {
     vec2 part = corner - whole;
     ivec2 near = clamp(ivec2(whole), ivec2(0), last);
     ivec2 far = min(near + ivec2(ceil(part)), last);
-    TEXEL a = texelFetch(sc_cache, near, 0);
-    TEXEL b = texelFetch(sc_cache, ivec2(far.x, near.y), 0);
-    TEXEL c = texelFetch(sc_cache, ivec2(near.x, far.y), 0);
-    TEXEL d = texelFetch(sc_cache, far, 0);
+    SC_TEXEL a = texelFetch(sc_cache, near, 0);
+    SC_TEXEL b = texelFetch(sc_cache, ivec2(far.x, near.y), 0);
+    SC_TEXEL c = texelFetch(sc_cache, ivec2(near.x, far.y), 0);
+    SC_TEXEL d = texelFetch(sc_cache, far, 0);
 #if SC_TARGETS == 2
-    TEXEL a_2 = texelFetch(sc_cache_2, near, 0);
-    TEXEL b_2 = texelFetch(sc_cache_2, ivec2(far.x, near.y), 0);
-    TEXEL c_2 = texelFetch(sc_cache_2, ivec2(near.x, far.y), 0);
-    TEXEL d_2 = texelFetch(sc_cache_2, far, 0);
+    SC_TEXEL a_2 = texelFetch(sc_cache_2, near, 0);
+    SC_TEXEL b_2 = texelFetch(sc_cache_2, ivec2(far.x, near.y), 0);
+    SC_TEXEL c_2 = texelFetch(sc_cache_2, ivec2(near.x, far.y), 0);
+    SC_TEXEL d_2 = texelFetch(sc_cache_2, far, 0);
 #endif
 #if SC_BITS
-    texel = sc_blend(a, b, c, d, part, DISCRETE_1);
+    texel = sc_blend(a, b, c, d, part, SC_DISCRETE_1);
 #if SC_TARGETS == 2
-    texel_2 = sc_blend(a_2, b_2, c_2, d_2, part, DISCRETE_2);
+    texel_2 = sc_blend(a_2, b_2, c_2, d_2, part, SC_DISCRETE_2);
 #endif
 #else
     texel = mix(mix(a, b, part.x), mix(c, d, part.x), part.y);
@@ -91,19 +91,19 @@ int sc_look_up(OUT_TEXELS) {
     }
     // All depths are 1/w. The blended one must agree closely, each single one roughly: else a front
     // and a back could blend to just the right depth. A comparison with NaN is false and so a miss.
-    vec4 each = abs(vec4(FLOAT(a.w), FLOAT(b.w), FLOAT(c.w), FLOAT(d.w)) * sc_previous.w - 1.0);
-    if (!(abs(FLOAT(texel.w) * sc_previous.w - 1.0) <= sc_epsilon
+    vec4 each = abs(vec4(SC_FLOAT(a.w), SC_FLOAT(b.w), SC_FLOAT(c.w), SC_FLOAT(d.w)) * sc_previous.w - 1.0);
+    if (!(abs(SC_FLOAT(texel.w) * sc_previous.w - 1.0) <= sc_epsilon
             && all(lessThanEqual(each, vec4(SC_SPREAD * sc_epsilon))))) {
         return SC_DEPTH;
     }
     // No integer lies between two others: where the texels differ, none of them is right.
-#if SC_DISCRETE_1
-    if (!sc_same(a, b, c, d, DISCRETE_1)) {
+#if SC_ANY_DISCRETE_1
+    if (!sc_same(a, b, c, d, SC_DISCRETE_1)) {
         return SC_DEPTH;
     }
 #endif
-#if SC_DISCRETE_2
-    if (!sc_same(a_2, b_2, c_2, d_2, DISCRETE_2)) {
+#if SC_ANY_DISCRETE_2
+    if (!sc_same(a_2, b_2, c_2, d_2, SC_DISCRETE_2)) {
         return SC_DEPTH;
     }
 #endif

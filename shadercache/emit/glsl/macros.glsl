@@ -1,32 +1,33 @@
 // Words that the other files use. Set before, by emit/layout.py: SC_TARGETS (1 or 2 textures),
-// SC_BITS (do they hold unsigned integers?), SC_WHOLE (may there be no payload?), PAYLOAD (its type), PACKED_1 and PACKED_2 (its channels
-// in each texel, without the depth), UNPACKED (the payload from the texels), CHANNELS (the texel's
-// channels that are the payload, where it is a scalar or vector of floats in one texel), DISCRETE_1
-// and DISCRETE_2 (masks of the channels that hold integers or booleans; SC_DISCRETE_1, SC_DISCRETE_2:
-// are there any?).
+// SC_BITS (do they hold unsigned integers?), SC_WHOLE (may there be no payload?), SC_PAYLOAD (its
+// type), SC_PACKED_1 and SC_PACKED_2 (its channels in each texel, without the depth), SC_UNPACKED (the payload from the texels),
+// SC_CHANNELS (the texel's channels that are the payload, where it is a scalar or vector of floats
+// in one texel), SC_DISCRETE_1 and SC_DISCRETE_2 (masks of the channels that hold integers or
+// booleans), SC_ANY_DISCRETE_1 and SC_ANY_DISCRETE_2 (are there any?), SC_LOCAL_1 to SC_LOCAL_3
+// (names of main's variables: two texels and an outcome).
 
 #if SC_BITS
-#define TEXEL uvec4
-#define SAMPLER usampler2D
-#define FLOAT(channel) uintBitsToFloat(channel)
-#define DEPTH floatBitsToUint(1.0 / sc_current.w)
-#define EMPTY uvec4(0u)
+#define SC_TEXEL uvec4
+#define SC_SAMPLER usampler2D
+#define SC_FLOAT(channel) uintBitsToFloat(channel)
+#define SC_INVERSE_W floatBitsToUint(1.0 / sc_current.w)
+#define SC_EMPTY uvec4(0u)
 #else
-#define TEXEL vec4
-#define SAMPLER sampler2D
-#define FLOAT(channel) channel
-#define DEPTH 1.0 / sc_current.w
-#define EMPTY vec4(0.0, 0.0, 0.0, -1.0)
+#define SC_TEXEL vec4
+#define SC_SAMPLER sampler2D
+#define SC_FLOAT(channel) channel
+#define SC_INVERSE_W 1.0 / sc_current.w
+#define SC_EMPTY vec4(0.0, 0.0, 0.0, -1.0)
 #endif
 
 #if SC_TARGETS == 2
-#define TEXELS texel, texel_2
-#define DECLARE_TEXELS TEXEL texel; TEXEL texel_2
-#define OUT_TEXELS out TEXEL texel, out TEXEL texel_2
-#define STORE sc_store = sc_texel(); sc_store_2 = sc_texel_2()
+#define SC_TEXELS SC_LOCAL_1, SC_LOCAL_2
+#define SC_DECLARE_TEXELS SC_TEXEL SC_LOCAL_1; SC_TEXEL SC_LOCAL_2
+#define SC_OUT_TEXELS out SC_TEXEL texel, out SC_TEXEL texel_2
+#define SC_STORE sc_store = sc_texel(); sc_store_2 = sc_texel_2()
 #else
-#define TEXELS texel
-#define DECLARE_TEXELS TEXEL texel
-#define OUT_TEXELS out TEXEL texel
-#define STORE sc_store = sc_texel()
+#define SC_TEXELS SC_LOCAL_1
+#define SC_DECLARE_TEXELS SC_TEXEL SC_LOCAL_1
+#define SC_OUT_TEXELS out SC_TEXEL texel
+#define SC_STORE sc_store = sc_texel()
 #endif

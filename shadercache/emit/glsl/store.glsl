@@ -3,34 +3,34 @@
 // be empty, which matches nothing.
 
 in vec4 sc_current;  // clip-space position in this frame
-out TEXEL sc_store;  // the texel of the cache
+out SC_TEXEL sc_store;  // the texel of the cache
 #if SC_TARGETS == 2
-out TEXEL sc_store_2;
+out SC_TEXEL sc_store_2;
 #endif
 
-PAYLOAD sc_payload;
+SC_PAYLOAD sc_payload;
 #if SC_WHOLE
 bool sc_reuse = false;  // is there a payload from the cache?
 bool sc_valid = false;  // is there a payload to store?
 bool sc_lacks = false;  // was a payload needed, and none there?
 #endif
 
-TEXEL sc_texel() {
+SC_TEXEL sc_texel() {
 #if SC_WHOLE
     if (!sc_valid) {
-        return EMPTY;
+        return SC_EMPTY;
     }
 #endif
-    return TEXEL(PACKED_1, DEPTH);
+    return SC_TEXEL(SC_PACKED_1, SC_INVERSE_W);
 }
 
 #if SC_TARGETS == 2
-TEXEL sc_texel_2() {
+SC_TEXEL sc_texel_2() {
 #if SC_WHOLE
     if (!sc_valid) {
-        return TEXEL(0);
+        return SC_TEXEL(0);
     }
 #endif
-    return TEXEL(PACKED_2);
+    return SC_TEXEL(SC_PACKED_2);
 }
 #endif

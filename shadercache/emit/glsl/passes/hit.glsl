@@ -1,10 +1,10 @@
 // Two passes, first: shade hits from the payload, leave misses open.
 void main() {
-    DECLARE_TEXELS;
-    if (sc_look_up(TEXELS) != SC_HIT) {
+    SC_DECLARE_TEXELS;
+    if (sc_look_up(SC_TEXELS) != SC_HIT) {
         discard;
     }
-    sc_payload = UNPACKED;
+    sc_payload = SC_UNPACKED;
     sc_shade();
-    STORE;
+    SC_STORE;
 }

@@ -1,12 +1,12 @@
 // Two passes, first: shade whatever has its payload or does not need it; the rest is left open. The
 // shading takes derivatives, which are undefined behind a discard, so the discard comes last.
 void main() {
-    DECLARE_TEXELS;
-    sc_reuse = sc_look_up(TEXELS) == SC_HIT;
+    SC_DECLARE_TEXELS;
+    sc_reuse = sc_look_up(SC_TEXELS) == SC_HIT;
     sc_valid = sc_reuse;
-    sc_payload = UNPACKED;
+    sc_payload = SC_UNPACKED;
     sc_shade();
-    STORE;
+    SC_STORE;
     if (sc_lacks) {
         discard;
     }

@@ -1,12 +1,12 @@
 // Two passes, first: shade hits from the payload, leave misses open. The shading takes derivatives,
 // which are undefined behind a discard, so the discard comes last.
 void main() {
-    DECLARE_TEXELS;
-    int outcome = sc_look_up(TEXELS);
-    sc_payload = UNPACKED;
+    SC_DECLARE_TEXELS;
+    int SC_LOCAL_3 = sc_look_up(SC_TEXELS);
+    sc_payload = SC_UNPACKED;
     sc_shade();
-    STORE;
-    if (outcome != SC_HIT) {
+    SC_STORE;
+    if (SC_LOCAL_3 != SC_HIT) {
         discard;
     }
 }

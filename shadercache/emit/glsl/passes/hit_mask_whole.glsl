@@ -2,7 +2,7 @@
 out float sc_outcome;
 
 void main() {
-    DECLARE_TEXELS;
-    sc_outcome = float(sc_look_up(TEXELS));
+    SC_DECLARE_TEXELS;
+    sc_outcome = float(sc_look_up(SC_TEXELS));
     sc_shade();
 }

@@ -1,20 +1,20 @@
 // Three passes, third: the colour, from the payload that stands in the cache of this frame.
-uniform SAMPLER sc_payloads;  // what this frame stored so far
+uniform SC_SAMPLER sc_payloads;  // what this frame stored so far
 #if SC_TARGETS == 2
-uniform SAMPLER sc_payloads_2;
+uniform SC_SAMPLER sc_payloads_2;
 #endif
 
-PAYLOAD sc_payload;
+SC_PAYLOAD sc_payload;
 
 void main() {
-#ifdef CHANNELS
-    sc_payload = texelFetch(sc_payloads, ivec2(gl_FragCoord.xy), 0).CHANNELS;
+#ifdef SC_CHANNELS
+    sc_payload = texelFetch(sc_payloads, ivec2(gl_FragCoord.xy), 0).SC_CHANNELS;
 #else
-    TEXEL texel = texelFetch(sc_payloads, ivec2(gl_FragCoord.xy), 0);
+    SC_TEXEL SC_LOCAL_1 = texelFetch(sc_payloads, ivec2(gl_FragCoord.xy), 0);
 #if SC_TARGETS == 2
-    TEXEL texel_2 = texelFetch(sc_payloads_2, ivec2(gl_FragCoord.xy), 0);
+    SC_TEXEL SC_LOCAL_2 = texelFetch(sc_payloads_2, ivec2(gl_FragCoord.xy), 0);
 #endif
-    sc_payload = UNPACKED;
+    sc_payload = SC_UNPACKED;
 #endif
     sc_shade();
 }

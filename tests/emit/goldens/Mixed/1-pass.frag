@@ -109,10 +109,10 @@ uvec4 sc_texel_2() {
 }
 
 void main() {
-    uvec4 texel;
-    uvec4 texel_2;
-    if (sc_look_up(texel, texel_2) == 1) {
-        sc_payload = Mixed(Pair(uintBitsToFloat(texel.xy), uintBitsToFloat(texel.z)), bool(texel_2.x), ivec2(texel_2.yz), texel_2.w);
+    uvec4 sc_local_1;
+    uvec4 sc_local_2;
+    if (sc_look_up(sc_local_1, sc_local_2) == 1) {
+        sc_payload = Mixed(Pair(uintBitsToFloat(sc_local_1.xy), uintBitsToFloat(sc_local_1.z)), bool(sc_local_2.x), ivec2(sc_local_2.yz), sc_local_2.w);
     } else {
         sc_compute();
     }

@@ -26,8 +26,8 @@ void sc_shade() {
 }
 
 void main() {
-    uvec4 texel = texelFetch(sc_payloads, ivec2(gl_FragCoord.xy), 0);
-    uvec4 texel_2 = texelFetch(sc_payloads_2, ivec2(gl_FragCoord.xy), 0);
-    sc_payload = Mixed(Pair(uintBitsToFloat(texel.xy), uintBitsToFloat(texel.z)), bool(texel_2.x), ivec2(texel_2.yz), texel_2.w);
+    uvec4 sc_local_1 = texelFetch(sc_payloads, ivec2(gl_FragCoord.xy), 0);
+    uvec4 sc_local_2 = texelFetch(sc_payloads_2, ivec2(gl_FragCoord.xy), 0);
+    sc_payload = Mixed(Pair(uintBitsToFloat(sc_local_1.xy), uintBitsToFloat(sc_local_1.z)), bool(sc_local_2.x), ivec2(sc_local_2.yz), sc_local_2.w);
     sc_shade();
 }
