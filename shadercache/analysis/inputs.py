@@ -1,4 +1,4 @@
-"""What the inputs of a value are: varyings, uniforms, textures, places on the screen, globals."""
+"""What the inputs of a value are: varyings, uniforms, textures, the place on the screen."""
 
 from __future__ import annotations
 

@@ -1,4 +1,6 @@
-"""Texture files on the GPU: ``.png`` (8 bits a channel), ``.npz`` (any precision, cubes, arrays).
+"""Texture files on the GPU: ``.png`` (8 bits a channel) and ``.npz`` (any precision).
+
+The latter also hold cube maps and the layers of an array.
 
 Row 0 of a file is uploaded first: it lies at texture coordinate v = 0, for both kinds of file.
 Values reach the shader as stored; nothing is converted from or to sRGB.

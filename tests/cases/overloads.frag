@@ -14,11 +14,11 @@ float pick(int x) { return float(x) * 0.125; }
 float pick(uint x) { return float(x) * 0.25; }
 float pick(float x, inout float y) { y += pick(x); return y * pick(vec2(x, y)); }
 
-float mix(float a, float b) { return pick(a) * 0.25 + pick(b); }
+float both(float a, float b) { return pick(a) * 0.25 + pick(b); }
 
 void main() {
     float a = pick(v_position) + pick(int(v_uv.x * 4.0)) + pick(2u);
     float b = pick(v_uv);
     float c = pick(v_uv.x, b);
-    o_color = vec4(a, b, c, mix(a, b) + mix(a, c, 0.5));
+    o_color = vec4(a, b, c, both(a, b) + mix(a, c, 0.5));
 }

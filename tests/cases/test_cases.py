@@ -100,11 +100,11 @@ def test_the_reference_compiler_says_no_more_than_of_the_original(
     accepted = _complaints([(f"user{suffix}", text) for suffix, text in shaders.items()], tmp_path)
     assert not any(line.startswith("ERROR") for line in accepted)
     texts = [item for mode in MODES for item in emit_original(analysis, mode).files.items()]
-    for node in legal(name):
+    for node in day_slice(legal(name), seed(), NODES):
         for mode in MODES:
             emission = rewrite(analysis, node, Options(mode), unprofitable=True)
             texts += emission.files.items()
-    assert _complaints(texts, tmp_path) <= accepted
+    assert _complaints(texts, tmp_path) <= accepted, f"{VARIABLE}={seed()} repeats this"
 
 
 def _complaints(texts: Iterable[tuple[str, str]], folder: Path) -> set[str]:

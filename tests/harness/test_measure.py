@@ -52,7 +52,7 @@ def steps() -> list[tuple[int, int, str]]:
 def measurement(
     gpu: Gpu, scene: Scene, bundle: Bundle, steps: list[tuple[int, int, str]]
 ) -> Measurement:
-    entries = [Entry("payload", bundle), Entry("again", bundle, ("2-pass",))]
+    entries = [Entry("payload", bundle), Entry("again", bundle, ("2-pass",), equal=3)]
     entries.append(Entry("third", bundle, ("1-pass", "2-pass")))
     return measure(gpu, scene, entries, OPTIONS, lambda *told: steps.append(told))
 
@@ -65,6 +65,7 @@ def test_every_node_and_variant_is_measured(measurement: Measurement) -> None:
         "third": ["1-pass", "2-pass"],
     }
     assert [len(group.nodes) for group in measurement.groups] == [2, 1]
+    assert [node.equal for node in measurement.nodes] == [1, 3, 1]
     assert 0.2 < measurement.covered < 0.7
 
 

@@ -55,6 +55,8 @@ def test_a_folder_stands_for_its_scene_file(scene: Scene, scene_folder: Path) ->
         ("block = 4", "block = 1", "SC505", "from 2 up", 38),
         ("block = 4", "blocks = 4", "SC504", "unknown key demo.blocks", 38),
         ('nodes = ["payload"]', "nodes = [1]", "SC505", "an array of strings", 36),
+        ("[nodes]", "[changes]\nlight = 'u'\n[nodes]", "SC505", "changes.light must be", 33),
+        ("[nodes]", "[changes]\nwind = ['u']\n[nodes]", "SC504", "unknown key changes.wind", 33),
         ("[nodes]", "[knots]", "SC504", "unknown key knots", None),
         ("[nodes]", "[nodes]\nx = 1\n[textures.u_t]\nfile='torus.npz'\nwrap='mirror'", "SC505",
          "one of repeat, clamp", 36),
@@ -77,6 +79,16 @@ def test_all_mistakes_are_told_at_once(scene_folder: Path) -> None:
     assert len(error.diagnostics) == 1, "a key given twice is not TOML"
     error = broken(scene_folder, "near = 0.5", 'near = "x"\nfra = 1')
     assert [item.code for item in error.diagnostics] == ["SC505", "SC504"]
+
+
+def test_why_uniforms_change(scene_folder: Path) -> None:
+    text = (scene_folder / "scene.toml").read_text()
+    table = '[changes]\nlight = ["u_light"]\ntime = ["u_scale"]\n'
+    path = scene_folder / "changing.toml"
+    path.write_text(text.replace("[nodes]", f"{table}[nodes]", 1))
+    found = load_scene(path).changes
+    assert found["u_light"] == "light" and found["u_scale"] == "time"
+    assert found["u_model"] == "view", "told by its semantic"
 
 
 def test_no_such_file(tmp_path: Path) -> None:
