@@ -1,8 +1,9 @@
 """``./dev stress``: the front end on bad, odd and huge input, for as long as one likes.
 
 First every written case, then real shaders that are damaged at random until the time is up. Real
-ones are those of the tests, and the public ones where ``./dev corpus`` has fetched them. Exit
-status 1 if anything is wrong; ``out/stress`` then has the texts.
+ones are those of the tests, and the public ones where ``./dev corpus`` has fetched them. Last,
+shaders that are generated: the laws on nodes of each. Exit status 1 if anything is wrong;
+``out/stress`` and ``out/generated`` then have the texts.
 """
 
 from __future__ import annotations
@@ -12,6 +13,9 @@ import sys
 import time
 from collections.abc import Sequence
 from pathlib import Path
+
+from tests.generated.many import try_many
+from tests.generated.suite import Coverage
 
 from .cases import written_cases
 from .suite import ROOT, random_rounds, run_apart
@@ -23,6 +27,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="./dev stress", description=__doc__)
     parser.add_argument("--seconds", type=float, default=300.0, help="for the random cases")
     parser.add_argument("--seed", type=int, default=int(time.time()), help="of the random cases")
+    parser.add_argument("--generated", type=int, default=2000, help="shaders to generate")
     parser.add_argument("--only", metavar="TEXT", help="the written cases with TEXT in their name")
     parser.add_argument("-o", "--output", type=Path, default=ROOT / "out" / "stress")
     options = parser.parse_args(arguments)
@@ -38,7 +43,21 @@ def main(arguments: Sequence[str] | None = None) -> int:
             wrong += _told(run_apart(cases))
     _save(wrong, options.output)
     print(f"{count} cases, {len(wrong)} went wrong (seed {options.seed})")
-    return int(bool(wrong))
+    broken = 0 if options.only is not None else _generated(options.generated, options.seed)
+    return int(bool(wrong or broken))
+
+
+def _generated(count: int, seed: int) -> int:
+    """Try generated shaders, print what occurred; how many seeds found something broken."""
+    coverage, broken = Coverage(), 0
+    for seen, problem in try_many(count, seed):
+        coverage.merge(seen)
+        if problem:
+            broken += 1
+            print(problem, flush=True)
+    print(coverage.table())
+    print(f"{broken} batches broke a law (seed {seed})")
+    return broken
 
 
 def _told(results: Sequence[Result]) -> list[Result]:

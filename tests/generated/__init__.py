@@ -1,0 +1,1 @@
+"""Shaders written at random, and the laws on them."""

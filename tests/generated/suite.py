@@ -1,0 +1,145 @@
+"""Many generated shaders under the laws: seeds, coverage, and the smallest shader that fails."""
+
+from __future__ import annotations
+
+import random
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from hypothesis import HealthCheck, Phase, given, seed, settings
+from hypothesis import strategies as st
+
+from shadercache.analysis.candidates import Candidate
+from shadercache.ast.large import allow_deep_trees
+from shadercache.harness.context import Gpu
+
+from .dialects import DIALECTS
+from .trial import Report, try_shader
+from .writer import Shader, Writer, shaders
+
+OUTPUT = Path(__file__).resolve().parent.parent.parent / "out" / "generated"
+REGRESSIONS = Path(__file__).with_name("regressions")
+NODES = 2
+"""Nodes of a shader that are checked."""
+
+
+@dataclass
+class Coverage:
+    """How often everything occurred, over many shaders."""
+
+    shaders: Counter[str] = field(default_factory=Counter)
+    constructs: Counter[str] = field(default_factory=Counter)
+    codes: Counter[str] = field(default_factory=Counter)
+    algorithms: Counter[str] = field(default_factory=Counter)
+    nodes: int = 0
+    not_finite: int = 0
+
+    def add(self, shader: Shader, report: Report) -> None:
+        """Count one shader in."""
+        self.shaders[shader.dialect.name] += 1
+        self.constructs += shader.tags
+        self.codes += report.codes
+        self.algorithms += report.algorithms
+        self.nodes += report.nodes
+        self.not_finite += not report.finite
+
+    def merge(self, other: Coverage) -> None:
+        """Count in what another run has seen."""
+        for mine, theirs in (
+            (self.shaders, other.shaders),
+            (self.constructs, other.constructs),
+            (self.codes, other.codes),
+            (self.algorithms, other.algorithms),
+        ):
+            mine.update(theirs)
+        self.nodes += other.nodes
+        self.not_finite += other.not_finite
+
+    def table(self) -> str:
+        """The counts as text, the most frequent first."""
+        lines = [f"{self.shaders.total()} shaders, {self.nodes} nodes checked"]
+        lines.append(f"{self.not_finite} shaders with values that are not finite")
+        for title in ("shaders", "constructs", "codes", "algorithms"):
+            lines.append(f"{title}:")
+            counts: Counter[str] = getattr(self, title)
+            lines += [f"  {count:7}  {name}" for name, count in counts.most_common()]
+        return "\n".join(lines)
+
+
+class BrokenError(AssertionError):
+    """A generated shader for which something does not hold."""
+
+
+def check_shaders(gpu: Gpu, dialect: str, count: int, number: int, coverage: Coverage) -> None:
+    """Try so many shaders, the same ones for the same seed ``number``.
+
+    Raises :class:`BrokenError` for the smallest shader that breaks anything, written to
+    ``out/generated``.
+    """
+
+    @seed(number)
+    @settings(
+        max_examples=count,
+        deadline=None,
+        database=None,
+        phases=(Phase.generate, Phase.shrink),
+        suppress_health_check=list(HealthCheck),
+        report_multiple_bugs=False,
+        print_blob=False,
+    )
+    @given(st.data())
+    def every_shader(data: st.DataObject) -> None:
+        shader = data.draw(shaders(dialect))
+
+        def drawn(legal: Sequence[Candidate]) -> list[Candidate]:
+            return pick_nodes(legal, lambda below: data.draw(st.integers(0, below - 1)))
+
+        report = try_shader(gpu, shader.text, shader.dialect, drawn)
+        coverage.add(shader, report)
+        if report.problems:
+            raise BrokenError(_kept(shader, report, number))
+
+    allow_deep_trees()  # or hypothesis warns that the limit changes under it
+    every_shader()
+
+
+def pick_nodes(legal: Sequence[Candidate], pick: Callable[[int], int]) -> list[Candidate]:
+    """Some of the nodes: where there is one, one that might pay, and one inside of a function."""
+    left, found = list(legal), list[Candidate]()
+    for wanted in (_pays, _is_called):
+        some = [node for node in left if wanted(node)]
+        if some:
+            found.append(some[pick(len(some))])
+            left.remove(found[-1])
+    while left and len(found) < NODES:
+        found.append(left.pop(pick(len(left))))
+    return found
+
+
+def _pays(node: Candidate) -> bool:
+    return node.offered
+
+
+def _is_called(node: Candidate) -> bool:
+    return node.instance is not None and bool(node.instance.path)
+
+
+def quick_shader(dialect: str, number: int) -> Shader:
+    """The shader of a seed, without the means to make it smaller."""
+    choice = random.Random(f"{dialect} {number}")
+    return Writer(choice.randrange, DIALECTS[dialect]).shader()
+
+
+def _kept(shader: Shader, report: Report, number: int) -> str:
+    """Write a failing shader to a file; hypothesis ends with the smallest. What to tell of it."""
+    OUTPUT.mkdir(parents=True, exist_ok=True)
+    file = OUTPUT / f"{shader.dialect.name}-{number}.frag"
+    file.write_text(shader.text, encoding="utf-8")
+    problems = "\n".join(report.problems)
+    return (
+        f"{problems}\n\n{shader.text}\n"
+        f"SHADERCACHE_SEED={number} repeats this; the shader is {file}.\n"
+        f"Once repaired it belongs into {REGRESSIONS}."
+    )

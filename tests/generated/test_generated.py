@@ -1,0 +1,71 @@
+"""Laws 1 to 4 on shaders that are written at random, other ones every day.
+
+``./dev stress`` tries 2,000 of them. A failing run is repeated by ``SHADERCACHE_SEED``.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from laws.slices import VARIABLE, seed
+
+from shadercache.harness.context import Gpu
+
+from .dialects import DIALECTS
+from .suite import REGRESSIONS, Coverage, check_shaders
+from .trial import try_shader
+
+pytestmark = [pytest.mark.xdist_group("generated"), pytest.mark.timeout(900)]
+
+COUNTS = {"gl330": 64, "gl120": 12, "es100": 12, "es300": 12}
+
+CONSTRUCTS = (
+    *("?:", "&&", "||", "^^", "comma", "++", "arithmetic", "integer", "unsigned", "boolean vector"),
+    *("matrix", "struct", "array", "constructor", "swizzle", "conversion", "varying index"),
+    *("if", "else", "uniform if", "for", "while", "do", "switch", "fall through"),
+    *("jump", "return", "discard", "call", "overload", "overload called"),
+    *("inout argument", "out argument", "in parameter", "struct or array parameter"),
+    *("global", "const global", "const local", "shadowed name", "several declarators"),
+    *("compound assignment", "swizzled l-value", "assignment in an expression"),
+    *("texture", "textureProj", "textureOffset", "textureLod", "texelFetch", "cube map"),
+    *("texture bias", "precision", "global written by a function", "call as a statement"),
+)
+"""Constructs without which a day's shaders would prove too little."""
+
+CODES = ("offered", *(f"SC{number}" for number in (301, 302, 303, 304, 306, 307, 308, 309, 310)))
+
+
+@pytest.fixture(scope="module")
+def coverage() -> Coverage:
+    """What all tests of this file have seen."""
+    return Coverage()
+
+
+@pytest.mark.parametrize("dialect", DIALECTS)
+def test_laws_1_to_4(gpu: Gpu, coverage: Coverage, dialect: str) -> None:
+    print(f"{VARIABLE}={seed()}")
+    check_shaders(gpu, dialect, COUNTS[dialect], seed(), coverage)
+
+
+def test_what_occurred(coverage: Coverage) -> None:
+    if coverage.shaders.total() < sum(COUNTS.values()):
+        pytest.skip("not all shaders were tried")
+    print(coverage.table())
+    missing = [name for name in CONSTRUCTS if not coverage.constructs[name]]
+    missing += [code for code in CODES if not coverage.codes[code]]
+    missing += [name for name in ("1-pass", "2-pass", "3-pass") if not coverage.algorithms[name]]
+    assert not missing, "never occurred"
+    assert coverage.nodes > coverage.shaders.total(), "too few legal nodes"
+    assert coverage.not_finite <= 0.05 * coverage.shaders.total()
+
+
+REGRESSION_FILES = sorted(REGRESSIONS.glob("*.frag"))
+
+
+@pytest.mark.parametrize("file", REGRESSION_FILES, ids=[file.stem for file in REGRESSION_FILES])
+def test_what_broke_once(gpu: Gpu, file: Path) -> None:
+    """Every legal node of a small shader that broke a law or the compiler."""
+    dialect = DIALECTS[file.name.split("-")[0]]
+    report = try_shader(gpu, file.read_text(encoding="utf-8"), dialect, lambda legal: legal)
+    assert not report.problems

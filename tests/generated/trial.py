@@ -1,0 +1,145 @@
+"""One generated shader under the laws: what is wrong with it, in words."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import tempfile
+import traceback
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import closing
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from shadercache.analysis.candidates import Candidate
+from shadercache.compiler import Analysis, Emission, analyse, rewrite
+from shadercache.diagnostics import InputError
+from shadercache.front.options import ReadOptions
+from shadercache.harness.bundle import Bundle
+from shadercache.harness.context import Gpu
+from shadercache.harness.verify import Verdict, Verifier
+from shadercache.options import Options
+from shadercache.sema.read import read
+from shadercache.source import Source
+
+from .dialects import Dialect
+from .stage import SIZE, ring, scene
+
+Chooser = Callable[[Sequence[Candidate]], Sequence[Candidate]]
+
+REFERENCE = shutil.which("glslangValidator")
+
+
+@dataclass
+class Report:
+    """What came out of one shader; ``problems`` is empty where all is well."""
+
+    problems: list[str] = field(default_factory=list)
+    codes: Counter[str] = field(default_factory=Counter)
+    algorithms: Counter[str] = field(default_factory=Counter)
+    nodes: int = 0
+    finite: bool = True
+
+
+def try_shader(gpu: Gpu, text: str, dialect: Dialect, chooser: Chooser) -> Report:
+    """Check the laws on the legal nodes that ``chooser`` takes, and all programs of theirs.
+
+    A crash is a problem like any other, so that a smallest shader is found for it too.
+    """
+    report = Report()
+    try:
+        _try(gpu, text, dialect, chooser, report)
+    except Exception as error:
+        report.problems.append(f"{type(error).__name__}: {error}\n{traceback.format_exc()}")
+    return report
+
+
+def _try(gpu: Gpu, text: str, dialect: Dialect, chooser: Chooser, report: Report) -> None:
+    analysis = analyse(Source("made.frag", text), Source("made.vert", dialect.vertex))
+    for node in analysis.nodes:
+        report.codes[node.refusal.code.code if node.refusal else "offered"] += 1
+    chosen = chooser([node for node in analysis.nodes if node.legal])
+    report.nodes = len(chosen)
+    made = [(node, _rewritten(analysis, node)) for node in chosen]
+    report.problems += _drawn(gpu, analysis, made, report)
+    texts = {"user.frag": text, "user.vert": dialect.vertex}
+    for number, (_, emission) in enumerate(made):
+        texts |= {f"{number}-{name}": content for name, content in emission.files.items()}
+    if chosen:  # what is shipped, for one of them: emission takes most of the time
+        plain = rewrite(analysis, chosen[0], Options(), unprofitable=True)
+        texts |= {f"plain-{name}": content for name, content in plain.files.items()}
+    texts = {
+        name: content
+        for content, name in {content: name for name, content in reversed(texts.items())}.items()
+    }
+    report.problems += _read(texts)
+    report.problems += _compiled(texts)
+
+
+def _rewritten(analysis: Analysis, node: Candidate) -> Emission:
+    return rewrite(analysis, node, Options("proof", "rgba32f"), unprofitable=True)
+
+
+def _drawn(
+    gpu: Gpu, analysis: Analysis, made: Sequence[tuple[Candidate, Emission]], report: Report
+) -> Iterator[str]:
+    """What laws 1 to 4 say."""
+    try:
+        verifier = Verifier(gpu, scene(), analysis, SIZE, ring())
+    except InputError as error:
+        yield f"the original cannot be drawn: {error}"
+        return
+    with closing(verifier):
+        found = verifier.round_trip()
+        if found is None or not found.exact:
+            yield f"law 1: {found}"
+        image = verifier.stage.targets.image()[verifier.covered[-1]]
+        report.finite = bool(np.isfinite(image).all())
+        for node, emission in made:
+            bundle = Bundle(emission.manifest, emission.files)
+            verdict = Verdict(node.id, node.path, node.text, node.offered)
+            try:
+                verifier.check_bundle(bundle, verdict)
+            except InputError as error:
+                verdict.failure = str(error)
+            report.algorithms.update(list(verdict.always))
+            refused = [entry["algorithm"] for entry in bundle.manifest["refused"]]
+            report.algorithms.update(f"{name} refused" for name in refused)
+            if verdict.broken:
+                what = ", ".join(verdict.broken)
+                yield f"'{node.text}' in {node.path}: {what} {verdict.failure}".rstrip()
+
+
+def _read(texts: dict[str, str]) -> Iterator[str]:
+    """Every program, and the original, by our own checker."""
+    for name, text in texts.items():
+        stage = "fragment" if name.endswith(".frag") else "vertex"
+        try:
+            read(Source(name, text), stage, ReadOptions(), needs_main=True)
+        except InputError as error:
+            yield f"our own checker, {name}: {error}\n{text}"
+
+
+def _compiled(texts: dict[str, str]) -> Iterator[str]:
+    """Errors of the reference compiler, and warnings that the original does not draw."""
+    if REFERENCE is None:
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in texts.items():
+            Path(folder, name).write_text(text, encoding="utf-8")
+        done = subprocess.run(
+            [REFERENCE, *texts], cwd=folder, capture_output=True, text=True, check=False
+        )
+    name, known = "", set[str]()
+    for line in done.stdout.splitlines():
+        if line in texts:
+            name = line
+        elif line.startswith(("ERROR:", "WARNING:")):
+            words = line.split(": ", 3)[-1]
+            if name.startswith("user.") and line.startswith("WARNING:"):
+                known.add(words)
+            elif words not in known:
+                yield f"the reference compiler, {name}: {line}\n{texts.get(name, '')}"
