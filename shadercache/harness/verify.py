@@ -105,13 +105,8 @@ class Verdict:
 
 
 def difference(image: Image, reference: Image, covered: NDArray[np.bool_]) -> Difference:
-    """Compare colours bit by bit where ``covered``; NaN equals NaN of the same bits only.
-
-    Zeros are equal whatever their sign: drivers drop ``+ 0.0`` where they know the zero, in precise
-    expressions too (Mesa), and a payload that is read from the cache they do not know.
-    """
-    zero = np.float32(0.0)  # -0 + 0 is +0, and nothing else changes
-    one, other = image[covered] + zero, reference[covered] + zero
+    """Compare colours bit by bit where ``covered``; NaN equals NaN of the same bits only."""
+    one, other = image[covered], reference[covered]
     changed = (one.view(np.uint32) != other.view(np.uint32)).any(axis=-1)
     if not changed.any():
         return Difference()

@@ -61,6 +61,7 @@ def scene() -> Scene:
         camera=Camera((0.0, 1.6, 2.2), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0), 42.0, 1.0, 10.0),
         motion=Motion((0.3, 1.0, 0.1), 4.0, 0.0, 64),
         constants={name: values for name, (_, values) in UNIFORMS.items()},
+        changes={},
         semantics={"u_mvp": "model-view-projection"},
         textures={
             "u_mipmapped": TextureSpec(folder / "flat.npz", "linear", True, "repeat", 1.0),
