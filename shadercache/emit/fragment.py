@@ -11,6 +11,7 @@ from shadercache.analysis.instances import Use
 from shadercache.analysis.neighbours import SharedUse
 from shadercache.analysis.precision import PrecisionTable
 from shadercache.ast import nodes as n
+from shadercache.ast.walk import walk
 from shadercache.emit.assemble import (
     Shader,
     call_all,
@@ -103,13 +104,17 @@ class FragmentEmitter:
         return tuple(s for s in declared if s.kind == "global" and s.name in written)
 
     def hit(self) -> Shader:
-        """Two passes, first. The discard comes last where the shading takes derivatives."""
+        """Two passes, first. The discard comes last where the shading takes derivatives, and where
+        a loop writes into an array."""
         if self.whole:
             early = self._finish("passes/hit_here", [self._shade("need")], both=True)
         else:
             early = self._finish("passes/hit", [self._shade("use")], both=True)
-        main = EffectTable(early.module).functions["main"]
-        if not EffectTable(early.module).of(main.body).does & (Does.DERIVATIVE | Does.IMPLICIT_LOD):
+        table = EffectTable(early.module)
+        does = table.of(table.functions["main"].body).does
+        if not does & (Does.DERIVATIVE | Does.IMPLICIT_LOD) and not _loops_over_arrays(
+            early.module
+        ):
             return early
         if self.whole:
             return self._finish("passes/hit_here_late", [self._shade("lack")], both=True)
@@ -241,6 +246,13 @@ class FragmentEmitter:
         made = {clone.name for group in clones for _, clone in group.made}
         module = _shrink(module, locations, made)
         return interface(with_locations(module, locations))
+
+
+def _loops_over_arrays(module: n.Module) -> bool:
+    """Does a loop write an element of an array? Behind a discard llvmpipe gets that wrong."""
+    loops = (item for item in walk(module) if isinstance(item, n.For | n.While | n.DoWhile))
+    inside = (item for loop in loops for item in walk(loop))
+    return any(isinstance(item, n.Assign) and isinstance(item.target, n.Index) for item in inside)
 
 
 def exact_original(program: FragmentProgram) -> Shader:
