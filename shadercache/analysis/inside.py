@@ -65,6 +65,12 @@ class Inside:
         inner = (own,) if whole or isinstance(own.node, _LOOPS) else ()
         return self._closure(expr, (*own.above, *inner), set(), _EXITS)
 
+    def into_reach(self, expr: n.Expr) -> Flow:
+        """What decides whether an expression is come by, without what it works on."""
+        own = self._of[expr]
+        inner = (own,) if isinstance(own.node, _LOOPS) else ()
+        return self._closure(None, (*own.above, *inner), set(), _EXITS)
+
     def into_exits(self) -> Flow:
         """What decides whether a ``return`` or ``discard`` is come by."""
         return self._closure(None, (), set(), _EXITS)

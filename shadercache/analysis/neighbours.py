@@ -94,7 +94,7 @@ class SharedUses:
         }
         self.all = tuple(use for instance in instances for use in self._of_instance(instance))
         operands = ((use.instance, use.operands, use.parts) for use in self.all)
-        self._dependents = Dependents(slices, chain(operands, self._returns()))
+        self._dependents = Dependents(slices, chain(operands, self._returns(), self._reached()))
 
     def fed_by(self, instance: Instance, place: Place) -> bool:
         """Does any of these uses, outside of that expression, depend on the value at ``place``?"""
@@ -124,7 +124,7 @@ class SharedUses:
         for use in self.all:
             at: Instance | None = use.instance
             index = use.place.step.index
-            while at is not None and index > last.get(at, 0):
+            while at is not None and index > last.get(at, -1):
                 last[at] = index
                 index = at.place.step.index if at.place is not None else 0
                 at = at.parent
@@ -134,6 +134,20 @@ class SharedUses:
                     flow = self._slices.inside(step.stmt).into_exits()
                     found = self._slices.flow(instance, step.index, flow)
                     yield instance, found, flow.expressions()
+
+    def _reached(self) -> Iterator[tuple[Instance, Slice, Iterable[n.Node]]]:
+        """What decides on a call that leads to a use: the conditionals and loops it stands in."""
+        seen: set[Instance] = set()
+        for use in self.all:
+            at = use.instance
+            while at not in seen and at.parent is not None and at.place is not None:
+                seen.add(at)
+                step = at.place.step
+                if step.is_control and at.call is not None:
+                    flow = self._slices.inside(step.stmt).into_reach(at.call)
+                    found = self._slices.flow(at.parent, step.index, flow)
+                    yield at.parent, found, flow.expressions()
+                at = at.parent
 
     def _use(self, instance: Instance, place: Place, call: n.Call) -> SharedUse:
         step, guarded = place.step, place.use is Use.CONDITIONAL

@@ -11,8 +11,6 @@ from shadercache.lang.builtins import overloads
 from shadercache.sema.facts import Facts
 from shadercache.source import Source
 
-MIN_VERSION = 330
-
 MAX_EXPRESSIONS = 100_000
 """Expressions of a shader that is analysed. (The largest of 14,000 public ones has 63,000.)"""
 

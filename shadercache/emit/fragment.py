@@ -249,10 +249,10 @@ class FragmentEmitter:
 
 
 def _loops_over_arrays(module: n.Module) -> bool:
-    """Does a loop write an element of an array? Behind a discard llvmpipe gets that wrong."""
+    """Does a loop use an element of something? Behind a discard llvmpipe writes it wrongly, and
+    what is written by a function or in part is not told from what is read."""
     loops = (item for item in walk(module) if isinstance(item, n.For | n.While | n.DoWhile))
-    inside = (item for loop in loops for item in walk(loop))
-    return any(isinstance(item, n.Assign) and isinstance(item.target, n.Index) for item in inside)
+    return any(isinstance(item, n.Index) for loop in loops for item in walk(loop))
 
 
 def exact_original(program: FragmentProgram) -> Shader:

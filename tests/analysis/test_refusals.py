@@ -333,6 +333,18 @@ GLOBAL = NOISE + "float g = 1.0; void change() { g = v_uv.x; } float helper(vec3
             "noise(v_position)",
             UNSURE,
         ),
+        (
+            NOISE + "vec4 fetched() { return texture(u_map, v_uv); }",
+            "o_color = vec4(0.0); if (noise(v_position) > 0.5) return; o_color = fetched();",
+            "noise(v_position)",
+            "SC315",
+        ),
+        (
+            NOISE + "vec4 fetched() { return texture(u_map, v_uv); }",
+            "o_color = vec4(0.0); if (noise(v_position) > 0.5) o_color = fetched();",
+            "noise(v_position)",
+            "SC315",
+        ),
     ],
 )
 def test_verdict_across_functions(declarations: str, body: str, text: str, code: str) -> None:
