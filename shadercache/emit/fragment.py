@@ -67,7 +67,7 @@ class FragmentEmitter:
     def one(self) -> Shader:
         """One pass: look up, else compute; then shade."""
         if self.whole:
-            return self._finish("passes/one_here", [self._shade("fill")], both=True)
+            return self._finish("passes/here", [self._shade("fill")], both=True)
         made = self._one(())
         changed = self._left_changed(made)
         return self._one(changed) if changed else made
@@ -107,7 +107,7 @@ class FragmentEmitter:
         """Two passes, first. The discard comes last where the shading takes derivatives, and where
         a loop writes into an array."""
         if self.whole:
-            early = self._finish("passes/hit_here", [self._shade("need")], both=True)
+            early = self._finish("passes/here", [self._shade("need")], both=True)
         else:
             early = self._finish("passes/hit", [self._shade("use")], both=True)
         table = EffectTable(early.module)
@@ -117,7 +117,7 @@ class FragmentEmitter:
         ):
             return early
         if self.whole:
-            return self._finish("passes/hit_here_late", [self._shade("lack")], both=True)
+            return self._finish("passes/here_late", [self._shade("lack")], both=True)
         return self._finish("passes/hit_late", [self._shade("use")], both=True)
 
     def miss(self) -> Shader:
@@ -127,9 +127,7 @@ class FragmentEmitter:
 
     def reuse(self) -> Shader:
         """Three passes, first: carry payloads over."""
-        if self.whole:
-            return self._finish("passes/reuse_whole", [self._shade("use")])
-        return self._finish("passes/reuse", [])
+        return self._finish("passes/reuse", [self._shade("use")] if self.whole else [])
 
     def payload_only(self) -> Shader:
         """Three passes, second: compute payloads."""
@@ -144,17 +142,14 @@ class FragmentEmitter:
     def payload_alone(self) -> Shader:
         """The payload in place of the colour, for the cost of the payload (P of P/T)."""
         wanted = {self._own("value"): 0}
-        if self.whole:
-            clones = [self._shade("keep")]
-            return self._build("passes/payload_alone_whole", clones, (), wanted)
-        return self._build("passes/payload_alone", [self._compute()], (), wanted)
+        clones = [self._shade("keep") if self.whole else self._compute()]
+        return self._build("passes/payload_alone", clones, (), wanted)
 
     def hit_mask(self) -> Shader:
         """What the look-up says, for the eyes and for the hit rate."""
         wanted = {self._own("outcome"): 0}
-        if self.whole:
-            return self._build("passes/hit_mask_whole", [self._shade("keep")], (), wanted)
-        return self._build("passes/hit_mask", [], (), wanted)
+        clones = [self._shade("keep")] if self.whole else []
+        return self._build("passes/hit_mask", clones, (), wanted)
 
     def unfit_for_one_pass(self) -> str | None:
         """Why the node cannot be cached in one pass, if so."""

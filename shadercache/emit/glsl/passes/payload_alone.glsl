@@ -4,7 +4,11 @@ out vec4 sc_value;
 SC_PAYLOAD sc_payload;
 
 void main() {
+#if SC_WHOLE
+    sc_shade();
+#else
     sc_compute();
+#endif
 #if SC_BITS
     sc_value = vec4(uvec4(SC_PACKED_1, 1u));
 #else

@@ -1,9 +1,0 @@
-// Two passes, first: shade whatever has its payload or does not need it; the rest is left open.
-void main() {
-    SC_DECLARE_TEXELS;
-    sc_reuse = sc_look_up(SC_TEXELS) == SC_HIT;
-    sc_valid = sc_reuse;
-    sc_payload = SC_UNPACKED;
-    sc_shade();
-    SC_STORE;
-}
