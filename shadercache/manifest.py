@@ -11,6 +11,7 @@ from typing import Any
 
 from shadercache import __version__
 from shadercache.analysis.candidates import Candidate
+from shadercache.analysis.sets import is_skipped
 from shadercache.emit.layout import Layout
 from shadercache.emit.program_set import Pass, ProgramSet
 from shadercache.emit.runtime import OUTCOMES
@@ -151,7 +152,7 @@ def _node(source: Source, node: Candidate, place: tuple[str, str]) -> dict[str, 
             "end_column": end.column,
         },
         "channels": {name: text for name, text in (("cache", first), ("second", second)) if text},
-        "conditional": node.unsure,
+        "conditional": is_skipped(node),
     }
 
 

@@ -6,7 +6,9 @@ from collections.abc import Mapping, Sequence
 from itertools import combinations
 
 from shadercache.analysis.candidates import FIRST_TEXEL, SECOND_TEXEL, Candidate
+from shadercache.analysis.effects import Does
 from shadercache.analysis.groups import Group
+from shadercache.analysis.instances import Instance, Use
 from shadercache.diagnostics import Diagnostic, InputError, Severity
 from shadercache.source import Source
 
@@ -60,5 +62,17 @@ def notes_on(nodes: Sequence[Candidate], source: Source) -> tuple[Diagnostic, ..
             "SC418", f"'{node.text}' {message}", source, node.expr.span, severity=Severity.NOTE
         )
         for node in nodes
-        if node.unsure
+        if is_skipped(node)
     )
+
+
+def is_skipped(node: Candidate) -> bool:
+    """Are there fragments that get a colour without the value, past a branch or a return?"""
+    at: Instance | None = node.instance
+    place = node.place
+    while at is not None and place is not None:
+        before = at.places.spine.steps[: place.step.index]
+        if place.use is Use.BRANCH or any(step.effects.does & Does.RETURN for step in before):
+            return True
+        place, at = at.place, at.parent
+    return False
