@@ -11,9 +11,9 @@ The passes, in order (each in its own file):
 7.  :mod:`sema.check`               types of the tree that the rest works on
 8.  :mod:`analysis.candidates`      every node, offered or refused
 
-and for one node, for each pass of each algorithm:
+and for one node or a set of them, for each pass of each algorithm:
 
-9.  :mod:`transform.specialise`     cut the node out of clones of the functions on its call path
+9.  :mod:`transform.specialise`     cut the nodes out of clones of the functions on its call path
 10. :mod:`emit.assemble`            add the look-up, the store and a new ``main``
 11. :mod:`transform.remove_dead`    keep what the pass's outputs need, in turns with
 12. :mod:`transform.drop_parameters`
@@ -24,7 +24,7 @@ and for one node, for each pass of each algorithm:
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -38,12 +38,13 @@ from shadercache.analysis.inputs import input_kinds
 from shadercache.analysis.overlap import OverlapTable, Parts
 from shadercache.analysis.refusals import Code
 from shadercache.analysis.restrictions import check_depth, check_size, check_stages, find_color
+from shadercache.analysis.sets import check_needed, check_set, notes_on
 from shadercache.ast import nodes as n
 from shadercache.ast.large import allow_deep_trees
 from shadercache.ast.walk import walk
-from shadercache.diagnostics import Diagnostic, InputError, UsageError, input_error
+from shadercache.diagnostics import Diagnostic, InputError, UsageError, input_error, usage_error
 from shadercache.emit import program_set
-from shadercache.emit.fragment import FragmentProgram
+from shadercache.emit.fragment import FragmentEmitter, FragmentProgram
 from shadercache.emit.printer import print_node
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.front.options import ReadOptions
@@ -162,6 +163,13 @@ class Analysis:
         message = f"{self.fragment.name} has no node '{node_id}'"
         raise UsageError(Diagnostic("SC010", message, hint=hint))
 
+    def nodes_of(self, ids: str) -> tuple[Candidate, ...]:
+        """The nodes with these ids, joined by ``+``; one id is a set of one. Raises as ``node``."""
+        parts = ids.split("+")
+        if len(parts) > 1 and "" in parts:
+            raise usage_error("SC010", f"'{ids}' lacks an id beside a '+'")
+        return tuple(self.node(node_id) for node_id in parts)
+
     def require(self, node: Candidate, unprofitable: bool = False) -> None:
         """Raise :class:`InputError` with the refusal's code if the node may not be cached.
 
@@ -176,13 +184,22 @@ class Analysis:
             Diagnostic(refusal.code.code, message, self.fragment, node.expr.span, hint)
         )
 
+    def require_all(self, nodes: Sequence[Candidate], unprofitable: bool = False) -> None:
+        """As :meth:`require` for each node; SC415 to SC417 where they do not go together."""
+        for node in nodes:
+            self.require(node, unprofitable)
+        if len(nodes) > 1:
+            check_set(nodes, self.groups, self.fragment)
+            check_needed(FragmentEmitter(self.program, nodes).unneeded(), self.fragment)
+
 
 @dataclass(frozen=True, slots=True)
 class Emission:
-    """What a rewrite yields: the texts by file name, and the manifest."""
+    """What a rewrite yields: the texts by file name, the manifest, and what is to be known."""
 
     files: dict[str, str]
     manifest: dict[str, Any]
+    notes: tuple[Diagnostic, ...] = ()
 
 
 def analyse(
@@ -217,7 +234,7 @@ def analyse(
 
 def rewrite(
     analysis: Analysis,
-    node: Candidate,
+    node: Candidate | Sequence[Candidate],
     options: Options | None = None,
     algorithms: tuple[int, ...] = ALGORITHMS,
     *,
@@ -225,22 +242,25 @@ def rewrite(
 ) -> Emission:
     """The programs that cache ``node``, by the given algorithms, with their manifest.
 
+    Several nodes are cached together: they share the cache's texels, the look-up and the refresh.
     A node that is refused only as cheaper than a fetch is rewritten where ``unprofitable`` is set.
     Raises :class:`InputError` with the refusal's code for any other refused node, SC402 without a
     vertex shader, SC407 where an algorithm that was asked for alone cannot be used for the node,
-    SC408 where a name that has to stay is a keyword in proof mode.
+    SC408 where a name that has to stay is a keyword in proof mode, SC415 to SC417 for nodes that
+    cannot be cached together.
     """
-    analysis.require(node, unprofitable)
+    nodes = (node,) if isinstance(node, Candidate) else tuple(node)
+    analysis.require_all(nodes, unprofitable)
     options = options or Options()
     _check_names(analysis, options.mode)
     programs = program_set.emit_programs(
-        analysis.program, _vertex(analysis), node, options, algorithms
+        analysis.program, _vertex(analysis), nodes, options, algorithms
     )
     if not programs.variants:
-        raise InputError(_unfit(analysis, node, programs))
+        raise InputError(_unfit(analysis, nodes, programs))
     sources = analysis.fragment, _vertex_source(analysis)
-    manifest = build_manifest(*sources, node, options, programs, analysis.renamed)
-    return Emission(programs.files, manifest)
+    manifest = build_manifest(*sources, nodes, options, programs, analysis.renamed)
+    return Emission(programs.files, manifest, notes_on(nodes, analysis.fragment))
 
 
 def emit_original(analysis: Analysis, mode: Mode = "plain") -> Emission:
@@ -274,10 +294,13 @@ def _check_names(analysis: Analysis, mode: Mode) -> None:
         raise InputError(problems)
 
 
-def _unfit(analysis: Analysis, node: Candidate, programs: program_set.ProgramSet) -> Diagnostic:
+def _unfit(
+    analysis: Analysis, nodes: Sequence[Candidate], programs: program_set.ProgramSet
+) -> Diagnostic:
     reason = next(iter(programs.refused.values()))
-    message = f"'{node.text}' cannot be cached in one pass: {reason}"
-    return Diagnostic("SC407", message, analysis.fragment, node.expr.span)
+    texts = " and ".join(f"'{node.text}'" for node in nodes)
+    message = f"{texts} cannot be cached in one pass: {reason}"
+    return Diagnostic("SC407", message, analysis.fragment, nodes[0].expr.span)
 
 
 def _vertex(analysis: Analysis) -> VertexEmitter:

@@ -5,12 +5,13 @@ The published schema is ``manifest.schema.json`` beside this file.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from hashlib import sha256
 from typing import Any
 
 from shadercache import __version__
 from shadercache.analysis.candidates import Candidate
+from shadercache.analysis.sets import is_skipped
 from shadercache.emit.layout import Layout
 from shadercache.emit.program_set import Pass, ProgramSet
 from shadercache.emit.runtime import OUTCOMES
@@ -61,7 +62,7 @@ RELIES_ON = (
 def build_manifest(
     fragment: Source,
     vertex: Source,
-    node: Candidate,
+    nodes: Sequence[Candidate],
     options: Options,
     programs: ProgramSet,
     renamed: Mapping[str, str],
@@ -69,7 +70,7 @@ def build_manifest(
     """The manifest of a program set; ``renamed`` leads from the user's names to the variants'."""
     assert programs.original is not None and programs.debug is not None
     assert programs.payload is not None
-    layout = Layout(node.type)
+    layout = Layout(tuple(node.type for node in nodes))
     relies = list(RELIES_ON)
     if programs.unchanging:
         names = ", ".join(programs.unchanging)
@@ -78,7 +79,9 @@ def build_manifest(
         "schema_version": SCHEMA_VERSION,
         "generator": f"shadercache {__version__}",
         "source": {"fragment": _source(fragment), "vertex": _source(vertex)},
-        "node": _node(fragment, node),
+        "nodes": [
+            _node(fragment, node, place) for node, place in zip(nodes, layout.places, strict=True)
+        ],
         "mode": options.mode,
         "color": {"output": programs.color, "location": 0},
         "cache": _cache(layout, options),
@@ -134,7 +137,8 @@ def _source(source: Source) -> dict[str, str]:
     return {"name": source.name, "sha256": sha256(source.text.encode()).hexdigest()}
 
 
-def _node(source: Source, node: Candidate) -> dict[str, Any]:
+def _node(source: Source, node: Candidate, place: tuple[str, str]) -> dict[str, Any]:
+    first, second = place
     start, end = source.position(node.expr.span.start), source.position(node.expr.span.end)
     return {
         "id": node.id,
@@ -147,6 +151,8 @@ def _node(source: Source, node: Candidate) -> dict[str, Any]:
             "end_line": end.line,
             "end_column": end.column,
         },
+        "channels": {name: text for name, text in (("cache", first), ("second", second)) if text},
+        "conditional": is_skipped(node),
     }
 
 

@@ -41,7 +41,9 @@ def command(
     target: Annotated[str, typer.Argument(metavar="SCENE", help="Scene file, folder or name.")],
     nodes: Annotated[
         list[str] | None,
-        typer.Option(metavar="IDS", help="Only these nodes (ids or the scene's names)."),
+        typer.Option(
+            metavar="IDS", help="Only these nodes (ids or the scene's names; a+b is a set)."
+        ),
     ] = None,
     every_node: Annotated[
         bool, typer.Option("--every-node", help="Also nodes of the same value as another.")
@@ -97,19 +99,20 @@ def command(
     reading = read_options(define, undefine, include, dialect, max_tokens)
     scene, analysis = analyse_scene(scene, reading)
     equal: dict[Candidate, int] = {}
+    chosen: list[tuple[str, tuple[Candidate, ...]]]
     if nodes:
         chosen = choose_nodes(scene, analysis, split_list(nodes))
     else:
         offered = [node for node in analysis.nodes if node.offered]
         equal = one_of_each(offered, analysis.groups)
-        chosen = [(node.id, node) for node in (offered if every_node else equal)]
+        chosen = [(node.id, (node,)) for node in (offered if every_node else equal)]
     options = Options(cache_format=cache_format, epsilon=epsilon)
     entries = [
         replace(
-            make_entry(analysis, label, node, options, algorithms, unprofitable=True),
-            equal=1 if every_node else equal.get(node, 1),
+            make_entry(analysis, label, found, options, algorithms, unprofitable=True),
+            equal=1 if every_node else equal.get(found[0], 1),
         )
-        for label, node in chosen
+        for label, found in chosen
     ]
     replacement = load_mesh(mesh) if mesh else None
     reports: list[dict[str, Any]] = []

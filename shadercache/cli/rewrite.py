@@ -1,4 +1,4 @@
-"""``shadercache rewrite``: the variants that cache one node, and the manifest for the engine."""
+"""``shadercache rewrite``: the variants that cache a node or a set, and the engine's manifest."""
 
 from __future__ import annotations
 
@@ -27,7 +27,10 @@ if TYPE_CHECKING:
 def command(
     context: typer.Context,
     fragment: Annotated[str, typer.Argument(metavar="FRAG", help="Fragment shader; - is stdin.")],
-    node: Annotated[str, typer.Option(metavar="ID", help="The node to cache, from 'nodes'.")],
+    node: Annotated[
+        list[str],
+        typer.Option(metavar="ID", help="The node to cache, from 'nodes'; several are one set."),
+    ],
     out: Annotated[
         Path,
         typer.Option("-o", "--output", metavar="DIR", parser=folder, help="Folder to write."),
@@ -46,7 +49,7 @@ def command(
         Mode, typer.Option(help="proof pins the arithmetic down (#version 400, 320 es).")
     ] = "plain",
     unprofitable: Annotated[
-        bool, typer.Option("--unprofitable", help="Also a node that costs less than a fetch.")
+        bool, typer.Option("--unprofitable", help="Also nodes that cost less than a fetch.")
     ] = False,
     define: DefineOption = None,
     undefine: UndefineOption = None,
@@ -54,9 +57,11 @@ def command(
     dialect: DialectOption = "glsl",
     max_tokens: TokensOption = MAX_TOKENS,
 ) -> None:
-    """Write the shaders that cache one node, and how to run them.
+    """Write the shaders that cache one node, or several together, and how to run them.
 
-    How to run them is in manifest.json, which is written last.
+    Several nodes (--node A --node B, or A+B) share the texels of one cache, the look-up and the
+    refresh: up to seven channels in all. How to run them is in manifest.json, which is written
+    last.
     """
     from shadercache.compiler import analyse, rewrite
 
@@ -64,13 +69,13 @@ def command(
     analysis = analyse(*read_pair(fragment, vert), options)
     emission = rewrite(
         analysis,
-        analysis.node(node),
+        analysis.nodes_of("+".join(node)),
         Options(mode=mode, cache_format=cache_format),
         algorithms=ALGORITHMS if passes == "all" else (int(passes),),
         unprofitable=unprofitable,
     )
     _write(emission, out)
-    context.obj.show(analysis.notes)
+    context.obj.show((*analysis.notes, *emission.notes))
     print(f"wrote {len(emission.files)} shaders and {MANIFEST} to {out}")
 
 

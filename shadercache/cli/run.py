@@ -1,4 +1,4 @@
-"""``shadercache run``: render one variant of one node, with the original beside it."""
+"""``shadercache run``: render one variant of a node or set of nodes beside the original."""
 
 from __future__ import annotations
 
@@ -32,7 +32,10 @@ from shadercache.options import DEFAULT_EPSILON, CacheFormat, Options
 
 def command(
     target: Annotated[str, typer.Argument(metavar="SCENE", help="Scene file, folder or name.")],
-    node: Annotated[str, typer.Option(metavar="ID", help="Node id, or a name from the scene.")],
+    node: Annotated[
+        list[str],
+        typer.Option(metavar="ID", help="Node id, or a name from the scene; several are one set."),
+    ],
     passes: Annotated[int, typer.Option(min=1, max=3, help="Passes of the variant.")] = 2,
     frame: Annotated[
         int, typer.Option(min=1, max=65_535, help="Frame whose pictures are written.")
@@ -50,7 +53,7 @@ def command(
         Path | None, typer.Option(metavar="FILE", help="Draw this mesh (.npz) instead.")
     ] = None,
     unprofitable: Annotated[
-        bool, typer.Option("--unprofitable", help="Also a node that costs less than a fetch.")
+        bool, typer.Option("--unprofitable", help="Also nodes that cost less than a fetch.")
     ] = False,
     define: DefineOption = None,
     undefine: UndefineOption = None,
@@ -78,7 +81,7 @@ def command(
     scene = load_scene(find_scene(target))
     reading = read_options(define, undefine, include, dialect, max_tokens)
     scene, analysis = analyse_scene(scene, reading)
-    [(label, chosen)] = choose_nodes(scene, analysis, [node])
+    [(label, chosen)] = choose_nodes(scene, analysis, ["+".join(node)])
     options = Options(cache_format=cache_format, epsilon=epsilon)
     entry = make_entry(analysis, label, chosen, options, (passes,), unprofitable=unprofitable)
     how = MeasureOptions(extent, frame + 1, period=every, block=edge, picture_frame=frame)

@@ -39,12 +39,16 @@ def find_scene(target: str) -> Path:
 
 def choose_nodes(
     scene: Scene, analysis: Analysis, wanted: Sequence[str]
-) -> list[tuple[str, Candidate]]:
-    """Label and node for each wanted id, or name from the scene's ``[nodes]``.
+) -> list[tuple[str, tuple[Candidate, ...]]]:
+    """Label and nodes for each wanted id, or name from the scene's ``[nodes]``.
 
-    Raises :class:`UsageError` SC010 or SC011 for a node that does not exist.
+    One of the wanted is a node, or a set of nodes that are cached together: ``a+b``. Raises
+    :class:`UsageError` SC010 or SC011 for a node that does not exist.
     """
-    return [(item, analysis.node(scene.nodes.get(item, item))) for item in wanted]
+    return [
+        (item, analysis.nodes_of("+".join(scene.nodes.get(part, part) for part in item.split("+"))))
+        for item in wanted
+    ]
 
 
 def split_list(values: Iterable[str]) -> list[str]:

@@ -34,7 +34,8 @@ def command(
         str, typer.Argument(metavar="SCENE|FRAG", help="Scene, or a shader beside its scene.")
     ],
     node: Annotated[
-        list[str] | None, typer.Option(metavar="ID", help="Only this node; may be repeated.")
+        list[str] | None,
+        typer.Option(metavar="ID", help="Only this node, or set A+B; may be repeated."),
     ] = None,
     unprofitable: Annotated[
         bool, typer.Option("--unprofitable", help="Also nodes cheaper than a fetch.")
@@ -75,9 +76,10 @@ def command(
     if node:
         chosen = [found for _, found in choose_nodes(scene, analysis, node)]
     else:
-        chosen = [item for item in analysis.nodes if item.offered or (unprofitable and item.legal)]
-    for item in chosen:
-        analysis.require(item, unprofitable)
+        legal = [item for item in analysis.nodes if item.offered or (unprofitable and item.legal)]
+        chosen = [(item,) for item in legal]
+    for nodes in chosen:
+        analysis.require_all(nodes, unprofitable)
     with open_context() as gpu:
         about = environment(gpu)
         verifier = Verifier(gpu, scene, analysis)
@@ -86,7 +88,7 @@ def command(
     with progress(f"verifying {scene.name}", len(chosen)) as advance:
         verdicts = verify_in_parallel(
             path,
-            [item.id for item in chosen],
+            ["+".join(item.id for item in nodes) for nodes in chosen],
             min(jobs or os.cpu_count() or 1, max(1, len(chosen))),
             plain,
             lambda _: advance(1),

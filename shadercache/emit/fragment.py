@@ -1,14 +1,15 @@
-"""The fragment shaders of all passes of a node's variants."""
+"""The fragment shaders of all passes of the variants of a node, or of a set of nodes."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 
 from shadercache.analysis.candidates import Candidate, Candidates
 from shadercache.analysis.effects import Does, EffectTable
 from shadercache.analysis.instances import Use
-from shadercache.analysis.neighbours import SharedUse
+from shadercache.analysis.neighbours import SharedUse, evaluation_order
 from shadercache.analysis.precision import PrecisionTable
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
@@ -28,6 +29,7 @@ from shadercache.sema.facts import Facts, Symbol
 from shadercache.transform.drop_parameters import drop_parameters
 from shadercache.transform.drop_results import drop_results
 from shadercache.transform.names import FreshNames
+from shadercache.transform.reachable import names_in
 from shadercache.transform.remove_dead import remove_dead
 from shadercache.transform.specialise import Clones, Cut, CutKind, insert_clones, specialise
 
@@ -48,22 +50,25 @@ class FragmentProgram:
 
 
 class FragmentEmitter:
-    """Makes the passes of one node. Each method returns a finished shader."""
+    """Makes the passes of nodes that are cached together. Each method returns a finished shader."""
 
-    def __init__(self, program: FragmentProgram, node: Candidate) -> None:
-        assert node.instance is not None and node.place is not None
-        self.program, self.node = program, node
-        self.layout = Layout(node.type, program.module.profile == "es")
-        self.precisions = PrecisionTable(program.module, program.facts)
-        self.payload = program.prefix + "payload"
+    def __init__(self, program: FragmentProgram, nodes: Sequence[Candidate]) -> None:
+        self.program, self.nodes = program, tuple(nodes)
+        precisions = PrecisionTable(program.module, program.facts)
+        self.precisions = precisions
+        self.layout = Layout(
+            tuple(node.type for node in nodes),
+            program.module.profile == "es",
+            tuple(precisions.of(node.expr) for node in nodes),
+        )
+        self.payloads = self.layout.variables(program.prefix + "payload")
         stores = ("store", "store_2") if self.layout.second else ("store",)
         self.stores = [program.prefix + name for name in stores]
         main = program.candidates.instances[0].places.function
         discards = EffectTable(program.module).of(main.body).does & Does.DISCARD
-        self.whole = node.unsure or bool(discards)
-        """Do fragments do without the payload, so that each pass goes through the shader?"""
-        found = program.candidates.slices.value(node.instance, node.place)
-        self.fetches = program.candidates.derivatives.inside(node.instance, node.place, found)
+        self.whole = any(node.unsure for node in nodes) or bool(discards)
+        """Do fragments do without a payload, so that each pass goes through the shader?"""
+        self.fetches = _fetches(program.candidates, self.nodes)
 
     def one(self) -> Shader:
         """One pass: look up, else compute; then shade."""
@@ -88,7 +93,7 @@ class FragmentEmitter:
         ahead, entries = self._own("fetch_ahead"), [group.entry for group in clones]
         extra: list[n.Decl] = [keep(ahead, entries) if entries else call_all(ahead, ())]
         compute = "compute_only" if kept else "compute"
-        clones.append(self._clone(names, compute, (*cuts, self._node_cut("goal"))))
+        clones.append(self._clone(names, compute, (*cuts, *self._node_cuts("goal"))))
         if kept:
             extra.append(keep(self._own("compute"), [self._own(compute)]))
         clones.append(self._shade("use", names))
@@ -141,7 +146,7 @@ class FragmentEmitter:
         return self._finish("passes/shade", [self._shade("use")], store=False)
 
     def payload_alone(self) -> Shader:
-        """The payload in place of the colour, for the cost of the payload (P of P/T)."""
+        """The payloads in place of the colour, for their cost (P of P/T)."""
         wanted = {self._own("value"): 0}
         clones = [self._shade("keep") if self.whole else self._compute()]
         return self._build("passes/payload_alone", clones, (), wanted)
@@ -152,13 +157,23 @@ class FragmentEmitter:
         clones = [self._shade("keep")] if self.whole else []
         return self._build("passes/hit_mask", clones, (), wanted)
 
+    def unneeded(self) -> tuple[Candidate, ...]:
+        """The nodes that the colour does not need where the others are reused."""
+        named = names_in(self.shade().module)
+        return tuple(
+            node
+            for node, payload in zip(self.nodes, self.payloads, strict=True)
+            if payload not in named
+        )
+
     def unfit_for_one_pass(self) -> str | None:
-        """Why the node cannot be cached in one pass, if so."""
+        """Why the nodes cannot be cached in one pass, if so."""
         return self._unfit_here() if self.whole else self._unfit_ahead()
 
     def _unfit_here(self) -> str | None:
         table = EffectTable(self.program.module)
-        if table.of(self.node.expr).does & (Does.DERIVATIVE | Does.IMPLICIT_LOD):
+        shared = Does.DERIVATIVE | Does.IMPLICIT_LOD
+        if any(table.of(node.expr).does & shared for node in self.nodes):
             return (
                 "the value takes derivatives under a condition, and in one pass neighbouring "
                 "fragments would not compute it together"
@@ -193,23 +208,28 @@ class FragmentEmitter:
         return self.program.prefix + name
 
     def _names(self) -> FreshNames:
-        return FreshNames(runtime_names(self.program.prefix))
+        made = {self._own(f"fetch_{i}") for i in range(len(self.fetches))}
+        return FreshNames(runtime_names(self.program.prefix) | made | set(self.payloads))
 
     def _clone(self, names: FreshNames, entry: str, cuts: tuple[Cut, ...]) -> Clones:
         prefix = self.program.prefix
         return specialise(self.program.module, cuts, prefix + entry, names, prefix)
 
     def _shade(self, kind: CutKind, names: FreshNames | None = None) -> Clones:
-        """The whole shader with the node cut out in one way."""
-        return self._clone(names or self._names(), "shade", (self._node_cut(kind),))
+        """The whole shader with the nodes cut out in one way."""
+        return self._clone(names or self._names(), "shade", self._node_cuts(kind))
 
     def _compute(self) -> Clones:
-        """The payload alone."""
-        return self._clone(self._names(), "compute", (self._node_cut("goal"),))
+        """The payloads alone."""
+        return self._clone(self._names(), "compute", self._node_cuts("goal"))
 
-    def _node_cut(self, kind: CutKind) -> Cut:
-        assert self.node.instance is not None
-        return Cut(self.node.instance.path, self.node.expr, self.payload, kind)
+    def _node_cuts(self, kind: CutKind) -> tuple[Cut, ...]:
+        flags = self.layout.variables(self._own("valid"))
+        return tuple(
+            Cut(node.instance.path, node.expr, payload, kind, flag)
+            for node, payload, flag in zip(self.nodes, self.payloads, flags, strict=True)
+            if node.instance is not None
+        )
 
     def _finish(
         self,
@@ -235,13 +255,22 @@ class FragmentEmitter:
         prefix = self.program.prefix
         # ``main`` comes last: GLSL wants functions declared before they are called.
         names = ("lookup", "wide", "store", template)
-        options = (self.layout, prefix, self.precisions.of(self.node.expr), self.whole)
-        parts = [load_part(name, *options) for name in names]
+        parts = [load_part(name, self.layout, prefix, self.whole) for name in names]
         user = insert_clones(self.program.module, *clones)
         module = merge(self.program.module, without_main(user), extra, *parts)
         made = {clone.name for group in clones for _, clone in group.made}
         module = _shrink(module, locations, made)
         return interface(with_locations(module, locations))
+
+
+def _fetches(candidates: Candidates, nodes: Sequence[Candidate]) -> list[SharedUse]:
+    """The derivatives and implicit fetches that the nodes' values need, in order of evaluation."""
+    found: dict[SharedUse, None] = {}
+    for node in nodes:
+        assert node.instance is not None and node.place is not None
+        value = candidates.slices.value(node.instance, node.place)
+        found |= dict.fromkeys(candidates.derivatives.inside(node.instance, node.place, value))
+    return sorted(found, key=evaluation_order)
 
 
 def _loops_over_arrays(module: n.Module) -> bool:

@@ -1,4 +1,4 @@
-"""All programs of a node: which passes each algorithm has, and their files.
+"""All programs of a node, or of a set of nodes: which passes each algorithm has, and their files.
 
 The table of algorithms here is the one place that knows them; an engine, and the harness, learns
 from the manifest what to do.
@@ -6,7 +6,7 @@ from the manifest what to do.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
 from shadercache.analysis.candidates import Candidate
@@ -94,19 +94,19 @@ _PASSES: dict[int, tuple[tuple[Pass, Callable[[FragmentEmitter], Shader]], ...]]
 def emit_programs(
     program: FragmentProgram,
     vertex: VertexEmitter,
-    node: Candidate,
+    nodes: Sequence[Candidate],
     options: Options,
     algorithms: tuple[int, ...],
 ) -> ProgramSet:
-    """Every pass of the given algorithms for a node, with the original and the hit mask."""
-    emitter = FragmentEmitter(program, node)
+    """Every pass of the given algorithms for the nodes, with the original and the hit mask."""
+    emitter = FragmentEmitter(program, nodes)
     made = ProgramSet(
         previous=vertex.previous_twins(),
         unchanging=vertex.unchanging(),
         prefix=program.prefix,
         color=program.color,
     )
-    write = _Writer(made, vertex, options, f"node {node.id}")
+    write = _Writer(made, vertex, options, ", ".join(f"node {node.id}" for node in nodes))
     made.original = write.original(program)
     made.debug = write.add(_HIT_MASK, emitter.hit_mask())
     made.payload = write.add(_PAYLOAD, emitter.payload_alone())

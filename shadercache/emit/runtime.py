@@ -1,7 +1,7 @@
 """The fixed GLSL text of the variants, parsed.
 
-It stands in the ``.glsl`` files of this folder; the payload's type and how it is packed are filled
-in through macros.
+It stands in the ``.glsl`` files of this folder; the payloads' types and how they are packed are
+filled in through macros.
 """
 
 from __future__ import annotations
@@ -27,17 +27,12 @@ SPREAD = 24.0
 
 
 @lru_cache(maxsize=512)  # each struct of each shader is a type of its own
-def load_part(
-    name: str, layout: Layout, prefix: str, precision: str | None = None, whole: bool = False
-) -> tuple[n.Decl, ...]:
-    """The declarations of one file, for a payload of this layout, with the given name prefix.
+def load_part(name: str, layout: Layout, prefix: str, whole: bool = False) -> tuple[n.Decl, ...]:
+    """The declarations of one file, for payloads of this layout, with the given name prefix.
 
-    ``precision`` is the payload's, in GLSL ES; ``whole``: not every fragment has a payload.
+    ``whole``: not every fragment has the payloads.
     """
-    macros = layout.macros(prefix)
-    if precision and layout.takes_precision:
-        macros["PAYLOAD"] = f"{precision} {macros['PAYLOAD']}"
-    macros |= {"SPREAD": str(SPREAD), "WHOLE": str(int(whole))}
+    macros = layout.macros(prefix, whole) | {"SPREAD": str(SPREAD)}
     macros |= {key.upper(): str(value) for key, value in OUTCOMES.items()}
     # Names of the user's can stand in what a macro means; none begins with the prefix.
     capitals = prefix.upper()

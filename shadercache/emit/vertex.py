@@ -75,7 +75,7 @@ class VertexEmitter:
 
     def _extended(self) -> n.Module:
         main = rename_function(self.module, "main", self.prefix + "vertex")
-        part = load_part("vertex", Layout(FLOAT), self.prefix)
+        part = load_part("vertex", Layout((FLOAT,)), self.prefix)
         variables = [d for d in part if isinstance(d, n.VarDecl)]
         functions = [d for d in part if isinstance(d, n.FunctionDef)]
         return merge(self.module, (*main.decls, *self._twins()), variables, functions)

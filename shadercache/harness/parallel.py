@@ -30,7 +30,7 @@ def verify_in_parallel(
     told: Callable[[Verdict], None] | None = None,
     reading: ReadOptions | None = None,
 ) -> list[Verdict]:
-    """Verdicts for the nodes (by id) of a scene, in the order of ``nodes``.
+    """Verdicts for the nodes (by id; ``a+b`` is a set) of a scene, in the order of ``nodes``.
 
     ``jobs`` processes; 1 works in this one. ``told`` hears of each verdict as it comes; ``reading``
     is how the shaders are read. Raises as :class:`Verifier`.
@@ -69,7 +69,7 @@ def _work(node: str, plain: bool) -> Verdict:
 
 
 def _check(verifier: Verifier, node: str, plain: bool) -> Verdict:
-    return verifier.check(verifier.analysis.node(node), plain)
+    return verifier.check(verifier.analysis.nodes_of(node), plain)
 
 
 def _tell(verdict: Verdict, told: Callable[[Verdict], None] | None) -> Verdict:

@@ -44,7 +44,7 @@ def test_the_schema_takes_the_fixture(
 BREAKAGES: dict[str, Change] = {
     "version": lambda m: m.update(schema_version=2),
     "unknown key": lambda m: m.update(extra=1),
-    "no node": lambda m: m.pop("node"),
+    "no node": lambda m: m.pop("nodes"),
     "no previous": lambda m: m.pop("previous"),
     "twin": lambda m: m["previous"].update(u_a=3),
     "hash": lambda m: m["source"]["vertex"].update(sha256="abc"),
@@ -63,7 +63,7 @@ BREAKAGES: dict[str, Change] = {
     "no reset pass": lambda m: m["variants"][0]["passes"][0].update(on_reset=False),
     "no passes": lambda m: m["variants"][0].update(passes=[]),
     "no variants": lambda m: m.update(variants=[]),
-    "span": lambda m: m["node"]["span"].update(line=0),
+    "span": lambda m: m["nodes"][0]["span"].update(line=0),
     "mask": lambda m: m["debug"].update(targets=["color"]),
     "mask value": lambda m: m["debug"]["values"].update(hit=0),
     "mask key": lambda m: m["debug"].update(blend=True),

@@ -12,7 +12,7 @@ uniform int sc_period;       // frames between two refreshes of a pixel
 uniform int sc_block;        // edge in pixels of the squares that are refreshed together
 uniform float sc_epsilon;    // greatest accepted difference of depths, relative to the depth
 
-SC_PAYLOAD sc_payload;
+SC_DECLARE_PAYLOADS;
 
 // A well mixed 32-bit hash of a block's coordinates.
 uint sc_hash(uvec2 block) {

@@ -3,7 +3,7 @@
 void main() {
     SC_DECLARE_TEXELS;
     int SC_LOCAL_3 = sc_look_up(SC_TEXELS);
-    sc_payload = SC_UNPACKED;
+    SC_UNPACK;
     sc_shade();
     SC_STORE;
     if (SC_LOCAL_3 != SC_HIT) {
