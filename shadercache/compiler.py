@@ -7,18 +7,22 @@ The passes, in order (each in its own file):
 3.  :mod:`transform.raise_version`  older versions, in words of the first that has what it takes
 4.  :mod:`transform.unique_names`   every identifier means one thing, so the rest works by name
 5.  :mod:`transform.split`          one declarator to a declaration
-6.  :mod:`transform.lower_choices`  costly choices inside expressions become conditionals
-7.  :mod:`sema.check`               types of the tree that the rest works on
-8.  :mod:`analysis.candidates`      every node, offered or refused
+6.  :mod:`transform.unroll`         loops of few trips are taken apart, on request; then 4 and 5
+7.  :mod:`transform.compound`       ``c += x`` is ``c = c + x``, a value as well
+8.  :mod:`transform.lower_choices`  costly choices inside expressions become conditionals
+9.  :mod:`sema.check`               types of the tree that the rest works on
+10. :mod:`analysis.candidates`      every node, offered or refused
 
 and for one node or a set of them, for each pass of each algorithm:
 
-9.  :mod:`transform.specialise`     cut the nodes out of clones of the functions on its call path
-10. :mod:`emit.assemble`            add the look-up, the store and a new ``main``
-11. :mod:`transform.remove_dead`    keep what the pass's outputs need, in turns with
-12. :mod:`transform.drop_parameters`
-13. :mod:`transform.make_precise`   in proof mode only
-14. :mod:`emit.printer`             tree to text
+11. :mod:`transform.specialise`     cut the nodes out of clones of the functions on their call paths
+12. :mod:`emit.assemble`            add the look-up, the store and a new ``main``
+13. :mod:`transform.remove_dead`    keep what the pass's outputs need, in turns with
+14. :mod:`transform.drop_results`
+15. :mod:`transform.drop_parameters`
+16. :mod:`transform.compound`       ``c += x`` again where nothing was cut out
+17. :mod:`transform.make_precise`   in proof mode only
+18. :mod:`emit.printer`             tree to text
 """
 
 from __future__ import annotations
@@ -54,13 +58,16 @@ from shadercache.sema.check import check
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.read import read
 from shadercache.source import Source
+from shadercache.transform.compound import spell_out
 from shadercache.transform.lower_choices import lower_choices
 from shadercache.transform.make_precise import precise_version
 from shadercache.transform.names import fresh_prefix
 from shadercache.transform.raise_version import Raised, StageTree, raise_versions
 from shadercache.transform.split import split_declarations
 from shadercache.transform.unique_names import later_keywords, make_names_unique
+from shadercache.transform.unroll import unroll_loops
 
+_UNROLLED = re.compile(r"\.\d+u-")
 _INCLUDE = re.compile(r"#[ \t]*include\b")
 
 
@@ -75,6 +82,8 @@ class Analysis:
     raised: tuple[Raised, ...]
     vertex_module: n.Module | None
     reading: ReadOptions
+    kept_loops: tuple[Diagnostic, ...] = ()
+    """Which loops were not unrolled, where that was asked for, and why."""
 
     @property
     def nodes(self) -> tuple[Candidate, ...]:
@@ -83,8 +92,8 @@ class Analysis:
 
     @property
     def notes(self) -> tuple[Diagnostic, ...]:
-        """What became of the stages where they were of an older version."""
-        return tuple(note for stage in self.raised for note in stage.notes)
+        """What became of the stages where they were of an older version, and of loops."""
+        return (*(note for stage in self.raised for note in stage.notes), *self.kept_loops)
 
     @property
     def renamed(self) -> dict[str, str]:
@@ -152,7 +161,10 @@ class Analysis:
         found = self._by_id.get(node_id)
         if found is not None:
             return found
-        hint = f"'shadercache nodes {self.fragment.name}' lists the nodes"
+        unroll = " --unroll" if self.reading.unroll else ""
+        hint = f"'shadercache nodes {self.fragment.name}{unroll}' lists the nodes"
+        if not unroll and _UNROLLED.search(node_id):
+            hint = "it is of the shader with its loops unrolled: add --unroll"
         stem = node_id.rpartition("-")[0]
         if any(node.id.rpartition("-")[0] == stem for node in self.nodes):
             message = (
@@ -179,6 +191,8 @@ class Analysis:
         if refusal is None or (refusal.unprofitable and unprofitable):
             return
         hint = "caching it anyway takes --unprofitable" if refusal.unprofitable else None
+        if refusal.code is Code.LOOP and not self.reading.unroll:
+            hint = "with --unroll, loops of few trips are taken apart"
         message = f"'{node.text}' {refusal.sentence}"
         raise InputError(
             Diagnostic(refusal.code.code, message, self.fragment, node.expr.span, hint)
@@ -220,16 +234,26 @@ def analyse(
     if vertex is not None:
         trees.append(_checked(vertex, "vertex", replace(reading, dialect="glsl")))
     raised = raise_versions(trees, fresh_prefix(*texts, stem="legacy"))
-    module, facts = _normalise(raised[0], fragment, "fragment")
+    named = _named(raised[0].module, raised[0].facts, fragment, "fragment")
+    module, facts = _lowered(*named, fragment)
+    original, kept_loops = module, tuple[Diagnostic, ...]()
+    if reading.unroll:
+        made = unroll_loops(*named, fragment)
+        kept_loops = made.notes
+        if made.module is not named[0]:
+            flat = _named(made.module, check(made.module, fragment), fragment, "fragment")
+            module, facts = _lowered(*flat, fragment)
     color = find_color(module, fragment)
     printed = _printed(trees[0].module, module)
     candidates = find_candidates(module, facts, fragment, printed, EffectTable(module))
-    program = FragmentProgram(raised[0].module, module, facts, candidates, color, prefix)
+    program = FragmentProgram(raised[0].module, module, facts, candidates, color, prefix, original)
     vertex_module = None
     if vertex is not None:
-        vertex_module, _ = _normalise(raised[1], vertex, "vertex")
+        vertex_module, _ = _named(raised[1].module, raised[1].facts, vertex, "vertex")
         check_stages(module, fragment, vertex_module, vertex)
-    return Analysis(fragment, vertex, candidates, program, tuple(raised), vertex_module, reading)
+    return Analysis(
+        fragment, vertex, candidates, program, tuple(raised), vertex_module, reading, kept_loops
+    )
 
 
 def rewrite(
@@ -320,14 +344,16 @@ def _checked(source: Source, stage: Stage, reading: ReadOptions) -> StageTree:
     return StageTree(module, facts, source, stage)
 
 
-def _normalise(raised: Raised, source: Source, stage: Stage) -> tuple[n.Module, Facts]:
-    """Passes 4 to 7: bring a checked tree into the form that the rest works on."""
-    module, facts = raised.module, raised.facts
+def _named(module: n.Module, facts: Facts, source: Source, stage: Stage) -> tuple[n.Module, Facts]:
+    """Passes 4 and 5: everything in a checked tree has a name and a declaration of its own."""
     plain = split_declarations(make_names_unique(module, facts))
-    if plain is not module:
-        module, facts = plain, check(plain, source, stage)
-    plain = lower_choices(module, facts) if stage == "fragment" else module
     return (module, facts) if plain is module else (plain, check(plain, source, stage))
+
+
+def _lowered(module: n.Module, facts: Facts, source: Source) -> tuple[n.Module, Facts]:
+    """Passes 7 to 9: bring a fragment shader into the form that the rest works on."""
+    plain = lower_choices(spell_out(module, facts), facts)
+    return (module, facts) if plain is module else (plain, check(plain, source))
 
 
 def _printed(parsed: n.Module, module: n.Module) -> dict[str, str]:

@@ -11,7 +11,7 @@ from hashlib import blake2b
 
 from shadercache.analysis.cost import FETCH, CostTable
 from shadercache.analysis.effects import EffectTable
-from shadercache.analysis.instances import Instance, Place, Use, find_instances
+from shadercache.analysis.instances import Instance, Place, Use, find_instances, path_to
 from shadercache.analysis.neighbours import (
     Dependents,
     SharedUses,
@@ -100,7 +100,7 @@ def find_candidates(
     global as the user's source has it, from which the ids are made. Raises :class:`InputError`
     SC401 on too many call paths.
     """
-    instances = find_instances(table)
+    instances = find_instances(table, source)
     costs = CostTable(facts)
     slices = SliceTable(module, instances, table, costs)
     takes = SharedUses(instances, slices, derivatives(table))
@@ -154,7 +154,7 @@ class _Judge:
             place=place,
             expr=place.expr,
             text=_text(self.source, place.expr),
-            path=instance.label,
+            path=path_to(instance, place, self.source),
             type=kind,
             cost=cost,
             ratio=cost / self.total,
@@ -263,6 +263,8 @@ def _digests(instances: tuple[Instance, ...], printed: dict[str, str]) -> dict[I
     found: dict[Instance, str] = {}
     for item in instances:
         own = printed[item.places.function.name]
+        if item.places.unrolled:
+            own += " unrolled"
         if item.parent is None or item.place is None:
             found[item] = _digest(own)
         else:
@@ -272,7 +274,8 @@ def _digests(instances: tuple[Instance, ...], printed: dict[str, str]) -> dict[I
 
 def _node_id(instance: Instance, place: Place, digests: dict[Instance, str]) -> str:
     name = instance.places.function.name
-    return f"{name}.{place.ordinal}-{_digest(digests[instance], str(place.ordinal))}"
+    mark = "u" if instance.unrolled else ""
+    return f"{name}.{place.ordinal}{mark}-{_digest(digests[instance], str(place.ordinal))}"
 
 
 def _initialisers(

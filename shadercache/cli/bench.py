@@ -25,6 +25,7 @@ from shadercache.cli.reading import (
     IncludeOption,
     TokensOption,
     UndefineOption,
+    UnrollOption,
     read_options,
 )
 from shadercache.cli.scenes import choose_nodes, find_scene, split_list
@@ -67,6 +68,7 @@ def command(
     include: IncludeOption = None,
     dialect: DialectOption = "glsl",
     max_tokens: TokensOption = MAX_TOKENS,
+    unroll: UnrollOption = False,
     out: Annotated[
         Path,
         typer.Option(
@@ -96,7 +98,7 @@ def command(
     algorithms, extent = parse_passes(passes), parse_size(size)
     choices = [(n, k) for n in parse_periods(period) for k in parse_blocks(block)]
     scene = load_scene(find_scene(target))
-    reading = read_options(define, undefine, include, dialect, max_tokens)
+    reading = read_options(define, undefine, include, dialect, max_tokens, unroll)
     scene, analysis = analyse_scene(scene, reading)
     equal: dict[Candidate, int] = {}
     chosen: list[tuple[str, tuple[Candidate, ...]]]

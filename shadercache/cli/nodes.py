@@ -17,6 +17,7 @@ from shadercache.cli.reading import (
     IncludeOption,
     TokensOption,
     UndefineOption,
+    UnrollOption,
     read_options,
 )
 from shadercache.cli.scenes import find_scene
@@ -34,6 +35,7 @@ TEXT_WIDTH = 60
 
 
 def command(
+    context: typer.Context,
     fragment: Annotated[str, typer.Argument(metavar="FRAG", help="Fragment shader; - is stdin.")],
     vert: Annotated[
         str | None, typer.Option(metavar="FILE", help="Vertex shader that goes with it.")
@@ -53,6 +55,7 @@ def command(
     include: IncludeOption = None,
     dialect: DialectOption = "glsl",
     max_tokens: TokensOption = MAX_TOKENS,
+    unroll: UnrollOption = False,
     as_json: Annotated[bool, typer.Option("--json", help="The same as JSON.")] = False,
 ) -> None:
     """List every value of a shader, its cost, and whether it may be cached.
@@ -68,9 +71,10 @@ def command(
     from shadercache.compiler import analyse
     from shadercache.harness.scene import load_scene
 
-    options = read_options(define, undefine, include, dialect, max_tokens)
+    options = read_options(define, undefine, include, dialect, max_tokens, unroll)
     source = read_source(fragment)
     analysis = analyse(source, read_source(vert) if vert else None, options)
+    context.obj.show(analysis.kept_loops)
     nodes = analysis.nodes
     changes = load_scene(find_scene(scene)).changes if scene else None
     shown = [node for node in nodes if node.offered or not offered]

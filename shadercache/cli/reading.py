@@ -38,6 +38,10 @@ DialectOption: TypeAlias = Annotated[
 TokensOption: TypeAlias = Annotated[
     int, typer.Option(min=1, metavar="N", help="Tokens a shader may have, macros expanded.")
 ]
+UnrollOption: TypeAlias = Annotated[
+    bool,
+    typer.Option("--unroll", help="Take loops of few trips apart; their sums are nodes."),
+]
 
 
 def read_options(
@@ -46,6 +50,7 @@ def read_options(
     include: Sequence[Path] | None = None,
     dialect: Dialect = "glsl",
     max_tokens: int = MAX_TOKENS,
+    unroll: bool = False,
 ) -> ReadOptions:
     """What the options ask for. Of two definitions of a macro the later one holds.
 
@@ -65,6 +70,7 @@ def read_options(
         include_folders=tuple(include or ()),
         max_tokens=max_tokens,
         dialect=dialect,
+        unroll=unroll,
     )
 
 

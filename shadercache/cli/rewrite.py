@@ -15,6 +15,7 @@ from shadercache.cli.reading import (
     IncludeOption,
     TokensOption,
     UndefineOption,
+    UnrollOption,
     read_options,
 )
 from shadercache.front.options import MAX_TOKENS
@@ -56,6 +57,7 @@ def command(
     include: IncludeOption = None,
     dialect: DialectOption = "glsl",
     max_tokens: TokensOption = MAX_TOKENS,
+    unroll: UnrollOption = False,
 ) -> None:
     """Write the shaders that cache one node, or several together, and how to run them.
 
@@ -65,7 +67,7 @@ def command(
     """
     from shadercache.compiler import analyse, rewrite
 
-    options = read_options(define, undefine, include, dialect, max_tokens)
+    options = read_options(define, undefine, include, dialect, max_tokens, unroll)
     analysis = analyse(*read_pair(fragment, vert), options)
     emission = rewrite(
         analysis,

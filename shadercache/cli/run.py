@@ -23,6 +23,7 @@ from shadercache.cli.reading import (
     IncludeOption,
     TokensOption,
     UndefineOption,
+    UnrollOption,
     read_options,
 )
 from shadercache.cli.scenes import choose_nodes, find_scene
@@ -60,6 +61,7 @@ def command(
     include: IncludeOption = None,
     dialect: DialectOption = "glsl",
     max_tokens: TokensOption = MAX_TOKENS,
+    unroll: UnrollOption = False,
     out: Annotated[
         Path,
         typer.Option(
@@ -79,7 +81,7 @@ def command(
     extent = parse_size(size)
     every, edge = parse_periods(str(period))[0], parse_blocks(str(block))[0]
     scene = load_scene(find_scene(target))
-    reading = read_options(define, undefine, include, dialect, max_tokens)
+    reading = read_options(define, undefine, include, dialect, max_tokens, unroll)
     scene, analysis = analyse_scene(scene, reading)
     [(label, chosen)] = choose_nodes(scene, analysis, ["+".join(node)])
     options = Options(cache_format=cache_format, epsilon=epsilon)

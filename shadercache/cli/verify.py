@@ -17,6 +17,7 @@ from shadercache.cli.reading import (
     IncludeOption,
     TokensOption,
     UndefineOption,
+    UnrollOption,
     read_options,
 )
 from shadercache.cli.scenes import choose_nodes, find_scene
@@ -48,6 +49,7 @@ def command(
     include: IncludeOption = None,
     dialect: DialectOption = "glsl",
     max_tokens: TokensOption = MAX_TOKENS,
+    unroll: UnrollOption = False,
     jobs: Annotated[
         int, typer.Option("-j", "--jobs", min=0, help="Processes; 0 takes one per core.")
     ] = 0,
@@ -69,7 +71,7 @@ def command(
     from shadercache.harness.shaders import analyse_scene
     from shadercache.harness.verify import Verifier
 
-    options = read_options(define, undefine, include, dialect, max_tokens)
+    options = read_options(define, undefine, include, dialect, max_tokens, unroll)
     path = find_scene(target)
     scene = load_scene(path)
     scene, analysis = analyse_scene(scene, options)

@@ -26,6 +26,7 @@ from shadercache.emit.keep_globals import call_keeping
 from shadercache.emit.layout import Layout
 from shadercache.emit.runtime import load_part, runtime_names
 from shadercache.sema.facts import Facts, Symbol
+from shadercache.transform.compound import contract
 from shadercache.transform.drop_parameters import drop_parameters
 from shadercache.transform.drop_results import drop_results
 from shadercache.transform.names import FreshNames
@@ -38,7 +39,7 @@ from shadercache.transform.specialise import Clones, Cut, CutKind, insert_clones
 class FragmentProgram:
     """The user's fragment shader, checked and with unique names, and how to extend it.
 
-    ``parsed`` is the same as the user wrote it.
+    ``parsed`` is the same as the user wrote it, ``original`` the one before loops were unrolled.
     """
 
     parsed: n.Module
@@ -47,6 +48,12 @@ class FragmentProgram:
     candidates: Candidates
     color: str
     prefix: str
+    original: n.Module
+
+    @property
+    def unrolled(self) -> bool:
+        """Are there loops that were unrolled?"""
+        return self.original is not self.module
 
 
 class FragmentEmitter:
@@ -259,7 +266,7 @@ class FragmentEmitter:
         user = insert_clones(self.program.module, *clones)
         module = merge(self.program.module, without_main(user), extra, *parts)
         made = {clone.name for group in clones for _, clone in group.made}
-        module = _shrink(module, locations, made)
+        module = contract(_shrink(module, locations, made))
         return interface(with_locations(module, locations))
 
 
@@ -282,7 +289,7 @@ def _loops_over_arrays(module: n.Module) -> bool:
 
 def exact_original(program: FragmentProgram) -> Shader:
     """The user's shader with unique names and without what it does not need, for proof mode."""
-    module = remove_dead(program.module, (program.color,))
+    module = contract(remove_dead(program.original, (program.color,)))
     return interface(with_locations(module, {program.color: 0}))
 
 

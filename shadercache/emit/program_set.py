@@ -16,6 +16,7 @@ from shadercache.emit.printer import print_module
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.options import Options
 from shadercache.sema.facts import Stage
+from shadercache.transform.hide_counters import hide_counters
 from shadercache.transform.make_precise import make_precise
 from shadercache.transform.precisions import with_precisions
 
@@ -106,7 +107,8 @@ def emit_programs(
         prefix=program.prefix,
         color=program.color,
     )
-    write = _Writer(made, vertex, options, ", ".join(f"node {node.id}" for node in nodes))
+    about = ", ".join(f"node {node.id}" for node in nodes)
+    write = _Writer(made, vertex, options, about, program.unrolled)
     made.original = write.original(program)
     made.debug = write.add(_HIT_MASK, emitter.hit_mask())
     made.payload = write.add(_PAYLOAD, emitter.payload_alone())
@@ -124,7 +126,8 @@ def emit_programs(
 def emit_original(program: FragmentProgram, vertex: VertexEmitter, options: Options) -> ProgramSet:
     """The user's shaders themselves, printed: what variants are compared with."""
     made = ProgramSet(prefix=program.prefix, color=program.color)
-    made.original = _Writer(made, vertex, options, "unchanged").original(program)
+    write = _Writer(made, vertex, options, "unchanged", program.unrolled)
+    made.original = write.original(program)
     return made
 
 
@@ -136,6 +139,7 @@ class _Writer:
     vertex: VertexEmitter
     options: Options
     about: str
+    unrolled: bool
 
     def original(self, program: FragmentProgram) -> Pass:
         """The user's own shaders: word for word, or ready for proof mode."""
@@ -170,6 +174,8 @@ class _Writer:
     def _text(self, item: Pass, shader: Shader, stage: Stage) -> str:
         module = with_precisions(shader.module)
         if self.options.mode == "proof":
+            if self.unrolled and stage == "fragment":
+                module = hide_counters(module)
             module = make_precise(module, self.vertex.prefix, stage)
         version, rest = print_module(module).split("\n", 1)
         return f"{version}\n// shadercache: {item.file}, {self.about}\n{rest}"

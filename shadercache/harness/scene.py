@@ -99,6 +99,7 @@ class Scene:
     demo: Demo | None
     cull: bool
     changes: Mapping[str, str]
+    unroll: bool = False
 
 
 def load_scene(path: Path) -> Scene:
@@ -130,6 +131,7 @@ def load_scene(path: Path) -> Scene:
         demo=_demo(top.table("demo")) if top.has("demo") else None,
         cull=top.text("cull", "none", ("none", "back")) == "back",
         changes=_changes(top.table("changes"), semantics),
+        unroll=top.boolean("unroll", False),
     )
     top.refuse_unknown()
     top.raise_problems()

@@ -20,6 +20,8 @@ def analyse_scene(scene: Scene, reading: ReadOptions | None = None) -> tuple[Sce
     Where shaders of an older version are raised some attributes, uniforms and textures get new
     names: the scene has what it gives under these as well. Raises as :func:`compiler.analyse`.
     """
+    reading = reading or ReadOptions()
+    reading = replace(reading, unroll=reading.unroll or scene.unroll)
     analysis = analyse(*read_shaders(scene), reading)
     return with_aliases(scene, analysis.renamed), analysis
 
