@@ -263,8 +263,8 @@ def _check_names(analysis: Analysis, mode: Mode) -> None:
 
 
 def _unfit(analysis: Analysis, node: Candidate, programs: program_set.ProgramSet) -> Diagnostic:
-    reason = next(iter(programs.refused.values()))
-    message = f"'{node.text}' cannot be cached in one pass: {reason}"
+    passes, reason = next(iter(programs.refused.items()))
+    message = f"'{node.text}' cannot be cached by {passes}-pass: {reason}"
     return Diagnostic("SC407", message, analysis.fragment, node.expr.span)
 
 

@@ -12,8 +12,8 @@ SC_PAYLOAD sc_payload;
 #if SC_WHOLE
 bool sc_reuse = false;  // is there a payload from the cache?
 bool sc_valid = false;  // is there a payload to store?
-bool sc_lacks = false;  // was a payload needed, and none there?
 #endif
+bool sc_lacks = false;  // was a payload needed, and none there?
 
 SC_TEXEL sc_texel() {
 #if SC_WHOLE
