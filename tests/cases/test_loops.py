@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from contextlib import closing
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -11,10 +10,10 @@ import pytest
 from shadercache.analysis.candidates import Candidate
 from shadercache.emit import fragment
 from shadercache.harness.context import Gpu
-from shadercache.harness.scene import load_scene
 from shadercache.harness.verify import Verdict, Verifier
 
 from .cases import analysed
+from .scenery import scene_of
 
 NAME = "loop_by_payload"
 DECIDING = ("pace", "2 + int(", "1.5 + sin(")
@@ -29,8 +28,7 @@ def nodes(*begins: str) -> list[Candidate]:
 
 
 def verdicts(gpu: Gpu, folder: Path, *begins: str) -> list[Verdict]:
-    scene = replace(load_scene(folder), fragment=folder / f"{NAME}.frag")
-    with closing(Verifier(gpu, scene, analysed(NAME), (40, 40))) as verifier:
+    with closing(Verifier(gpu, scene_of(NAME, folder), analysed(NAME), (40, 40))) as verifier:
         return [verifier.check(node, plain=False) for node in nodes(*begins)]
 
 
