@@ -321,9 +321,9 @@ def _check_names(analysis: Analysis, mode: Mode) -> None:
 def _unfit(
     analysis: Analysis, nodes: Sequence[Candidate], programs: program_set.ProgramSet
 ) -> Diagnostic:
-    reason = next(iter(programs.refused.values()))
+    passes, reason = next(iter(programs.refused.items()))
     texts = " and ".join(f"'{node.text}'" for node in nodes)
-    message = f"{texts} cannot be cached in one pass: {reason}"
+    message = f"{texts} cannot be cached by {passes}-pass: {reason}"
     return Diagnostic("SC407", message, analysis.fragment, nodes[0].expr.span)
 
 

@@ -123,7 +123,8 @@ def _parts(
         case n.Call():
             for arg, out in zip(node.args, out_arguments(node, table), strict=True):
                 yield arg, use, out
-        case n.TypeSpec() | n.Case() | n.LayoutItem():
+        case n.TypeSpec() | n.Case() | n.LayoutItem() | n.Length():
+            # Of an array whose length is asked for nothing is evaluated either.
             yield from ((child, Use.CONSTANT, False) for child in children(node))
         case n.Declarator():
             yield from ((dim, Use.CONSTANT, False) for dim in node.dims if dim is not None)

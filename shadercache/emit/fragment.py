@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 
 from shadercache.analysis.candidates import Candidate, Candidates
 from shadercache.analysis.effects import Does, EffectTable
 from shadercache.analysis.instances import Use
+from shadercache.analysis.loops import decided_loops
 from shadercache.analysis.neighbours import SharedUse, evaluation_order
 from shadercache.analysis.precision import PrecisionTable
 from shadercache.ast import nodes as n
@@ -29,10 +30,14 @@ from shadercache.sema.facts import Facts, Symbol
 from shadercache.transform.compound import contract
 from shadercache.transform.drop_parameters import drop_parameters
 from shadercache.transform.drop_results import drop_results
+from shadercache.transform.guard_loops import guard_loops
 from shadercache.transform.names import FreshNames
 from shadercache.transform.reachable import names_in
 from shadercache.transform.remove_dead import remove_dead
 from shadercache.transform.specialise import Clones, Cut, CutKind, insert_clones, specialise
+
+_LATE = ("passes/here_late", "passes/hit_late")
+"""Passes that fragments without a payload go through, up to a discard at the end."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -117,16 +122,19 @@ class FragmentEmitter:
         return tuple(s for s in declared if s.kind == "global" and s.name in written)
 
     def hit(self) -> Shader:
-        """Two passes, first. The discard comes last where the shading takes derivatives, and where
-        a loop writes into an array."""
+        """Two passes, first. The discard comes last where the shading takes derivatives, where a
+        loop writes into an array, and where the payload decides on a loop: there it is certain that
+        fragments without a payload leave the loop, whatever a driver does behind a discard."""
         if self.whole:
             early = self._finish("passes/here", [self._shade("need")], both=True)
         else:
             early = self._finish("passes/hit", [self._shade("use")], both=True)
         table = EffectTable(early.module)
         does = table.of(table.functions["main"].body).does
-        if not does & (Does.DERIVATIVE | Does.IMPLICIT_LOD) and not _loops_over_arrays(
-            early.module
+        if (
+            not does & (Does.DERIVATIVE | Does.IMPLICIT_LOD)
+            and not _loops_over_arrays(early.module)
+            and not self._decides_loops
         ):
             return early
         if self.whole:
@@ -173,9 +181,22 @@ class FragmentEmitter:
             if payload not in named
         )
 
-    def unfit_for_one_pass(self) -> str | None:
-        """Why the nodes cannot be cached in one pass, if so."""
-        return self._unfit_here() if self.whole else self._unfit_ahead()
+    def unfit(self, passes: int) -> str | None:
+        """Why the nodes cannot be cached in so many passes, if so."""
+        if passes == 1:
+            return self._unfit_here() if self.whole else self._unfit_ahead()
+        if passes == 3 and self._decides_loops:
+            return (
+                "the value decides how long a loop runs, and in the last of three passes fragments "
+                "along edges read the payloads of others, with which it might never end"
+            )
+        return None
+
+    @cached_property
+    def _decides_loops(self) -> bool:
+        """Does a payload decide how long a loop runs?"""
+        user = insert_clones(self.program.module, self._shade("use"))
+        return bool(decided_loops(user, self.payloads))
 
     def _unfit_here(self) -> str | None:
         table = EffectTable(self.program.module)
@@ -264,6 +285,8 @@ class FragmentEmitter:
         names = ("lookup", "wide", "store", template)
         parts = [load_part(name, self.layout, prefix, self.whole) for name in names]
         user = insert_clones(self.program.module, *clones)
+        if template in _LATE and self._decides_loops:
+            user = guard_loops(user, decided_loops(user, self.payloads), self._own("lacks"))
         module = merge(self.program.module, without_main(user), extra, *parts)
         made = {clone.name for group in clones for _, clone in group.made}
         module = contract(_shrink(module, locations, made))

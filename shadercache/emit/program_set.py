@@ -113,7 +113,7 @@ def emit_programs(
     made.debug = write.add(_HIT_MASK, emitter.hit_mask())
     made.payload = write.add(_PAYLOAD, emitter.payload_alone())
     for number in algorithms:
-        unfit = emitter.unfit_for_one_pass() if number == 1 else None
+        unfit = emitter.unfit(number)
         if unfit is not None:
             made.refused[number] = unfit
             continue

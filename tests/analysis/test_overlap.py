@@ -71,13 +71,13 @@ def _compare(analysis: Analysis, node: Candidate) -> None:
     """No pass costs more than the original and its look-ups; one pass also what is done twice."""
     parts = analysis.parts(node)
     assert parts.payload <= parts.whole and parts.remainder <= parts.whole
-    emitter = FragmentEmitter(analysis.program, node)
+    emitter = FragmentEmitter(analysis.program, (node,))
     assert _cost(emitter.payload_only()) <= parts.payload + PADDING
     assert _cost(emitter.shade()) <= parts.remainder + 2 * FETCH + PADDING
     assert _cost(emitter.hit()) <= parts.remainder + PADDING
     assert _cost(emitter.miss()) <= parts.whole + PADDING
     # Fetches that one pass moves ahead compute where to look once more.
-    if emitter.unfit_for_one_pass() is None and not emitter.fetches:
+    if emitter.unfit(1) is None and not emitter.fetches:
         assert _cost(emitter.one()) <= parts.whole + parts.overlap + PADDING
 
 

@@ -1,44 +1,15 @@
-"""The scene that all cases are drawn in: a ring, two textures, a cube map and an array."""
+"""The scene that all cases are drawn in."""
 
 from __future__ import annotations
 
-import shutil
 from pathlib import Path
 
-import numpy as np
 import pytest
 
-from .cases import FOLDER
-
-
-def ring(around: int = 24, across: int = 12) -> dict[str, np.ndarray]:
-    """Arrays of a torus about the z axis: radii 0.8 and 0.3."""
-    u, v = np.meshgrid(
-        np.linspace(0.0, 2.0 * np.pi, around + 1),
-        np.linspace(0.0, 2.0 * np.pi, across + 1),
-        indexing="ij",
-    )
-    normal = np.stack([np.cos(v) * np.cos(u), np.cos(v) * np.sin(u), np.sin(v)], -1)
-    centre = np.stack([np.cos(u), np.sin(u), np.zeros_like(u)], -1) * 0.8
-    i, j = np.meshgrid(np.arange(around), np.arange(across), indexing="ij")
-    here, right = i * (across + 1) + j, (i + 1) * (across + 1) + j
-    quads = np.stack([here, right, right + 1, here, right + 1, here + 1], -1)
-    return {
-        "position": (centre + 0.3 * normal).reshape(-1, 3).astype(np.float32),
-        "normal": normal.reshape(-1, 3).astype(np.float32),
-        "uv": np.stack([u, v], -1).reshape(-1, 2).astype(np.float32) / np.float32(2.0 * np.pi),
-        "index": quads.reshape(-1, 3).astype(np.uint32),
-    }
+from .scenery import make_scene
 
 
 @pytest.fixture(scope="session")
 def scene_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A copy of the cases with the mesh and the textures made."""
-    folder = tmp_path_factory.mktemp("cases") / "scene"
-    shutil.copytree(FOLDER, folder)
-    random = np.random.default_rng(4)
-    np.savez(folder / "ring.npz", **ring())
-    np.savez(folder / "map.npz", pixels=random.random((16, 16, 4), np.float32))
-    np.savez(folder / "sky.npz", faces=random.random((6, 8, 8, 4), np.float32))
-    np.savez(folder / "layers.npz", layers=random.random((3, 8, 8, 4), np.float32))
-    return folder
+    return make_scene(tmp_path_factory.mktemp("cases") / "scene")

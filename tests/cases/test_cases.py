@@ -6,7 +6,6 @@ import shutil
 import subprocess
 from collections.abc import Iterable
 from contextlib import closing
-from dataclasses import replace
 from pathlib import Path
 from random import Random
 
@@ -18,13 +17,12 @@ from shadercache.analysis.candidates import Candidate
 from shadercache.compiler import emit_original, rewrite
 from shadercache.diagnostics import InputError, shortened
 from shadercache.harness.context import Gpu
-from shadercache.harness.scene import load_scene
-from shadercache.harness.shaders import with_aliases
 from shadercache.harness.verify import Verifier
 from shadercache.options import Mode, Options
 from tests.conftest import Golden
 
-from .cases import FOLDER, NAMES, analysed, sources, vertex
+from .cases import FOLDER, NAMES, analysed, sources
+from .scenery import scene_of
 
 SIZE = (40, 40)
 NODES = 3
@@ -81,12 +79,8 @@ def _line(node: Candidate) -> str:
 @pytest.mark.xdist_group("gl")
 @pytest.mark.parametrize("name", CACHEABLE)
 def test_laws_1_to_4(name: str, gpu: Gpu, scene_folder: Path) -> None:
-    scene = load_scene(scene_folder)
-    analysis = analysed(name)
-    paths = (scene_folder / f"{name}.frag", scene_folder / vertex(name).name)
-    scene = replace(scene, fragment=paths[0], vertex=paths[1])
-    scene = with_aliases(scene, analysis.renamed)
-    with closing(Verifier(gpu, scene, analysis, SIZE)) as verifier:
+    scene = scene_of(name, scene_folder)
+    with closing(Verifier(gpu, scene, analysed(name), SIZE)) as verifier:
         found = verifier.round_trip()
         verdicts = [verifier.check(nodes, plain=False) for nodes in of_the_day(name)]
         assert verifier.covered[0].mean() > 0.2

@@ -12,8 +12,8 @@ SC_DECLARE_PAYLOADS;
 #if SC_WHOLE
 bool sc_reuse = false;  // are there payloads from the cache?
 SC_DECLARE_VALID;       // is there a payload to store?
-bool sc_lacks = false;  // was a payload needed, and none there?
 #endif
+bool sc_lacks = false;  // was a payload needed, and none there?
 
 SC_TEXEL sc_texel() {
 #if SC_MASKED

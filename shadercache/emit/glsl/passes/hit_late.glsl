@@ -2,11 +2,11 @@
 // which are undefined behind a discard, so the discard comes last.
 void main() {
     SC_DECLARE_TEXELS;
-    int SC_LOCAL_3 = sc_look_up(SC_TEXELS);
+    sc_lacks = sc_look_up(SC_TEXELS) != SC_HIT;
     SC_UNPACK;
     sc_shade();
     SC_STORE;
-    if (SC_LOCAL_3 != SC_HIT) {
+    if (sc_lacks) {
         discard;
     }
 }

@@ -10,6 +10,7 @@ uniform int sc_block;
 uniform float sc_epsilon;
 float sc_payload;
 layout(location = 1) out vec4 sc_store;
+bool sc_lacks = false;
 uniform sampler2D u_map;
 uniform vec3 u_tint;
 in vec3 v_position;
@@ -82,11 +83,11 @@ vec4 sc_texel() {
 
 void main() {
     vec4 texel;
-    int outcome = sc_look_up(texel);
+    sc_lacks = sc_look_up(texel) != 1;
     sc_payload = texel.x;
     sc_shade();
     sc_store = sc_texel();
-    if (outcome != 1) {
+    if (sc_lacks) {
         discard;
     }
 }
