@@ -29,24 +29,31 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
-from shadercache.analysis.candidates import Candidate, Candidates, find_candidates
+from shadercache.analysis.candidates import (
+    Candidate,
+    Candidates,
+    find_candidates,
+    varyings,
+)
 from shadercache.analysis.definitions import Definitions
 from shadercache.analysis.effects import EffectTable
 from shadercache.analysis.groups import Group, find_groups
 from shadercache.analysis.inputs import input_kinds
 from shadercache.analysis.refusals import Code
 from shadercache.analysis.restrictions import check_depth, check_size, check_stages, find_color
+from shadercache.analysis.user_mapping import check_user_mapping
 from shadercache.ast import nodes as n
 from shadercache.ast.large import allow_deep_trees
 from shadercache.ast.walk import walk
 from shadercache.diagnostics import Diagnostic, InputError, UsageError, input_error
 from shadercache.emit import program_set
 from shadercache.emit.fragment import FragmentProgram
+from shadercache.emit.full_screen import full_screen_vertex
 from shadercache.emit.printer import print_node
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.front.options import ReadOptions
-from shadercache.manifest import build_manifest, original_manifest
-from shadercache.options import ALGORITHMS, Mode, Options
+from shadercache.manifest import build_manifest, original_manifest, with_mapping
+from shadercache.options import ALGORITHMS, MappingKind, Mode, Options
 from shadercache.sema.check import check
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.read import read
@@ -77,6 +84,52 @@ class Analysis:
     def nodes(self) -> tuple[Candidate, ...]:
         """Every node, in order of call paths and source."""
         return self.candidates.nodes
+
+    @property
+    def mapping(self) -> MappingKind:
+        """Where a fragment finds what the previous frame stored."""
+        return self.program.mapping
+
+    @property
+    def full_screen(self) -> bool:
+        """Is there no geometry but a triangle that covers the target?"""
+        return self.vertex is None and self.mapping != "surface"
+
+    @cached_property
+    def vertex_emitter(self) -> VertexEmitter:
+        """What makes the vertex shaders: of the user's, or of the one of a full-screen pass.
+
+        Raises :class:`InputError` SC402 where there has to be one and is none, SC406 where a
+        full-screen pass cannot give the fragment shader a varying.
+        """
+        prefix = self.program.prefix
+        if self.vertex_module is not None:
+            parsed = self.raised[1].module
+            return VertexEmitter(parsed, self.vertex_module, prefix, self.mapping)
+        if not self.full_screen:
+            raise input_error("SC402", "a vertex shader is needed to rewrite a shader", "give --vert")
+        source, module = full_screen_vertex(self.program.module)
+        check_stages(self.program.module, self.fragment, module, source)
+        return VertexEmitter(module, module, prefix, self.mapping)
+
+    @property
+    def vertex_source(self) -> Source:
+        """The vertex shader's text: the user's, or that of a full-screen pass."""
+        return self.vertex or full_screen_vertex(self.program.module)[0]
+
+    def unchanged_for(self, node: Candidate) -> tuple[str, ...] | None:
+        """While which uniforms, textures and attributes do not change is reuse of a value exact?
+
+        ``None`` where this cannot be said: with another mapping than ``screen`` a value is found
+        between the texels of a cache.
+        """
+        if self.mapping != "screen":
+            return None
+        inputs = {name for name in node.inputs if not name.startswith(("gl_", "%"))}
+        passed = inputs & varyings(self.program.module)
+        if self.vertex is None:
+            return tuple(sorted(inputs))
+        return tuple(sorted((inputs - passed) | self.vertex_emitter.inputs(passed)))
 
     @property
     def notes(self) -> tuple[Diagnostic, ...]:
@@ -174,11 +227,16 @@ class Emission:
 
 
 def analyse(
-    fragment: Source, vertex: Source | None = None, reading: ReadOptions | None = None
+    fragment: Source,
+    vertex: Source | None = None,
+    reading: ReadOptions | None = None,
+    mapping: MappingKind | None = None,
 ) -> Analysis:
     """Parse, check and judge every expression of a fragment shader.
 
-    ``reading`` holds for both shaders, but the dialect is the fragment shader's.
+    ``reading`` holds for both shaders, but the dialect is the fragment shader's. Without a
+    ``mapping`` it is ``surface``, or ``screen`` for a shader without varyings that comes without a
+    vertex shader.
 
     Raises :class:`InputError` with every diagnostic of the first stage that finds any.
     """
@@ -194,8 +252,13 @@ def analyse(
     module, facts = _normalise(raised[0], fragment, "fragment")
     color = find_color(module, fragment)
     printed = _printed(trees[0].module, module)
-    candidates = find_candidates(module, facts, fragment, printed, EffectTable(module))
-    program = FragmentProgram(raised[0].module, module, facts, candidates, color, prefix)
+    table = EffectTable(module)
+    if mapping is None:
+        mapping = "surface" if vertex is not None or varyings(module) else "screen"
+    if mapping == "user":
+        check_user_mapping(module, fragment, table)
+    candidates = find_candidates(module, facts, fragment, printed, table, mapping)
+    program = FragmentProgram(raised[0].module, module, facts, candidates, color, prefix, mapping)
     vertex_module = None
     if vertex is not None:
         vertex_module, _ = _normalise(raised[1], vertex, "vertex")
@@ -222,12 +285,17 @@ def rewrite(
     options = options or Options()
     _check_names(analysis, options.mode)
     programs = program_set.emit_programs(
-        analysis.program, _vertex(analysis), node, options, algorithms
+        analysis.program, analysis.vertex_emitter, node, options, algorithms
     )
     if not programs.variants:
         raise InputError(_unfit(analysis, node, programs))
-    sources = analysis.fragment, _vertex_source(analysis)
-    manifest = build_manifest(*sources, node, options, programs, analysis.renamed)
+    sources = analysis.fragment, analysis.vertex_source
+    manifest = with_mapping(
+        build_manifest(*sources, node, options, programs, analysis.renamed),
+        analysis.mapping,
+        analysis.full_screen,
+        analysis.unchanged_for(node),
+    )
     return Emission(programs.files, manifest)
 
 
@@ -238,7 +306,7 @@ def emit_original(analysis: Analysis, mode: Mode = "plain") -> Emission:
     """
     options = Options(mode)
     _check_names(analysis, mode)
-    programs = program_set.emit_original(analysis.program, _vertex(analysis), options)
+    programs = program_set.emit_original(analysis.program, analysis.vertex_emitter, options)
     return Emission(programs.files, original_manifest(programs, options))
 
 
@@ -266,17 +334,6 @@ def _unfit(analysis: Analysis, node: Candidate, programs: program_set.ProgramSet
     reason = next(iter(programs.refused.values()))
     message = f"'{node.text}' cannot be cached in one pass: {reason}"
     return Diagnostic("SC407", message, analysis.fragment, node.expr.span)
-
-
-def _vertex(analysis: Analysis) -> VertexEmitter:
-    if analysis.vertex_module is None:
-        raise input_error("SC402", "a vertex shader is needed to rewrite a shader", "give --vert")
-    return VertexEmitter(analysis.raised[1].module, analysis.vertex_module, analysis.program.prefix)
-
-
-def _vertex_source(analysis: Analysis) -> Source:
-    assert analysis.vertex is not None
-    return analysis.vertex
 
 
 def _checked(source: Source, stage: Stage, reading: ReadOptions) -> StageTree:

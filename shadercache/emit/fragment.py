@@ -23,7 +23,8 @@ from shadercache.emit.assemble import (
 )
 from shadercache.emit.keep_globals import call_keeping
 from shadercache.emit.layout import Layout
-from shadercache.emit.runtime import load_part, runtime_names
+from shadercache.emit.runtime import Located, load_part, runtime_names
+from shadercache.options import CURRENT_CLIP, MappingKind
 from shadercache.sema.facts import Facts, Symbol
 from shadercache.transform.drop_parameters import drop_parameters
 from shadercache.transform.names import FreshNames
@@ -44,6 +45,15 @@ class FragmentProgram:
     candidates: Candidates
     color: str
     prefix: str
+    mapping: MappingKind = "surface"
+
+    @property
+    def located(self) -> Located:
+        """How the passes find their texels."""
+        if self.mapping != "user":
+            return Located(self.mapping)
+        functions = (d.name for d in self.module.decls if isinstance(d, n.FunctionDef))
+        return Located(self.mapping, CURRENT_CLIP in functions)
 
 
 class FragmentEmitter:
@@ -235,7 +245,8 @@ class FragmentEmitter:
         # ``main`` comes last: GLSL wants functions declared before they are called.
         names = ("lookup", "wide", "store", template)
         options = (self.layout, prefix, self.precisions.of(self.node.expr), self.whole)
-        parts = [load_part(name, *options) for name in names]
+        located = self.program.located
+        parts = [load_part(name, *options, located=located) for name in names]
         user = insert_clones(self.program.module, *clones)
         module = merge(self.program.module, without_main(user), extra, *parts)
         made = {clone.name for group in clones for _, clone in group.made}
