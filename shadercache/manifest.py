@@ -106,7 +106,10 @@ def build_manifest(
 
 
 def with_mapping(
-    manifest: dict[str, Any], mapping: MappingKind, full_screen: bool, unchanged: Sequence[str] | None
+    manifest: dict[str, Any],
+    mapping: MappingKind,
+    full_screen: bool,
+    unchanged: Sequence[str] | None,
 ) -> dict[str, Any]:
     """The manifest with where payloads are found, and what is drawn.
 

@@ -19,7 +19,7 @@ from shadercache.compiler import Analysis, emit_original, rewrite
 from shadercache.diagnostics import InputError, input_error
 from shadercache.harness.bundle import Bundle
 from shadercache.harness.context import Gpu
-from shadercache.harness.mesh import Mesh, load_mesh
+from shadercache.harness.mesh import Mesh, scene_mesh
 from shadercache.harness.runner import (
     CoverageRunner,
     OriginalRunner,
@@ -130,7 +130,7 @@ class Verifier:
     ) -> None:
         """Render the originals. Raises as ``Stage`` and ``BoundPass``."""
         self.analysis = analysis
-        mesh = mesh or load_mesh(scene.verify_mesh or scene.mesh)
+        mesh = mesh or scene_mesh(scene, small=True)
         self.stage = Stage(gpu, scene, size, color="rgba32f", mesh=mesh)
         self._moving = {mode: self._original(mode) for mode in ("plain", "proof")}
         proof = self._bundle("proof")
@@ -149,9 +149,9 @@ class Verifier:
         version.
         """
         analysis = self.analysis
-        assert analysis.vertex is not None
         written = emit_original(analysis, "plain")
-        files = {"original.vert": analysis.vertex.text, "original.frag": analysis.fragment.text}
+        vertex = analysis.vertex_source.text
+        files = {"original.vert": vertex, "original.frag": analysis.fragment.text}
         found = Difference()
         if analysis.reads_fixed_function or not analysis.stands_alone:
             return None
