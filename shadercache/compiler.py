@@ -51,6 +51,7 @@ from shadercache.emit.fragment import FragmentProgram
 from shadercache.emit.full_screen import full_screen_vertex
 from shadercache.emit.printer import print_node
 from shadercache.emit.vertex import VertexEmitter
+from shadercache.front.dialects import surrounded
 from shadercache.front.options import ReadOptions
 from shadercache.manifest import build_manifest, original_manifest, with_mapping
 from shadercache.options import ALGORITHMS, MappingKind, Mode, Options
@@ -127,7 +128,8 @@ class Analysis:
         """
         if self.mapping != "screen":
             return None
-        inputs = {name for name in node.inputs if not name.startswith(("gl_", "%"))}
+        kinds = ("uniforms", "textures", "varyings")
+        inputs = {name for name in node.inputs if self.input_kinds.get(name) in kinds}
         passed = inputs & varyings(self.program.module)
         if self.vertex is None:
             return tuple(sorted(inputs))
@@ -149,12 +151,16 @@ class Analysis:
         return any(re.match(r"gl_(?!Frag(Color|Data))", name) for name in self.renamed)
 
     @property
-    def stands_alone(self) -> bool:
-        """Could a driver be given the user's own text, or does it need what is outside of it?"""
+    def written(self) -> str | None:
+        """The user's own text as a driver can be given it: with what its host adds to it.
+
+        ``None`` where it needs what is outside of it.
+        """
         reading = self.reading
         texts = (self.fragment.text, self.vertex.text if self.vertex else "")
-        changed = reading.defines or reading.undefined or reading.dialect != "glsl"
-        return not changed and not any(_INCLUDE.search(text) for text in texts)
+        if reading.defines or reading.undefined or any(_INCLUDE.search(text) for text in texts):
+            return None
+        return surrounded(self.fragment, reading.dialect)
 
     @cached_property
     def groups(self) -> Mapping[Candidate, Group]:

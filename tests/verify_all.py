@@ -134,7 +134,11 @@ def _figures(found: Difference) -> list[float | None]:
 def fingerprint(scene: Scene) -> str:
     """Changes when anything that a verdict depends on changes: our code, the scene's files."""
     package = Path(shadercache.__file__).parent
-    code = (path for path in package.rglob("*") if path.suffix in (".py", ".glsl", ".frag", ".txt"))
+    code = (
+        path
+        for path in package.rglob("*")
+        if path.suffix in (".py", ".glsl", ".vert", ".frag", ".txt")
+    )
     meshes = (scene.verify_mesh or scene.mesh, scene.vertex)
     textures = (texture.path for texture in scene.textures.values())
     files = [*code, *data_path("grammars").glob("*"), scene.path, scene.fragment]

@@ -150,11 +150,11 @@ class Verifier:
         """
         analysis = self.analysis
         written = emit_original(analysis, "plain")
-        vertex = analysis.vertex_source.text
-        files = {"original.vert": vertex, "original.frag": analysis.fragment.text}
+        text = analysis.written
         found = Difference()
-        if analysis.reads_fixed_function or not analysis.stands_alone:
+        if analysis.reads_fixed_function or text is None:
             return None
+        files = {"original.vert": analysis.vertex_source.text, "original.frag": text}
         try:
             runner = OriginalRunner(self.stage, Bundle(written.manifest, files))
         except InputError:
