@@ -129,7 +129,8 @@ class Analysis:
         if self.mapping != "screen":
             return None
         kinds = ("uniforms", "textures", "varyings")
-        inputs = {name for name in node.inputs if self.input_kinds.get(name) in kinds}
+        named = (name for name in node.inputs if not name.startswith("gl_"))
+        inputs = {name for name in named if self.input_kinds.get(name) in kinds}
         passed = inputs & varyings(self.program.module)
         if self.vertex is None:
             return tuple(sorted(inputs))

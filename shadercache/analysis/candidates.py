@@ -262,14 +262,14 @@ def _reused_builtins(module: n.Module, mapping: MappingKind) -> frozenset[str]:
 
 
 def varyings(module: n.Module) -> set[str]:
-    """Names of the inputs that differ from fragment to fragment."""
+    """Names of the inputs that differ from fragment to fragment, built-in ones apart."""
     found: set[str] = set()
     for decl in module.decls:
         if isinstance(decl, n.VarDecl) and decl.qualifiers.has("in"):
             found |= {item.name for item in decl.declarators}
         elif isinstance(decl, n.BlockDecl) and decl.qualifiers.has("in"):
             found |= {decl.instance or ""} | {i.name for f in decl.fields for i in f.declarators}
-    return found - {""}
+    return {name for name in found if name and not name.startswith("gl_")}
 
 
 def _text(source: Source, expr: n.Expr) -> str:

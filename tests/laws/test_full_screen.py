@@ -16,6 +16,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from laws.ground_truth import VERTEX, body_mesh, body_scene
 from laws.slices import VARIABLE, day_slice, seed
 
 from shadercache.analysis.candidates import Candidate
@@ -250,7 +251,41 @@ def test_slow_scrolling_is_no_rest(gpu: Gpu) -> None:
                     assert np.abs(truth[frame] - truth[0]).max() > 0.05
 
 
-@pytest.mark.parametrize("name", ("clouds", "orbit", "scroll"))
+SOLID = """#version 330
+in vec3 v_position;
+in vec3 v_normal;
+uniform mat4 u_modelViewProjection;
+out vec4 o_color;
+float bands(vec3 p) { return sin(9.0 * p.x) * cos(5.0 * p.y) + sin(4.0 * p.z + cos(p.x)); }
+vec4 scPreviousClip() { return u_modelViewProjection * vec4(v_position, 1.0); }
+vec4 scCurrentClip() { return u_modelViewProjection * vec4(v_position, 1.0); }
+void main() {
+    float grain = bands(v_position) * bands(0.1 * vec3(gl_FragCoord.xy, 1.0));
+    o_color = vec4(0.5 + 0.5 * grain * normalize(v_normal).z + bands(v_normal));
+}
+"""
+
+
+@pytest.mark.parametrize("mapping", ["screen", "user"])
+def test_laws_2_to_4_on_a_mesh(gpu: Gpu, mapping: MappingKind) -> None:
+    """With a vertex shader of the user's, which stays as it is: no twins, no added varyings."""
+    analysis = analyse(Source("solid.frag", SOLID), Source("solid.vert", VERTEX), mapping=mapping)
+    nodes = [node_of(analysis, text) for text in ("bands(v_position)", "bands(v_normal)")]
+    if mapping == "screen":
+        nodes.append(node_of(analysis, "grain"))
+        assert analysis.unchanged_for(nodes[-1]) == ("a_position", "u_modelViewProjection")
+    emission = rewrite(analysis, nodes[0])
+    assert not emission.manifest["previous"]
+    assert emission.manifest["draw"] == {"geometry": "objects"}
+    assert "sc_" not in emission.files["1-pass.vert"]
+    scene, mesh = body_scene("trashcan", 3.0), body_mesh("trashcan")
+    with closing(Verifier(gpu, scene, analysis, SIZE, mesh)) as verifier:
+        verdicts = [verifier.check(node) for node in nodes]
+    broken = {item.text: item.failure or item.broken for item in verdicts if item.broken}
+    assert not broken
+
+
+@pytest.mark.parametrize("name", MAPPINGS)
 def test_golden(name: str, golden: Golden) -> None:
     texts = {
         "clouds": STATIC[0],
