@@ -33,7 +33,12 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
-from shadercache.analysis.candidates import Candidate, Candidates, find_candidates
+from shadercache.analysis.candidates import (
+    Candidate,
+    Candidates,
+    find_candidates,
+    varyings,
+)
 from shadercache.analysis.cost import CostTable
 from shadercache.analysis.definitions import Definitions
 from shadercache.analysis.effects import EffectTable
@@ -43,17 +48,20 @@ from shadercache.analysis.overlap import OverlapTable, Parts
 from shadercache.analysis.refusals import Code
 from shadercache.analysis.restrictions import check_depth, check_size, check_stages, find_color
 from shadercache.analysis.sets import check_needed, check_set, notes_on
+from shadercache.analysis.user_mapping import check_user_mapping
 from shadercache.ast import nodes as n
 from shadercache.ast.large import allow_deep_trees
 from shadercache.ast.walk import walk
 from shadercache.diagnostics import Diagnostic, InputError, UsageError, input_error, usage_error
 from shadercache.emit import program_set
 from shadercache.emit.fragment import FragmentEmitter, FragmentProgram
+from shadercache.emit.full_screen import full_screen_vertex
 from shadercache.emit.printer import print_node
 from shadercache.emit.vertex import VertexEmitter
+from shadercache.front.dialects import surrounded
 from shadercache.front.options import ReadOptions
-from shadercache.manifest import build_manifest, original_manifest
-from shadercache.options import ALGORITHMS, Mode, Options
+from shadercache.manifest import build_manifest, original_manifest, with_mapping
+from shadercache.options import ALGORITHMS, MappingKind, Mode, Options
 from shadercache.sema.check import check
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.read import read
@@ -91,6 +99,57 @@ class Analysis:
         return self.candidates.nodes
 
     @property
+    def mapping(self) -> MappingKind:
+        """Where a fragment finds what the previous frame stored."""
+        return self.program.mapping
+
+    @property
+    def full_screen(self) -> bool:
+        """Is there no geometry but a triangle that covers the target?"""
+        return self.vertex is None and self.mapping != "surface"
+
+    @cached_property
+    def vertex_emitter(self) -> VertexEmitter:
+        """What makes the vertex shaders: of the user's, or of the one of a full-screen pass.
+
+        Raises :class:`InputError` SC402 where there has to be one and is none, SC406 where a
+        full-screen pass cannot give the fragment shader a varying.
+        """
+        prefix = self.program.prefix
+        if self.vertex_module is not None:
+            parsed = self.raised[1].module
+            return VertexEmitter(parsed, self.vertex_module, prefix, self.mapping)
+        if not self.full_screen:
+            raise input_error(
+                "SC402", "a vertex shader is needed to rewrite a shader", "give --vert"
+            )
+        source, module = full_screen_vertex(self.program.module)
+        check_stages(self.program.module, self.fragment, module, source)
+        return VertexEmitter(module, module, prefix, self.mapping)
+
+    @property
+    def vertex_source(self) -> Source:
+        """The vertex shader's text: the user's, or that of a full-screen pass."""
+        return self.vertex or full_screen_vertex(self.program.module)[0]
+
+    def unchanged_for(self, *nodes: Candidate) -> tuple[str, ...] | None:
+        """While which uniforms, textures and attributes do not change is reuse of values exact?
+
+        ``None`` where this cannot be said: with another mapping than ``screen`` a value is found
+        between the texels of a cache.
+        """
+        if self.mapping != "screen":
+            return None
+        kinds = ("uniforms", "textures", "varyings")
+        found = frozenset[str]().union(*(node.inputs for node in nodes))
+        named = (name for name in found if not name.startswith("gl_"))
+        inputs = {name for name in named if self.input_kinds.get(name) in kinds}
+        passed = inputs & varyings(self.program.module)
+        if self.vertex is None:
+            return tuple(sorted(inputs))
+        return tuple(sorted((inputs - passed) | self.vertex_emitter.inputs(passed)))
+
+    @property
     def notes(self) -> tuple[Diagnostic, ...]:
         """What became of the stages where they were of an older version, and of loops."""
         return (*(note for stage in self.raised for note in stage.notes), *self.kept_loops)
@@ -106,12 +165,16 @@ class Analysis:
         return any(re.match(r"gl_(?!Frag(Color|Data))", name) for name in self.renamed)
 
     @property
-    def stands_alone(self) -> bool:
-        """Could a driver be given the user's own text, or does it need what is outside of it?"""
+    def written(self) -> str | None:
+        """The user's own text as a driver can be given it: with what its host adds to it.
+
+        ``None`` where it needs what is outside of it.
+        """
         reading = self.reading
         texts = (self.fragment.text, self.vertex.text if self.vertex else "")
-        changed = reading.defines or reading.undefined or reading.dialect != "glsl"
-        return not changed and not any(_INCLUDE.search(text) for text in texts)
+        if reading.defines or reading.undefined or any(_INCLUDE.search(text) for text in texts):
+            return None
+        return surrounded(self.fragment, reading.dialect)
 
     @cached_property
     def groups(self) -> Mapping[Candidate, Group]:
@@ -217,11 +280,16 @@ class Emission:
 
 
 def analyse(
-    fragment: Source, vertex: Source | None = None, reading: ReadOptions | None = None
+    fragment: Source,
+    vertex: Source | None = None,
+    reading: ReadOptions | None = None,
+    mapping: MappingKind | None = None,
 ) -> Analysis:
     """Parse, check and judge every expression of a fragment shader.
 
-    ``reading`` holds for both shaders, but the dialect is the fragment shader's.
+    ``reading`` holds for both shaders, but the dialect is the fragment shader's. Without a
+    ``mapping`` it is ``surface``, or ``screen`` for a shader without varyings that comes without a
+    vertex shader.
 
     Raises :class:`InputError` with every diagnostic of the first stage that finds any.
     """
@@ -245,8 +313,15 @@ def analyse(
             module, facts = _lowered(*flat, fragment)
     color = find_color(module, fragment)
     printed = _printed(trees[0].module, module)
-    candidates = find_candidates(module, facts, fragment, printed, EffectTable(module))
-    program = FragmentProgram(raised[0].module, module, facts, candidates, color, prefix, original)
+    table = EffectTable(module)
+    if mapping is None:
+        mapping = "surface" if vertex is not None or varyings(module) else "screen"
+    if mapping == "user":
+        check_user_mapping(module, fragment, table)
+    candidates = find_candidates(module, facts, fragment, printed, table, mapping)
+    program = FragmentProgram(
+        raised[0].module, module, facts, candidates, color, prefix, original, mapping
+    )
     vertex_module = None
     if vertex is not None:
         vertex_module, _ = _named(raised[1].module, raised[1].facts, vertex, "vertex")
@@ -278,12 +353,17 @@ def rewrite(
     options = options or Options()
     _check_names(analysis, options.mode)
     programs = program_set.emit_programs(
-        analysis.program, _vertex(analysis), nodes, options, algorithms
+        analysis.program, analysis.vertex_emitter, nodes, options, algorithms
     )
     if not programs.variants:
         raise InputError(_unfit(analysis, nodes, programs))
-    sources = analysis.fragment, _vertex_source(analysis)
-    manifest = build_manifest(*sources, nodes, options, programs, analysis.renamed)
+    sources = analysis.fragment, analysis.vertex_source
+    manifest = with_mapping(
+        build_manifest(*sources, nodes, options, programs, analysis.renamed),
+        analysis.mapping,
+        analysis.full_screen,
+        analysis.unchanged_for(*nodes),
+    )
     return Emission(programs.files, manifest, notes_on(nodes, analysis.fragment))
 
 
@@ -294,7 +374,7 @@ def emit_original(analysis: Analysis, mode: Mode = "plain") -> Emission:
     """
     options = Options(mode)
     _check_names(analysis, mode)
-    programs = program_set.emit_original(analysis.program, _vertex(analysis), options)
+    programs = program_set.emit_original(analysis.program, analysis.vertex_emitter, options)
     return Emission(programs.files, original_manifest(programs, options))
 
 
@@ -325,17 +405,6 @@ def _unfit(
     texts = " and ".join(f"'{node.text}'" for node in nodes)
     message = f"{texts} cannot be cached by {passes}-pass: {reason}"
     return Diagnostic("SC407", message, analysis.fragment, nodes[0].expr.span)
-
-
-def _vertex(analysis: Analysis) -> VertexEmitter:
-    if analysis.vertex_module is None:
-        raise input_error("SC402", "a vertex shader is needed to rewrite a shader", "give --vert")
-    return VertexEmitter(analysis.raised[1].module, analysis.vertex_module, analysis.program.prefix)
-
-
-def _vertex_source(analysis: Analysis) -> Source:
-    assert analysis.vertex is not None
-    return analysis.vertex
 
 
 def _checked(source: Source, stage: Stage, reading: ReadOptions) -> StageTree:

@@ -15,7 +15,7 @@ from shadercache.analysis.sets import is_skipped
 from shadercache.emit.layout import Layout
 from shadercache.emit.program_set import Pass, ProgramSet
 from shadercache.emit.runtime import OUTCOMES
-from shadercache.options import Options
+from shadercache.options import PREVIOUS_CLIP, MappingKind, Options
 from shadercache.source import Source
 
 SCHEMA_VERSION = 1
@@ -48,6 +48,9 @@ RESET = (
     "resize, new projection, reloaded shader): clear both caches to cache.clear.",
     "Draw only the passes with on_reset true.",
 )
+
+FULL_SCREEN = {"geometry": "full-screen triangle", "mode": "triangles", "vertices": 3}
+"""Three vertices without attributes: the vertex shaders make their positions."""
 
 RELIES_ON = (
     "opaque geometry, drawn without blending, alpha to coverage or multisampling",
@@ -102,6 +105,32 @@ def build_manifest(
         "frame": [*FRAME, *[FRAME_OF_TWO] * layout.second],
         "reset": list(RESET),
         "relies_on": relies,
+    }
+
+
+def with_mapping(
+    manifest: dict[str, Any],
+    mapping: MappingKind,
+    full_screen: bool,
+    unchanged: Sequence[str] | None,
+) -> dict[str, Any]:
+    """The manifest with where payloads are found, and what is drawn.
+
+    ``unchanged``: while which inputs do not change is reuse exact? (``None``: not said.)
+    """
+    how: dict[str, Any] = {"kind": mapping}
+    relies: list[str] = []
+    if unchanged is not None:
+        how["exact_while_unchanged"] = list(unchanged)
+        names = ", ".join(unchanged)
+        relies = [f"reuse is exact while these do not change: {names}"] * bool(unchanged)
+    if mapping == "user":
+        relies = [f"{PREVIOUS_CLIP}() says where the last frame showed what a pixel shows now"]
+    draw = FULL_SCREEN if full_screen else {"geometry": "objects"}
+    return manifest | {
+        "mapping": how,
+        "draw": dict(draw),
+        "relies_on": [*manifest["relies_on"], *relies],
     }
 
 

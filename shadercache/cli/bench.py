@@ -23,6 +23,7 @@ from shadercache.cli.reading import (
     DefineOption,
     DialectOption,
     IncludeOption,
+    MappingOption,
     TokensOption,
     UndefineOption,
     UnrollOption,
@@ -39,7 +40,9 @@ if TYPE_CHECKING:
 
 
 def command(
-    target: Annotated[str, typer.Argument(metavar="SCENE", help="Scene file, folder or name.")],
+    target: Annotated[
+        str, typer.Argument(metavar="SCENE|FRAG", help="Scene, or a full-screen shader.")
+    ],
     nodes: Annotated[
         list[str] | None,
         typer.Option(
@@ -67,6 +70,7 @@ def command(
     undefine: UndefineOption = None,
     include: IncludeOption = None,
     dialect: DialectOption = "glsl",
+    mapping: MappingOption = None,
     max_tokens: TokensOption = MAX_TOKENS,
     unroll: UnrollOption = False,
     out: Annotated[
@@ -89,17 +93,15 @@ def command(
     from shadercache.harness.context import open_context
     from shadercache.harness.measure import measure
     from shadercache.harness.measurement import MeasureOptions
-    from shadercache.harness.mesh import load_mesh
+    from shadercache.harness.mesh import replacement_mesh
     from shadercache.harness.results import environment, to_json
-    from shadercache.harness.scene import load_scene
-    from shadercache.harness.shaders import analyse_scene
+    from shadercache.harness.shaders import open_scene
     from shadercache.harness.sweep import make_entry
 
     algorithms, extent = parse_passes(passes), parse_size(size)
     choices = [(n, k) for n in parse_periods(period) for k in parse_blocks(block)]
-    scene = load_scene(find_scene(target))
     reading = read_options(define, undefine, include, dialect, max_tokens, unroll)
-    scene, analysis = analyse_scene(scene, reading)
+    scene, analysis = open_scene(find_scene(target), reading, mapping)
     equal: dict[Candidate, int] = {}
     chosen: list[tuple[str, tuple[Candidate, ...]]]
     if nodes:
@@ -116,7 +118,7 @@ def command(
         )
         for label, found in chosen
     ]
-    replacement = load_mesh(mesh) if mesh else None
+    replacement = replacement_mesh(scene, mesh)
     reports: list[dict[str, Any]] = []
     with open_context() as gpu:
         where = environment(gpu)

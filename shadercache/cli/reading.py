@@ -11,6 +11,7 @@ import typer
 
 from shadercache.diagnostics import usage_error
 from shadercache.front.options import MAX_TOKENS, Dialect, ReadOptions
+from shadercache.options import MappingKind
 
 _NAME = re.compile(r"[A-Za-z_]\w*(\([^()]*\))?", re.ASCII)
 _FIXED = frozenset(("defined", "__LINE__", "__FILE__", "__VERSION__"))
@@ -34,6 +35,13 @@ IncludeOption: TypeAlias = Annotated[
 DialectOption: TypeAlias = Annotated[
     Dialect,
     typer.Option(help="auto takes a file with mainImage and without main for Shadertoy's."),
+]
+MappingOption: TypeAlias = Annotated[
+    MappingKind | None,
+    typer.Option(
+        help="Where reused values lie: on the surface (where there is one), at the same pixel of "
+        "the screen, or where the shader's scPreviousClip() says."
+    ),
 ]
 TokensOption: TypeAlias = Annotated[
     int, typer.Option(min=1, metavar="N", help="Tokens a shader may have, macros expanded.")

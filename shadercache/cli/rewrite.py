@@ -13,11 +13,13 @@ from shadercache.cli.reading import (
     DefineOption,
     DialectOption,
     IncludeOption,
+    MappingOption,
     TokensOption,
     UndefineOption,
     UnrollOption,
     read_options,
 )
+from shadercache.diagnostics import usage_error
 from shadercache.front.options import MAX_TOKENS
 from shadercache.options import ALGORITHMS, CacheFormat, Mode, Options
 
@@ -56,6 +58,7 @@ def command(
     undefine: UndefineOption = None,
     include: IncludeOption = None,
     dialect: DialectOption = "glsl",
+    mapping: MappingOption = None,
     max_tokens: TokensOption = MAX_TOKENS,
     unroll: UnrollOption = False,
 ) -> None:
@@ -68,7 +71,10 @@ def command(
     from shadercache.compiler import analyse, rewrite
 
     options = read_options(define, undefine, include, dialect, max_tokens, unroll)
-    analysis = analyse(*read_pair(fragment, vert), options)
+    analysis = analyse(*read_pair(fragment, vert), options, mapping)
+    if analysis.vertex is None and not analysis.full_screen:
+        hint = "name it with --vert, or draw full-screen with --mapping screen"
+        raise usage_error("SC005", "the vertex shader is missing", hint)
     emission = rewrite(
         analysis,
         analysis.nodes_of("+".join(node)),

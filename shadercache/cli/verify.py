@@ -15,6 +15,7 @@ from shadercache.cli.reading import (
     DefineOption,
     DialectOption,
     IncludeOption,
+    MappingOption,
     TokensOption,
     UndefineOption,
     UnrollOption,
@@ -32,7 +33,10 @@ HEADER = ("node", "path", "laws", "plain: largest", "p99.9", "changed", "text")
 
 def command(
     target: Annotated[
-        str, typer.Argument(metavar="SCENE|FRAG", help="Scene, or a shader beside its scene.")
+        str,
+        typer.Argument(
+            metavar="SCENE|FRAG", help="Scene, a shader beside its scene, or a full-screen shader."
+        ),
     ],
     node: Annotated[
         list[str] | None,
@@ -48,6 +52,7 @@ def command(
     undefine: UndefineOption = None,
     include: IncludeOption = None,
     dialect: DialectOption = "glsl",
+    mapping: MappingOption = None,
     max_tokens: TokensOption = MAX_TOKENS,
     unroll: UnrollOption = False,
     jobs: Annotated[
@@ -67,14 +72,12 @@ def command(
     from shadercache.harness.context import open_context
     from shadercache.harness.parallel import verify_in_parallel
     from shadercache.harness.results import environment, write_json
-    from shadercache.harness.scene import load_scene
-    from shadercache.harness.shaders import analyse_scene
+    from shadercache.harness.shaders import open_scene
     from shadercache.harness.verify import Verifier
 
     options = read_options(define, undefine, include, dialect, max_tokens, unroll)
     path = find_scene(target)
-    scene = load_scene(path)
-    scene, analysis = analyse_scene(scene, options)
+    scene, analysis = open_scene(path, options, mapping)
     if node:
         chosen = [found for _, found in choose_nodes(scene, analysis, node)]
     else:
@@ -95,6 +98,7 @@ def command(
             plain,
             lambda _: advance(1),
             options,
+            mapping,
         )
     report = _report(scene.name, about, round_trip, ties, verdicts)
     if output is not None:

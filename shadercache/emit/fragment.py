@@ -25,7 +25,8 @@ from shadercache.emit.assemble import (
 )
 from shadercache.emit.keep_globals import call_keeping
 from shadercache.emit.layout import Layout
-from shadercache.emit.runtime import load_part, runtime_names
+from shadercache.emit.runtime import Located, load_part, runtime_names
+from shadercache.options import CURRENT_CLIP, MappingKind
 from shadercache.sema.facts import Facts, Symbol
 from shadercache.transform.compound import contract
 from shadercache.transform.drop_parameters import drop_parameters
@@ -54,11 +55,20 @@ class FragmentProgram:
     color: str
     prefix: str
     original: n.Module
+    mapping: MappingKind = "surface"
 
     @property
     def unrolled(self) -> bool:
         """Are there loops that were unrolled?"""
         return self.original is not self.module
+
+    @property
+    def located(self) -> Located:
+        """How the passes find their texels."""
+        if self.mapping != "user":
+            return Located(self.mapping)
+        functions = (d.name for d in self.module.decls if isinstance(d, n.FunctionDef))
+        return Located(self.mapping, CURRENT_CLIP in functions)
 
 
 class FragmentEmitter:
@@ -283,7 +293,8 @@ class FragmentEmitter:
         prefix = self.program.prefix
         # ``main`` comes last: GLSL wants functions declared before they are called.
         names = ("lookup", "wide", "store", template)
-        parts = [load_part(name, self.layout, prefix, self.whole) for name in names]
+        options = (self.layout, prefix, self.whole, self.program.located)
+        parts = [load_part(name, *options) for name in names]
         user = insert_clones(self.program.module, *clones)
         if template in _LATE and self._decides_loops:
             user = guard_loops(user, decided_loops(user, self.payloads), self._own("lacks"))

@@ -15,6 +15,7 @@ Attributes and textures read for the position are taken as unchanging; the manif
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from shadercache.ast import nodes as n
@@ -23,6 +24,7 @@ from shadercache.emit.assemble import Shader, interface, merge
 from shadercache.emit.layout import Layout
 from shadercache.emit.runtime import load_part
 from shadercache.lang.types import FLOAT, builtin_type
+from shadercache.options import MappingKind
 from shadercache.source import NOWHERE
 from shadercache.transform.reachable import declared_names
 from shadercache.transform.remove_dead import remove_dead
@@ -38,6 +40,7 @@ class VertexEmitter:
     parsed: n.Module
     module: n.Module
     prefix: str
+    mapping: MappingKind = "surface"
 
     def for_fragment(self, fragment: Shader) -> Shader:
         """The vertex shader for a fragment shader: exactly the varyings which that one reads."""
@@ -52,7 +55,12 @@ class VertexEmitter:
         return interface(_invariant(remove_dead(module, wanted)))
 
     def previous_twins(self) -> dict[str, str]:
-        """The uniforms that the position depends on, and their twins for the previous frame."""
+        """The uniforms that the position depends on, and their twins for the previous frame.
+
+        None where the previous position is not that of a vertex.
+        """
+        if self.mapping != "surface":
+            return {}
         return {
             old: new
             for decl in self._slice().decls
@@ -61,7 +69,9 @@ class VertexEmitter:
         }
 
     def unchanging(self) -> tuple[str, ...]:
-        """Attributes and textures that the position depends on: they must not change."""
+        """Attributes and textures that the previous position depends on: they must not change."""
+        if self.mapping != "surface":
+            return ()
         found: list[str] = []
         for decl in self._slice().decls:
             if isinstance(decl, n.VarDecl) and (
@@ -69,6 +79,16 @@ class VertexEmitter:
             ):
                 found += [item.name for item in decl.declarators]
         return tuple(found)
+
+    def inputs(self, varyings: Iterable[str]) -> frozenset[str]:
+        """Uniforms, textures and attributes that the position and these varyings depend on."""
+        sliced = remove_dead(self.module, {POSITION, *varyings})
+        return frozenset(
+            name
+            for decl in sliced.decls
+            if isinstance(decl, n.VarDecl | n.BlockDecl) and decl.qualifiers.has("in", "uniform")
+            for name in declared_names(decl)
+        )
 
     def _slice(self) -> n.Module:
         return remove_dead(self.module, (POSITION,))

@@ -20,7 +20,7 @@ from shadercache.compiler import Analysis, emit_original, rewrite
 from shadercache.diagnostics import InputError, input_error
 from shadercache.harness.bundle import Bundle
 from shadercache.harness.context import Gpu
-from shadercache.harness.mesh import Mesh, load_mesh
+from shadercache.harness.mesh import Mesh, scene_mesh
 from shadercache.harness.runner import (
     CoverageRunner,
     OriginalRunner,
@@ -133,7 +133,7 @@ class Verifier:
     ) -> None:
         """Render the originals. Raises as ``Stage`` and ``BoundPass``."""
         self.analysis = analysis
-        mesh = mesh or load_mesh(scene.verify_mesh or scene.mesh)
+        mesh = mesh or scene_mesh(scene, small=True)
         self.stage = Stage(gpu, scene, size, color="rgba32f", mesh=mesh)
         self._moving = {mode: self._original(mode) for mode in ("plain", "proof")}
         proof = self._bundle("proof")
@@ -152,12 +152,12 @@ class Verifier:
         version.
         """
         analysis = self.analysis
-        assert analysis.vertex is not None
         written = emit_original(analysis, "plain")
-        files = {"original.vert": analysis.vertex.text, "original.frag": analysis.fragment.text}
+        text = analysis.written
         found = Difference()
-        if analysis.reads_fixed_function or not analysis.stands_alone:
+        if analysis.reads_fixed_function or text is None:
             return None
+        files = {"original.vert": analysis.vertex_source.text, "original.frag": text}
         try:
             runner = OriginalRunner(self.stage, Bundle(written.manifest, files))
         except InputError:

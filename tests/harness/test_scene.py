@@ -112,7 +112,7 @@ def test_matrices(scene: Scene) -> None:
 
 
 def test_uniform_values_are_in_upload_order(scene: Scene) -> None:
-    values = scene_values(scene, 3, 1.0)
+    values = scene_values(scene, 3, (64, 64))
     model = rotation(scene.motion, 3)
     assert values["u_model"].tolist() == model.T.ravel().tolist()
     assert values["u_light"].tolist() == [0.4, 0.8, 0.5]

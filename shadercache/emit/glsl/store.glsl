@@ -2,7 +2,11 @@
 // fit there goes to the second texture. Where not every fragment has a payload (SC_WHOLE) a texel may
 // be empty, which matches nothing; so does one that lacks one of several payloads (SC_MASKED).
 
+#if SC_SURFACE
 in vec4 sc_current;  // clip-space position in this frame
+#elif SC_OWN_CURRENT
+vec4 sc_current;  // the same, by the user's function
+#endif
 out SC_TEXEL sc_store;  // the texel of the cache
 #if SC_TARGETS == 2
 out SC_TEXEL sc_store_2;
