@@ -119,7 +119,8 @@ def test_text_for_the_cpu() -> None:
     assert cpu("sin(m)") == "sin((u_time * 3.0 + 1.0) * 0.5)"
     assert cpu("f * 2.0") == "float(int((u_time * 3.0 + 1.0) * 0.5)) * 2.0"
     assert cpu("loop(m)") == "loop((u_time * 3.0 + 1.0) * 0.5)"
-    assert cpu("k * 2.0") is None, "k was changed in a way that no expression tells"
+    assert cpu("k * 2.0") == "(u_time * 3.0 + u_tint.x) * 2.0"
+    assert cpu("l * 3.0") is None, "l was changed in a way that no expression tells"
     assert cpu("v_uv.x") is None, "nothing for the CPU"
 
 
