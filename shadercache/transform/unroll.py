@@ -303,4 +303,4 @@ def _shortest(value: float) -> str:
         text = f"{value:.{digits}g}"
         if convert(float(text), "float") == value:
             break
-    return text if "e" in text else f"{float(text)!r}"
+    return repr(float(text))

@@ -109,7 +109,9 @@ def test_text_for_the_cpu() -> None:
     int n = int(m);
     float f = n;
     k += u_tint.x;
-    o_color = vec4(sin(m) * v_uv.x, f * 2.0, k * 2.0, loop(m) + v_uv.y);
+    float l = k;
+    l++;
+    o_color = vec4(sin(m) * v_uv.x, f * 2.0, k * 2.0 + l * 3.0, loop(m) + v_uv.y);
     """
     analysis = analysed(body, declarations)
 
