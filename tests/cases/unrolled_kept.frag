@@ -2,7 +2,7 @@
 // Loops that are not unrolled, each for a reason of its own; those around them may be.
 in vec3 v_position;
 in vec3 v_normal;
-uniform int u_count;
+uniform float u_time;
 out vec4 o_color;
 
 float wave(vec3 p) {
@@ -15,6 +15,7 @@ void advance(inout int i) {
 
 void main() {
     float a = 0.0;
+    int count = int(u_time * 10.0);
     for (int i = 0; i < 3; i++) {
         if (a > 0.5) break;
         a += wave(v_position * float(i));
@@ -33,9 +34,9 @@ void main() {
     }
     int i;
     for (i = 0; i < 3; i++) a += wave(v_normal * float(i));
-    for (int i = 0; i < u_count; i++) a += wave(v_normal + float(i));
+    for (int i = 0; i < count; i++) a += wave(v_normal + float(i));
     for (int i = 0; i < 65; i++) a += 0.001 * wave(v_normal - float(i));
-    for (int i = 0; i < 3; i += u_count) a += wave(v_normal * 0.5 - float(i));
+    for (int i = 0; i < 3; i += count) a += wave(v_normal * 0.5 - float(i));
     for (int i = int(a); i < 3; i++) a += 0.125;
     for (int i = 3; i < 3; i++) a += wave(v_normal);
     for (;;) {
@@ -52,7 +53,7 @@ void main() {
             if (a > 1.5 * float(j)) break;
             a += 0.1 * wave(v_position * float(i + j));
         }
-        for (int j = 0; j < u_count; j++) a += 0.5;
+        for (int j = 0; j < count; j++) a += 0.5;
     }
     for (int i = 0; i < 2; i++) {
         struct Local { float x; } local;
