@@ -8,9 +8,11 @@ are rounded to 32 bits after every step.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from math import isfinite
 from typing import TypeAlias
 
 from shadercache.ast import nodes as n
+from shadercache.ast.walk import expressions
 from shadercache.sema import fold
 from shadercache.sema.conversions import Conversions
 from shadercache.sema.facts import Facts, Scalar
@@ -31,6 +33,17 @@ class TripCounter:
         self._facts = facts
         self._conversions = Conversions(module.version, module.profile == "es")
 
+    def decision(self, condition: n.Expr, known: Counters) -> bool | None:
+        """Does a condition hold in a trip? ``None`` where that is not known before.
+
+        Not for floats, which a driver may calculate with more bits.
+        """
+        for part in expressions(condition):
+            if self._facts.types[part].is_float:
+                return None
+        found = self.value(condition, known)
+        return None if found is None else bool(found)
+
     def trips(self, loop: n.For, around: Counters, limit: int) -> list[Counters]:
         """The values of the loop's own counters in each trip.
 
@@ -42,7 +55,7 @@ class TripCounter:
         own = self._first(loop, around)
         found: list[Counters] = []
         while True:
-            goes_on = self._value(loop.condition, {**around, **own})
+            goes_on = self.value(loop.condition, {**around, **own})
             if goes_on is None:
                 raise UncountableError(
                     "its condition does not hang on its counters and constants alone"
@@ -63,10 +76,10 @@ class TripCounter:
         own: dict[str, Scalar] = {}
         for item in items:
             kind = self._facts.declared[item].type
-            value = None if item.init is None else self._value(item.init, {**around, **own})
+            value = None if item.init is None else self.value(item.init, {**around, **own})
             if value is None or not kind.is_scalar or kind.base not in COUNTABLE:
-                raise UncountableError(f"'{item.name}' does not begin with a constant number")
-            own[item.name] = self._fitting(value, item.name, kind.base)
+                raise UncountableError("a counter does not begin with a constant number")
+            own[item.name] = _fitting(value, kind.base)
         return own
 
     def _stepped(self, step: n.Expr, around: Counters, own: Counters) -> Counters:
@@ -84,20 +97,14 @@ class TripCounter:
                 raise UncountableError("its step does more than count by constants")
         if value is None:
             raise UncountableError("its step does more than count by constants")
-        return {**own, name: self._fitting(value, name, self._facts.types[target].base)}
+        return {**own, name: _fitting(value, self._facts.types[target].base)}
 
     def _assigned(self, step: n.Assign, known: Counters) -> Scalar | None:
         if step.op == "=":
-            return self._value(step.value, known)
+            return self.value(step.value, known)
         return self._binary(step.op[:-1], step.target, step.value, None, known)
 
-    def _fitting(self, value: Scalar, name: str, base: str | None) -> Scalar:
-        found = fold.convert(value, base)
-        if found is None or abs(found) == float("inf") or found != found:
-            raise UncountableError(f"'{name}' leaves the numbers of its type")
-        return found
-
-    def _value(self, expr: n.Expr, known: Counters) -> Scalar | None:
+    def value(self, expr: n.Expr, known: Counters) -> Scalar | None:
         """The value of an expression, ``None`` where it is not known."""
         if expr in self._facts.constants:
             return self._facts.constants[expr]
@@ -107,12 +114,12 @@ class TripCounter:
             case n.Name(name=name):
                 found = known.get(name)
             case n.Unary(op="+" | "-" | "~" | "!" as op, operand=operand):
-                value = self._value(operand, known)
+                value = self.value(operand, known)
                 found = None if value is None else fold.fold_unary(op, value, kind)
             case n.Binary(op=op, left=left, right=right):
                 found = self._binary(op, left, right, expr, known)
             case n.Construct(args=(part,)) if kind.is_scalar:
-                value = self._value(part, known)
+                value = self.value(part, known)
                 found = None if value is None else fold.convert(value, kind.base)
         return None if isinstance(found, tuple) else found
 
@@ -120,7 +127,7 @@ class TripCounter:
         self, op: str, left: n.Expr, right: n.Expr, whole: n.Expr | None, known: Counters
     ) -> Scalar | None:
         """``left op right``; ``whole`` is that expression, or it is that of an assignment."""
-        one, two = self._value(left, known), self._value(right, known)
+        one, two = self.value(left, known), self.value(right, known)
         operands = self._facts.types[left], self._facts.types[right]
         if one is None or two is None or not all(kind.is_scalar for kind in operands):
             return None
@@ -131,3 +138,10 @@ class TripCounter:
             kind = self._facts.types[whole]
         found = fold.fold_binary(op, one, two, operands, base, kind)
         return None if isinstance(found, tuple) else found
+
+
+def _fitting(value: Scalar, base: str | None) -> Scalar:
+    found = fold.convert(value, base)
+    if found is None or not isfinite(found):
+        raise UncountableError("a counter leaves the numbers of its type")
+    return found

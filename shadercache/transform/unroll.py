@@ -12,7 +12,8 @@ counters of the trip, and partial sums can be cached::
                                                sum += sample(i);
                                            }
 
-The counters are no constants, although they could be: an index that is out of bounds in a trip
+A condition on counters alone is decided for each trip, and with it ``if (i == 1) continue;``. The
+counters are no constants, although they could be: an index that is out of bounds in a trip
 that never gets there would be an error. Loops that cannot be taken apart stay, with a note.
 """
 
@@ -28,6 +29,7 @@ from shadercache.ast.rewrite import Rewriter
 from shadercache.ast.walk import EXPRESSIONS, children, walk
 from shadercache.diagnostics import Diagnostic, Severity
 from shadercache.sema.facts import Facts, Scalar
+from shadercache.sema.fold import convert
 from shadercache.source import NOWHERE, Source, Span
 from shadercache.transform.trips import Counters, TripCounter, UncountableError
 
@@ -56,7 +58,7 @@ def unroll_loops(module: n.Module, facts: Facts, source: Source) -> Unrolled:
     made = unroller.module()
     if made is not module and unroller.sizes.of_call("main") > MAX_EXPRESSIONS:
         message = f"no loop is unrolled: the shader would have over {MAX_EXPRESSIONS} expressions"
-        return Unrolled(module, (Diagnostic("SC414", message, source, severity=Severity.NOTE),))
+        return Unrolled(module, (Diagnostic("SC421", message, source, severity=Severity.NOTE),))
     notes = (_note(loop, reason, source) for loop, reason in unroller.kept.items())
     return Unrolled(made, tuple(notes))
 
@@ -64,7 +66,7 @@ def unroll_loops(module: n.Module, facts: Facts, source: Source) -> Unrolled:
 def _note(loop: n.For, reason: str, source: Source) -> Diagnostic:
     head = Span(loop.span.start, max(loop.span.start, loop.body.span.start))
     message = f"this loop is not unrolled: {reason}"
-    return Diagnostic("SC414", message, source, head, severity=Severity.NOTE)
+    return Diagnostic("SC421", message, source, head, severity=Severity.NOTE)
 
 
 class _TooMuchError(Exception):
@@ -99,7 +101,7 @@ class _Sizes:
 class _Unroller:
     def __init__(self, module: n.Module, facts: Facts) -> None:
         self._module, self._facts = module, facts
-        self._counter = TripCounter(module, facts)
+        self.counter = TripCounter(module, facts)
         self._table = EffectTable(module)
         self.sizes = _Sizes(self._table.functions)
         self.kept: dict[n.For, str] = {}
@@ -134,14 +136,18 @@ class _Unroller:
 
         ``deep``: loops inside are unrolled as well, where possible.
         """
-        counted = self._counter.trips(loop, around, MAX_TRIPS)
-        self._check(loop, counted, outermost=not around)
+        self._check(loop)
+        counted = self.counter.trips(loop, around, MAX_TRIPS)
+        if not counted and not around:
+            raise UncountableError("it makes no trip")
         made: list[n.Block] = []
         count = size = 0
         for own in counted:
             inside = _Statements(self, {**around, **own}, deep)
             body = inside.rewrite(loop.body)
-            stmts = body.body if isinstance(body, n.Block) else (body,)
+            stmts, leaves = _up_to_jump(body.body if isinstance(body, n.Block) else (body,))
+            if any(map(_jumps, stmts)):
+                raise UncountableError("there is a break or continue in it")
             start = loop.body.span if made else loop.span  # A comment before the loop stays there.
             span = Span(start.start, loop.body.span.end)
             made.append(n.Block(span, (*self._counters(loop, own), *map(_copy, stmts))))
@@ -153,19 +159,15 @@ class _Unroller:
                 )
             if size > MAX_EXPRESSIONS:
                 raise _TooMuchError(f"it would have over {MAX_EXPRESSIONS} expressions")
+            if leaves == "break":
+                break
         return made, count
 
-    def _check(self, loop: n.For, counted: Sequence[Counters], outermost: bool) -> None:
-        if not counted and outermost:
-            raise UncountableError("it makes no trip")
-        if _jumps(loop.body):
-            raise UncountableError("there is a break or continue in it")
+    def _check(self, loop: n.For) -> None:
         if any(isinstance(item, n.StructDef) for item in walk(loop.body)):
             raise UncountableError("a struct is defined in it")
-        for name in sorted(
-            self._table.of(loop.body).writes & (counted[0] if counted else {}).keys()
-        ):
-            raise UncountableError(f"its counter '{name}' is written in its body")
+        if self._table.of(loop.init).writes & self._table.of(loop.body).writes:
+            raise UncountableError("its counter is written in its body")
 
     def _counters(self, loop: n.For, own: Counters) -> Iterator[n.DeclStmt]:
         """The declarations that a trip begins with; they stand nowhere, but their names do."""
@@ -195,6 +197,9 @@ class _Statements(Rewriter):
                 block = n.Block(node.span, tuple(made))
                 self._unrolled.add(block)
                 return block
+            case n.If() if self._around:
+                holds = self._unroller.counter.decision(node.condition, self._around)
+                return None if holds is None else self._chosen(node.then if holds else node.other)
             case n.FunctionDef() | n.Block() | n.If() | n.Switch():
                 return None
         return node
@@ -203,6 +208,14 @@ class _Statements(Rewriter):
         if isinstance(node, n.Block | n.Switch) and not self._unrolled.isdisjoint(node.body):
             return replace(node, body=tuple(self._spliced(node.body)))
         return node
+
+    def _chosen(self, branch: n.Stmt | None) -> n.Stmt:
+        """The branch that a trip takes; what it never comes by is not there."""
+        if branch is not None:
+            return self.rewrite(branch)
+        nothing = n.Block(NOWHERE, ())
+        self._unrolled.add(nothing)
+        return nothing
 
     def _spliced(self, stmts: Sequence[n.Stmt]) -> Iterator[n.Stmt]:
         for stmt in stmts:
@@ -246,6 +259,23 @@ def _copy(node: _N) -> _N:
     return _Copier().rewrite(node)
 
 
+def _up_to_jump(stmts: Sequence[n.Stmt]) -> tuple[list[n.Stmt], str]:
+    """The statements before a ``break`` or ``continue`` that is always come by, and which it is."""
+    kept: list[n.Stmt] = []
+    for stmt in stmts:
+        match stmt:
+            case n.Jump(word="break" | "continue" as word):
+                return kept, word
+            case n.Block():
+                inner, leaves = _up_to_jump(stmt.body)
+                kept.append(replace(stmt, body=tuple(inner)) if leaves else stmt)
+                if leaves:
+                    return kept, leaves
+            case _:
+                kept.append(stmt)
+    return kept, ""
+
+
 def _jumps(body: n.Stmt) -> bool:
     """Does a ``break`` or ``continue`` in a loop's body belong to the loop?"""
     stack: list[tuple[n.Node, bool]] = [(body, False)]
@@ -261,7 +291,16 @@ def _jumps(body: n.Stmt) -> bool:
 
 
 def _literal(value: Scalar, base: str) -> n.Expr:
-    """A number as GLSL writes it. The text of a float says more than its 32 bits hold."""
-    text = repr(value)
+    """A number as GLSL writes it."""
+    text = _shortest(value) if isinstance(value, float) else str(value)
     number = n.Literal(NOWHERE, text.removeprefix("-") + ("u" if base == "uint" else ""))
     return n.Unary(NOWHERE, "-", number) if text.startswith("-") else number
+
+
+def _shortest(value: float) -> str:
+    """As few digits as tell a float of 32 bits from all others; nine always do."""
+    for digits in range(1, 10):
+        text = f"{value:.{digits}g}"
+        if convert(float(text), "float") == value:
+            break
+    return repr(float(text))

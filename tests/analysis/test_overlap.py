@@ -87,5 +87,5 @@ def _cost(shader: Shader) -> float:
     module = parse(Source("pass.frag", text))
     costs = CostTable(check(module, Source("pass.frag", text), "fragment"))
     functions = {item.name: item for item in module.decls if isinstance(item, n.FunctionDef)}
-    look_up = functions.get("sc_look_up")
+    look_up = functions.get(prefix + "look_up")
     return costs.function(functions["main"]) - (costs.function(look_up) if look_up else 0.0)

@@ -216,3 +216,22 @@ def test_sets_that_cannot_be(
     assert (outcome.status, outcome.out) == (status, "")
     assert said in outcome.err
     assert not (tmp_path / "out").exists()
+
+
+def test_a_node_of_an_unrolled_loop(shell: Shell, tmp_path: Path) -> None:
+    shader = tmp_path / "loop.frag"
+    shader.write_text(
+        "#version 330\nin vec3 v_position;\nout vec4 o_color;\nvoid main() {\n"
+        "    float sum = 0.0;\n"
+        "    for (int i = 0; i < 4; i++) sum += sin(v_position.x * exp(float(i))) * cos(sum);\n"
+        "    o_color = vec4(sum);\n}\n"
+    )
+    line = ["rewrite", shader, "--vert", Path(__file__).parent / "shaders" / "small.vert"]
+    nodes = shell("nodes", shader, "--unroll", "--json").json["nodes"]
+    node = next(item["id"] for item in nodes if item["path"] == "main [i=2]" and item["offered"])
+    out = tmp_path / "out"
+    assert shell(*line, "--node", node, "--unroll", "-o", out).status == 0
+    assert "for (" in (out / "original.frag").read_text()
+    assert "for (" not in (out / "2-pass.miss.frag").read_text()
+    refused = shell(*line, "--node", node, "-o", out)
+    assert refused.status == 2 and "add --unroll" in refused.err
