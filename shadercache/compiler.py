@@ -271,7 +271,9 @@ def _unfit(analysis: Analysis, node: Candidate, programs: program_set.ProgramSet
 def _vertex(analysis: Analysis) -> VertexEmitter:
     if analysis.vertex_module is None:
         raise input_error("SC402", "a vertex shader is needed to rewrite a shader", "give --vert")
-    return VertexEmitter(analysis.raised[1].module, analysis.vertex_module, analysis.program.prefix)
+    program = analysis.program
+    parsed, module = analysis.raised[1].module, analysis.vertex_module
+    return VertexEmitter(parsed, module, program.prefix, program.memo)
 
 
 def _vertex_source(analysis: Analysis) -> Source:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 
 from shadercache.analysis.candidates import Candidate, Candidates
@@ -11,6 +11,7 @@ from shadercache.analysis.instances import Use
 from shadercache.analysis.neighbours import SharedUse
 from shadercache.analysis.precision import PrecisionTable
 from shadercache.ast import nodes as n
+from shadercache.ast.memo import Memo
 from shadercache.ast.walk import walk
 from shadercache.emit.assemble import (
     Shader,
@@ -35,7 +36,7 @@ from shadercache.transform.specialise import Clones, Cut, CutKind, insert_clones
 class FragmentProgram:
     """The user's fragment shader, checked and with unique names, and how to extend it.
 
-    ``parsed`` is the same as the user wrote it.
+    ``parsed`` is the same as the user wrote it; ``memo`` is what its variants share.
     """
 
     parsed: n.Module
@@ -44,6 +45,7 @@ class FragmentProgram:
     candidates: Candidates
     color: str
     prefix: str
+    memo: Memo = field(default_factory=Memo)
 
 
 class FragmentEmitter:
@@ -57,8 +59,7 @@ class FragmentEmitter:
         self.payload = program.prefix + "payload"
         stores = ("store", "store_2") if self.layout.second else ("store",)
         self.stores = [program.prefix + name for name in stores]
-        main = program.candidates.instances[0].places.function
-        discards = EffectTable(program.module).of(main.body).does & Does.DISCARD
+        discards = EffectTable(program.module, program.memo).summary("main").does & Does.DISCARD
         self.whole = node.unsure or bool(discards)
         """Do fragments do without the payload, so that each pass goes through the shader?"""
         found = program.candidates.slices.value(node.instance, node.place)
@@ -96,7 +97,7 @@ class FragmentEmitter:
 
     def _left_changed(self, made: Shader) -> tuple[Symbol, ...]:
         """The user's globals that the payload's code of a one-pass shader changes."""
-        table = EffectTable(made.module)
+        table = EffectTable(made.module, self.program.memo)
         ahead = ("fetch_ahead", "compute")
         entries = [name for name in map(self._own, ahead) if name in table.functions]
         written = frozenset[str]().union(*(table.summary(name).writes for name in entries))
@@ -110,8 +111,7 @@ class FragmentEmitter:
             early = self._finish("passes/here", [self._shade("need")], both=True)
         else:
             early = self._finish("passes/hit", [self._shade("use")], both=True)
-        table = EffectTable(early.module)
-        does = table.of(table.functions["main"].body).does
+        does = EffectTable(early.module, self.program.memo).summary("main").does
         if not does & (Does.DERIVATIVE | Does.IMPLICIT_LOD) and not _loops_over_arrays(
             early.module
         ):
@@ -156,7 +156,7 @@ class FragmentEmitter:
         return self._unfit_here() if self.whole else self._unfit_ahead()
 
     def _unfit_here(self) -> str | None:
-        table = EffectTable(self.program.module)
+        table = EffectTable(self.program.module, self.program.memo)
         if table.of(self.node.expr).does & (Does.DERIVATIVE | Does.IMPLICIT_LOD):
             return (
                 "the value takes derivatives under a condition, and in one pass neighbouring "
@@ -239,7 +239,7 @@ class FragmentEmitter:
         user = insert_clones(self.program.module, *clones)
         module = merge(self.program.module, without_main(user), extra, *parts)
         made = {clone.name for group in clones for _, clone in group.made}
-        module = _shrink(module, locations, made)
+        module = _shrink(module, locations, made, self.program.memo)
         return interface(with_locations(module, locations))
 
 
@@ -252,7 +252,7 @@ def _loops_over_arrays(module: n.Module) -> bool:
 
 def exact_original(program: FragmentProgram) -> Shader:
     """The user's shader with unique names and without what it does not need, for proof mode."""
-    module = remove_dead(program.module, (program.color,))
+    module = remove_dead(program.module, (program.color,), program.memo)
     return interface(with_locations(module, {program.color: 0}))
 
 
@@ -260,11 +260,11 @@ def _cut(use: SharedUse, name: str, kind: CutKind) -> Cut:
     return Cut(use.instance.path, use.place.expr, name, kind)
 
 
-def _shrink(module: n.Module, wanted: dict[str, int], clones: set[str]) -> n.Module:
+def _shrink(module: n.Module, wanted: dict[str, int], clones: set[str], memo: Memo) -> n.Module:
     """Remove what is dead; a parameter that nobody reads keeps its argument alive, so in turns."""
     while True:
-        module = remove_dead(module, wanted)
-        smaller = drop_parameters(module, clones)
+        module = remove_dead(module, wanted, memo)
+        smaller = drop_parameters(module, clones, memo)
         if smaller is module:
             return module
         module = smaller

@@ -99,6 +99,7 @@ def emit_programs(
     algorithms: tuple[int, ...],
 ) -> ProgramSet:
     """Every pass of the given algorithms for a node, with the original and the hit mask."""
+    program.memo.trim()
     emitter = FragmentEmitter(program, node)
     made = ProgramSet(
         previous=vertex.previous_twins(),
@@ -168,8 +169,9 @@ class _Writer:
         return (*listed, *more)
 
     def _text(self, item: Pass, shader: Shader, stage: Stage) -> str:
-        module = with_precisions(shader.module)
+        memo = self.vertex.memo
+        module = with_precisions(shader.module, memo)
         if self.options.mode == "proof":
-            module = make_precise(module, self.vertex.prefix, stage)
-        version, rest = print_module(module).split("\n", 1)
+            module = make_precise(module, self.vertex.prefix, stage, memo)
+        version, rest = print_module(module, memo).split("\n", 1)
         return f"{version}\n// shadercache: {item.file}, {self.about}\n{rest}"

@@ -18,6 +18,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from shadercache.ast import nodes as n
+from shadercache.ast.memo import Memo
 from shadercache.ast.walk import walk
 from shadercache.emit.assemble import Shader, interface, merge
 from shadercache.emit.layout import Layout
@@ -38,9 +39,18 @@ class VertexEmitter:
     parsed: n.Module
     module: n.Module
     prefix: str
+    memo: Memo
 
     def for_fragment(self, fragment: Shader) -> Shader:
         """The vertex shader for a fragment shader: exactly the varyings which that one reads."""
+        kept: dict[frozenset[str], Shader] = self.memo.table("vertex shaders")
+        inputs = frozenset(fragment.inputs)
+        found = kept.get(inputs)
+        if found is None:
+            found = kept[inputs] = self._for_inputs(fragment)
+        return found
+
+    def _for_inputs(self, fragment: Shader) -> Shader:
         own = {self.prefix + "current", self.prefix + "previous"}
         module = self._extended() if own.intersection(fragment.inputs) else self.module
         wanted = set(fragment.inputs)
@@ -49,7 +59,7 @@ class VertexEmitter:
                 # Blocks meet by their block name; statements know the instance or the members.
                 wanted.update(declared_names(decl))
         wanted |= {POSITION} | {name for name in _written(self.module) if name.startswith("gl_")}
-        return interface(_invariant(remove_dead(module, wanted)))
+        return interface(_invariant(remove_dead(module, wanted, self.memo)))
 
     def previous_twins(self) -> dict[str, str]:
         """The uniforms that the position depends on, and their twins for the previous frame."""
@@ -71,7 +81,7 @@ class VertexEmitter:
         return tuple(found)
 
     def _slice(self) -> n.Module:
-        return remove_dead(self.module, (POSITION,))
+        return remove_dead(self.module, (POSITION,), self.memo)
 
     def _extended(self) -> n.Module:
         main = rename_function(self.module, "main", self.prefix + "vertex")

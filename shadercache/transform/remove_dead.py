@@ -21,29 +21,31 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from shadercache.analysis.effects import Does, EffectTable
+from shadercache.analysis.effects import Does, EffectTable, Linked
 from shadercache.ast import nodes as n
+from shadercache.ast.memo import Memo
 from shadercache.ast.walk import children, walk
 from shadercache.transform.reachable import keep_reachable, names_in
 
 Live = frozenset[str]
 
 
-def remove_dead(module: n.Module, wanted: Iterable[str]) -> n.Module:
+def remove_dead(module: n.Module, wanted: Iterable[str], memo: Memo | None = None) -> n.Module:
     """The module with only what ``main`` needs to write the ``wanted`` global variables.
 
     Other outputs are no longer written; where one is still read it becomes a plain global.
     """
     outputs = frozenset(wanted)
+    memo = Memo() if memo is None else memo
     while True:
-        pruned = keep_reachable(_prune_functions(module, outputs), outputs)
+        pruned = keep_reachable(_prune_functions(module, outputs, memo), outputs, memo)
         if pruned is module:
             return module
         module = pruned
 
 
-def _prune_functions(module: n.Module, outputs: Live) -> n.Module:
-    table = EffectTable(module)
+def _prune_functions(module: n.Module, outputs: Live, memo: Memo) -> n.Module:
+    table = EffectTable(module, memo)
     read = frozenset[str]().union(*(table.summary(name).reads for name in table.functions))
     decls: list[n.Decl] = []
     for decl in module.decls:
@@ -51,12 +53,26 @@ def _prune_functions(module: n.Module, outputs: Live) -> n.Module:
             # The caller may need what other functions leave in out parameters and in any global
             # that is read anywhere.
             at_exit = outputs if decl.name == "main" else outputs | read | _written_back(decl)
-            body, _ = _Pruner(table, at_exit).block(decl.body, at_exit)
-            decl = decl if body is decl.body else replace(decl, body=body)
+            decl = _pruned(table, table.linked(decl.name), at_exit, memo)
         decls.append(decl)
     if all(new is old for new, old in zip(decls, module.decls, strict=True)):
         return module
     return replace(module, decls=tuple(decls))
+
+
+def _pruned(table: EffectTable, linked: Linked, at_exit: Live, memo: Memo) -> n.FunctionDef:
+    """One function without what is dead in it, where ``at_exit`` is live when it returns."""
+    kept: dict[tuple[Linked, Live], n.FunctionDef] = memo.table("pruned functions")
+    # What it does not write itself is live throughout, or not at all, and decides nothing.
+    at_exit &= linked.inside.writes
+    found = kept.get((linked, at_exit))
+    if found is None:
+        found = linked.function
+        body, _ = _Pruner(table, at_exit).block(found.body, at_exit)
+        if body is not found.body:
+            found = replace(found, body=body)
+        kept[linked, at_exit] = found
+    return found
 
 
 def _written_back(function: n.FunctionDef) -> Live:
