@@ -118,14 +118,16 @@ class Analysis:
         prefix = self.program.prefix
         if self.vertex_module is not None:
             parsed = self.raised[1].module
-            return VertexEmitter(parsed, self.vertex_module, prefix, self.mapping)
+            return VertexEmitter(
+                parsed, self.vertex_module, prefix, self.program.memo, self.mapping
+            )
         if not self.full_screen:
             raise input_error(
                 "SC402", "a vertex shader is needed to rewrite a shader", "give --vert"
             )
         source, module = full_screen_vertex(self.program.module)
         check_stages(self.program.module, self.fragment, module, source)
-        return VertexEmitter(module, module, prefix, self.mapping)
+        return VertexEmitter(module, module, prefix, self.program.memo, self.mapping)
 
     @property
     def vertex_source(self) -> Source:

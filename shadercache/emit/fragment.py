@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property, partial
 
 from shadercache.analysis.candidates import Candidate, Candidates
@@ -13,6 +13,7 @@ from shadercache.analysis.loops import decided_loops
 from shadercache.analysis.neighbours import SharedUse, evaluation_order
 from shadercache.analysis.precision import PrecisionTable
 from shadercache.ast import nodes as n
+from shadercache.ast.memo import Memo
 from shadercache.ast.walk import walk
 from shadercache.emit.assemble import (
     Shader,
@@ -45,7 +46,8 @@ _LATE = ("passes/here_late", "passes/hit_late")
 class FragmentProgram:
     """The user's fragment shader, checked and with unique names, and how to extend it.
 
-    ``parsed`` is the same as the user wrote it, ``original`` the one before loops were unrolled.
+    ``parsed`` is the same as the user wrote it, ``original`` the one before loops were unrolled;
+    ``memo`` is what its variants share.
     """
 
     parsed: n.Module
@@ -56,6 +58,7 @@ class FragmentProgram:
     prefix: str
     original: n.Module
     mapping: MappingKind = "surface"
+    memo: Memo = field(default_factory=Memo)
 
     @property
     def unrolled(self) -> bool:
@@ -86,8 +89,7 @@ class FragmentEmitter:
         self.payloads = self.layout.variables(program.prefix + "payload")
         stores = ("store", "store_2") if self.layout.second else ("store",)
         self.stores = [program.prefix + name for name in stores]
-        main = program.candidates.instances[0].places.function
-        discards = EffectTable(program.module).of(main.body).does & Does.DISCARD
+        discards = EffectTable(program.module, program.memo).summary("main").does & Does.DISCARD
         self.whole = any(node.unsure for node in nodes) or bool(discards)
         """Do fragments do without a payload, so that each pass goes through the shader?"""
         self.fetches = _fetches(program.candidates, self.nodes)
@@ -124,7 +126,7 @@ class FragmentEmitter:
 
     def _left_changed(self, made: Shader) -> tuple[Symbol, ...]:
         """The user's globals that the payload's code of a one-pass shader changes."""
-        table = EffectTable(made.module)
+        table = EffectTable(made.module, self.program.memo)
         ahead = ("fetch_ahead", "compute")
         entries = [name for name in map(self._own, ahead) if name in table.functions]
         written = frozenset[str]().union(*(table.summary(name).writes for name in entries))
@@ -139,8 +141,7 @@ class FragmentEmitter:
             early = self._finish("passes/here", [self._shade("need")], both=True)
         else:
             early = self._finish("passes/hit", [self._shade("use")], both=True)
-        table = EffectTable(early.module)
-        does = table.of(table.functions["main"].body).does
+        does = EffectTable(early.module, self.program.memo).summary("main").does
         if (
             not does & (Does.DERIVATIVE | Does.IMPLICIT_LOD)
             and not _loops_over_arrays(early.module)
@@ -209,7 +210,7 @@ class FragmentEmitter:
         return bool(decided_loops(user, self.payloads))
 
     def _unfit_here(self) -> str | None:
-        table = EffectTable(self.program.module)
+        table = EffectTable(self.program.module, self.program.memo)
         shared = Does.DERIVATIVE | Does.IMPLICIT_LOD
         if any(table.of(node.expr).does & shared for node in self.nodes):
             return (
@@ -300,7 +301,7 @@ class FragmentEmitter:
             user = guard_loops(user, decided_loops(user, self.payloads), self._own("lacks"))
         module = merge(self.program.module, without_main(user), extra, *parts)
         made = {clone.name for group in clones for _, clone in group.made}
-        module = contract(_shrink(module, locations, made))
+        module = contract(_shrink(module, locations, made, self.program.memo))
         return interface(with_locations(module, locations))
 
 
@@ -323,7 +324,7 @@ def _loops_over_arrays(module: n.Module) -> bool:
 
 def exact_original(program: FragmentProgram) -> Shader:
     """The user's shader with unique names and without what it does not need, for proof mode."""
-    module = contract(remove_dead(program.original, (program.color,)))
+    module = contract(remove_dead(program.original, (program.color,), program.memo))
     return interface(with_locations(module, {program.color: 0}))
 
 
@@ -331,12 +332,12 @@ def _cut(use: SharedUse, name: str, kind: CutKind) -> Cut:
     return Cut(use.instance.path, use.place.expr, name, kind)
 
 
-def _shrink(module: n.Module, wanted: dict[str, int], clones: set[str]) -> n.Module:
+def _shrink(module: n.Module, wanted: dict[str, int], clones: set[str], memo: Memo) -> n.Module:
     """Remove what is dead; a parameter that nobody reads keeps its argument alive, and a result
     that nobody uses what it is made of: so in turns."""
     while True:
-        module = remove_dead(module, wanted)
-        smaller = drop_parameters(drop_results(module, clones), clones)
+        module = remove_dead(module, wanted, memo)
+        smaller = drop_parameters(drop_results(module, clones, memo), clones, memo)
         if smaller is module:
             return module
         module = smaller

@@ -100,6 +100,7 @@ def emit_programs(
     algorithms: tuple[int, ...],
 ) -> ProgramSet:
     """Every pass of the given algorithms for the nodes, with the original and the hit mask."""
+    program.memo.trim()
     emitter = FragmentEmitter(program, nodes)
     made = ProgramSet(
         previous=vertex.previous_twins(),
@@ -172,10 +173,11 @@ class _Writer:
         return (*listed, *more)
 
     def _text(self, item: Pass, shader: Shader, stage: Stage) -> str:
-        module = with_precisions(shader.module)
+        memo = self.vertex.memo
+        module = with_precisions(shader.module, memo)
         if self.options.mode == "proof":
             if self.unrolled and stage == "fragment":
                 module = hide_counters(module)
-            module = make_precise(module, self.vertex.prefix, stage)
-        version, rest = print_module(module).split("\n", 1)
+            module = make_precise(module, self.vertex.prefix, stage, memo)
+        version, rest = print_module(module, memo).split("\n", 1)
         return f"{version}\n// shadercache: {item.file}, {self.about}\n{rest}"

@@ -19,6 +19,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from shadercache.ast import nodes as n
+from shadercache.ast.memo import Memo
 from shadercache.ast.walk import walk
 from shadercache.emit.assemble import Shader, interface, merge
 from shadercache.emit.layout import Layout
@@ -40,10 +41,19 @@ class VertexEmitter:
     parsed: n.Module
     module: n.Module
     prefix: str
+    memo: Memo
     mapping: MappingKind = "surface"
 
     def for_fragment(self, fragment: Shader) -> Shader:
         """The vertex shader for a fragment shader: exactly the varyings which that one reads."""
+        kept: dict[frozenset[str], Shader] = self.memo.table("vertex shaders")
+        inputs = frozenset(fragment.inputs)
+        found = kept.get(inputs)
+        if found is None:
+            found = kept[inputs] = self._for_inputs(fragment)
+        return found
+
+    def _for_inputs(self, fragment: Shader) -> Shader:
         own = {self.prefix + "current", self.prefix + "previous"}
         module = self._extended() if own.intersection(fragment.inputs) else self.module
         wanted = set(fragment.inputs)
@@ -52,7 +62,7 @@ class VertexEmitter:
                 # Blocks meet by their block name; statements know the instance or the members.
                 wanted.update(declared_names(decl))
         wanted |= {POSITION} | {name for name in _written(self.module) if name.startswith("gl_")}
-        return interface(_invariant(remove_dead(module, wanted)))
+        return interface(_invariant(remove_dead(module, wanted, self.memo)))
 
     def previous_twins(self) -> dict[str, str]:
         """The uniforms that the position depends on, and their twins for the previous frame.
@@ -82,7 +92,7 @@ class VertexEmitter:
 
     def inputs(self, varyings: Iterable[str]) -> frozenset[str]:
         """Uniforms, textures and attributes that the position and these varyings depend on."""
-        sliced = remove_dead(self.module, {POSITION, *varyings})
+        sliced = remove_dead(self.module, {POSITION, *varyings}, self.memo)
         return frozenset(
             name
             for decl in sliced.decls
@@ -91,7 +101,7 @@ class VertexEmitter:
         )
 
     def _slice(self) -> n.Module:
-        return remove_dead(self.module, (POSITION,))
+        return remove_dead(self.module, (POSITION,), self.memo)
 
     def _extended(self) -> n.Module:
         main = rename_function(self.module, "main", self.prefix + "vertex")
