@@ -347,13 +347,14 @@ def rewrite(
     A node that is refused only as cheaper than a fetch is rewritten where ``unprofitable`` is set.
     Raises :class:`InputError` with the refusal's code for any other refused node, SC402 without a
     vertex shader, SC407 where an algorithm that was asked for alone cannot be used for the node,
-    SC408 where a name that has to stay is a keyword in proof mode, SC415 to SC417 for nodes that
+    SC408 where a name that has to stay is a keyword in proof mode, SC422 where levels of detail
+    cannot be asked for, SC415 to SC417 for nodes that
     cannot be cached together.
     """
     nodes = (node,) if isinstance(node, Candidate) else tuple(node)
     analysis.require_all(nodes, unprofitable)
     options = options or Options()
-    _check_names(analysis, options.mode)
+    _check_names(analysis, options.mode, options.fetches == "level")
     programs = program_set.emit_programs(
         analysis.program, analysis.vertex_emitter, nodes, options, algorithms
     )
@@ -380,21 +381,26 @@ def emit_original(analysis: Analysis, mode: Mode = "plain") -> Emission:
     return Emission(programs.files, original_manifest(programs, options))
 
 
-def _check_names(analysis: Analysis, mode: Mode) -> None:
-    """Proof mode raises the version: do the names that an engine or a struct knows stay legal?"""
-    stages = (
-        (analysis.program.module, analysis.fragment),
-        (analysis.vertex_module, analysis.vertex),
-    )
+def _check_names(analysis: Analysis, mode: Mode, queries: bool = False) -> None:
+    """Proof mode raises the version, and so do queries of levels of detail (``queries``): do the
+    names that an engine or a struct knows stay legal?"""
+    fragment = analysis.program.module
+    if queries and fragment.profile == "es":
+        message = "--fetches level needs textureQueryLod, which GLSL ES has not"
+        raise input_error("SC422", message, "take --fetches whole")
+    stages: list[tuple[n.Module, Source]] = []
+    if mode == "proof" or queries:
+        stages.append((fragment, analysis.fragment))
+    if mode == "proof" and analysis.vertex_module is not None and analysis.vertex is not None:
+        stages.append((analysis.vertex_module, analysis.vertex))
     problems: list[Diagnostic] = []
-    for module, source in stages if mode == "proof" else ():
-        later = later_keywords(module) if module is not None else frozenset()
-        for node in walk(module) if module is not None and later else ():
+    for module, source in stages:
+        later = later_keywords(module)
+        for node in walk(module) if later else ():
             name = getattr(node, "name", "")
             if name in later and isinstance(node, n.Declarator | n.BlockDecl | n.StructDef):
-                assert module is not None
-                version = precise_version(module)
-                message = f"proof mode needs #version {version}, where '{name}' is a keyword"
+                what = "proof mode needs" if mode == "proof" else "--fetches level needs"
+                message = f"{what} #version {precise_version(module)}, where '{name}' is a keyword"
                 problems.append(Diagnostic("SC408", message, source, node.span))
     if problems:
         raise InputError(problems)

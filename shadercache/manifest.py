@@ -78,6 +78,10 @@ def build_manifest(
     if programs.unchanging:
         names = ", ".join(programs.unchanging)
         relies.append(f"these decide the position and do not change between frames: {names}")
+    if options.fetches == "level" and 1 in programs.variants:
+        relies.append(
+            "isotropic texture filtering: one pass asks for levels of detail, then fetches at these"
+        )
     return {
         "schema_version": SCHEMA_VERSION,
         "generator": f"shadercache {__version__}",

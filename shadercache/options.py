@@ -8,6 +8,10 @@ from typing import Literal, TypeAlias
 Mode: TypeAlias = Literal["plain", "proof"]
 CacheFormat: TypeAlias = Literal["rgba16f", "rgba32f"]
 
+FetchForm: TypeAlias = Literal["whole", "level", "gradient"]
+"""What one pass does ahead of its branch of a payload's texture fetch with implicit level of
+detail: all of it, its level of detail, or the gradients of its coordinates."""
+
 MappingKind: TypeAlias = Literal["surface", "screen", "user"]
 """Where a fragment finds what the previous frame stored: where its point of the surface was then,
 at its own pixel, or where a function of the user's says (docs/TRANSFORMATIONS.md)."""
@@ -27,9 +31,12 @@ class Options:
 
     ``mode``: ``plain`` is what is shipped, ``proof`` forbids the driver to rearrange arithmetic.
     ``cache_format``: the texture format of the cache. ``epsilon``: the hit test's accepted
-    difference of depths, relative to the depth.
+    difference of depths, relative to the depth. ``fetches``: what one pass does ahead of its branch
+    of a payload's texture fetches; ``level`` needs GLSL 4.00 and isotropic filtering, ``gradient``
+    is not exact.
     """
 
     mode: Mode = "plain"
     cache_format: CacheFormat = "rgba16f"
     epsilon: float = DEFAULT_EPSILON
+    fetches: FetchForm = "whole"

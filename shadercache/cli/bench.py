@@ -22,6 +22,7 @@ from shadercache.cli.measuring import (
 from shadercache.cli.reading import (
     DefineOption,
     DialectOption,
+    FetchesOption,
     IncludeOption,
     MappingOption,
     TokensOption,
@@ -73,6 +74,7 @@ def command(
     mapping: MappingOption = None,
     max_tokens: TokensOption = MAX_TOKENS,
     unroll: UnrollOption = False,
+    fetches: FetchesOption = "whole",
     out: Annotated[
         Path,
         typer.Option(
@@ -110,7 +112,7 @@ def command(
         offered = [node for node in analysis.nodes if node.offered]
         equal = one_of_each(offered, analysis.groups)
         chosen = [(node.id, (node,)) for node in (offered if every_node else equal)]
-    options = Options(cache_format=cache_format, epsilon=epsilon)
+    options = Options(cache_format=cache_format, epsilon=epsilon, fetches=fetches)
     entries = [
         replace(
             make_entry(analysis, label, found, options, algorithms, unprofitable=True),

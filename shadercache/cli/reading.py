@@ -11,7 +11,7 @@ import typer
 
 from shadercache.diagnostics import usage_error
 from shadercache.front.options import MAX_TOKENS, Dialect, ReadOptions
-from shadercache.options import MappingKind
+from shadercache.options import FetchForm, MappingKind
 
 _NAME = re.compile(r"[A-Za-z_]\w*(\([^()]*\))?", re.ASCII)
 _FIXED = frozenset(("defined", "__LINE__", "__FILE__", "__VERSION__"))
@@ -41,6 +41,13 @@ MappingOption: TypeAlias = Annotated[
     typer.Option(
         help="Where reused values lie: on the surface (where there is one), at the same pixel of "
         "the screen, or where the shader's scPreviousClip() says."
+    ),
+]
+FetchesOption: TypeAlias = Annotated[
+    FetchForm,
+    typer.Option(
+        help="What one pass does ahead of its branch of the payload's texture fetches: all of it; "
+        "its level (needs isotropic filtering, GLSL 4.00); its gradients (not exact)."
     ),
 ]
 TokensOption: TypeAlias = Annotated[

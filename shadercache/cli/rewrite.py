@@ -12,6 +12,7 @@ from shadercache.cli.io import MANIFEST, atomic_folder, folder, read_pair
 from shadercache.cli.reading import (
     DefineOption,
     DialectOption,
+    FetchesOption,
     IncludeOption,
     MappingOption,
     TokensOption,
@@ -61,6 +62,7 @@ def command(
     mapping: MappingOption = None,
     max_tokens: TokensOption = MAX_TOKENS,
     unroll: UnrollOption = False,
+    fetches: FetchesOption = "whole",
 ) -> None:
     """Write the shaders that cache one node, or several together, and how to run them.
 
@@ -78,7 +80,7 @@ def command(
     emission = rewrite(
         analysis,
         analysis.nodes_of("+".join(node)),
-        Options(mode=mode, cache_format=cache_format),
+        Options(mode=mode, cache_format=cache_format, fetches=fetches),
         algorithms=ALGORITHMS if passes == "all" else (int(passes),),
         unprofitable=unprofitable,
     )

@@ -20,6 +20,7 @@ from shadercache.cli.pictures import write_pictures
 from shadercache.cli.reading import (
     DefineOption,
     DialectOption,
+    FetchesOption,
     IncludeOption,
     MappingOption,
     TokensOption,
@@ -66,6 +67,7 @@ def command(
     mapping: MappingOption = None,
     max_tokens: TokensOption = MAX_TOKENS,
     unroll: UnrollOption = False,
+    fetches: FetchesOption = "whole",
     out: Annotated[
         Path,
         typer.Option(
@@ -86,7 +88,7 @@ def command(
     reading = read_options(define, undefine, include, dialect, max_tokens, unroll)
     scene, analysis = open_scene(find_scene(target), reading, mapping)
     [(label, chosen)] = choose_nodes(scene, analysis, ["+".join(node)])
-    options = Options(cache_format=cache_format, epsilon=epsilon)
+    options = Options(cache_format=cache_format, epsilon=epsilon, fetches=fetches)
     entry = make_entry(analysis, label, chosen, options, (passes,), unprofitable=unprofitable)
     how = MeasureOptions(extent, frame + 1, period=every, block=edge, picture_frame=frame)
     replacement = replacement_mesh(scene, mesh)

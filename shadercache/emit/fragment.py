@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 
 from shadercache.analysis.candidates import Candidate, Candidates
@@ -27,11 +27,12 @@ from shadercache.emit.assemble import (
 from shadercache.emit.keep_globals import call_keeping
 from shadercache.emit.layout import Layout
 from shadercache.emit.runtime import Located, load_part, runtime_names
-from shadercache.options import CURRENT_CLIP, MappingKind
+from shadercache.options import CURRENT_CLIP, FetchForm, MappingKind
 from shadercache.sema.facts import Facts, Symbol
 from shadercache.transform.compound import contract
 from shadercache.transform.drop_parameters import drop_parameters
 from shadercache.transform.drop_results import drop_results
+from shadercache.transform.fetch_ahead import form_of, variables_of
 from shadercache.transform.guard_loops import guard_loops
 from shadercache.transform.names import FreshNames
 from shadercache.transform.reachable import names_in
@@ -40,6 +41,10 @@ from shadercache.transform.specialise import Clones, Cut, CutKind, insert_clones
 
 _LATE = ("passes/here_late", "passes/hit_late")
 """Passes that fragments without a payload go through, up to a discard at the end."""
+
+
+_QUERIES = 400
+"""The version of GLSL that has ``textureQueryLod``."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -77,7 +82,12 @@ class FragmentProgram:
 class FragmentEmitter:
     """Makes the passes of nodes that are cached together. Each method returns a finished shader."""
 
-    def __init__(self, program: FragmentProgram, nodes: Sequence[Candidate]) -> None:
+    def __init__(
+        self,
+        program: FragmentProgram,
+        nodes: Sequence[Candidate],
+        fetches: FetchForm = "whole",
+    ) -> None:
         self.program, self.nodes = program, tuple(nodes)
         precisions = PrecisionTable(program.module, program.facts)
         self.precisions = precisions
@@ -92,7 +102,11 @@ class FragmentEmitter:
         discards = EffectTable(program.module, program.memo).summary("main").does & Does.DISCARD
         self.whole = any(node.unsure for node in nodes) or bool(discards)
         """Do fragments do without a payload, so that each pass goes through the shader?"""
-        self.fetches = _fetches(program.candidates, self.nodes)
+        types = program.facts.types
+        self.fetches = [
+            (use, self._own(f"fetch_{i}"), form_of(use.place.expr, fetches, types))
+            for i, use in enumerate(_fetches(program.candidates, self.nodes))
+        ]
 
     def one(self) -> Shader:
         """One pass: look up, else compute; then shade."""
@@ -105,14 +119,13 @@ class FragmentEmitter:
     def _one(self, kept: tuple[Symbol, ...]) -> Shader:
         """``kept`` are the globals which the payload's code must not be seen to change."""
         names = self._names()
-        fetched = [(use, f"fetch_{i}") for i, use in enumerate(self.fetches)]
         clones: list[Clones] = []
         cuts: list[Cut] = []
-        for use, name in fetched:
-            clones.append(
-                self._clone(names, f"{name}_ahead", (*cuts, _cut(use, self._own(name), "goal")))
-            )
-            cuts.append(_cut(use, self._own(name), "use"))
+        for use, name, form in self.fetches:
+            path, fetch = use.instance.path, use.place.expr
+            goal = Cut(path, fetch, name, "goal", form=form)
+            clones.append(self._clone(names, f"fetch_{len(clones)}_ahead", (*cuts, goal)))
+            cuts.append(replace(goal, kind="use"))
         keep = partial(call_keeping, kept=kept, prefix=self.program.prefix)
         ahead, entries = self._own("fetch_ahead"), [group.entry for group in clones]
         extra: list[n.Decl] = [keep(ahead, entries) if entries else call_all(ahead, ())]
@@ -121,8 +134,11 @@ class FragmentEmitter:
         if kept:
             extra.append(keep(self._own("compute"), [self._own(compute)]))
         clones.append(self._shade("use", names))
-        extra += [self._fetched(use.place.expr, name) for use, name in fetched]
-        return self._finish("passes/one", clones, extra, both=True)
+        extra += [item for fetch in self.fetches for item in self._fetched(*fetch)]
+        made = self._finish("passes/one", clones, extra, both=True)
+        return (
+            _at_least(made, _QUERIES) if any(form == "level" for *_, form in self.fetches) else made
+        )
 
     def _left_changed(self, made: Shader) -> tuple[Symbol, ...]:
         """The user's globals that the payload's code of a one-pass shader changes."""
@@ -227,7 +243,7 @@ class FragmentEmitter:
                 "the shader has a global variable of a struct without a name, which cannot be "
                 "kept while the payload is computed"
             )
-        for use in self.fetches:
+        for use, *_ in self.fetches:
             plain = use.instance.use is Use.PLAIN and use.place.use is Use.PLAIN
             moves = use.instance.order_matters or use.place.order_matters
             left = use.instance.after_exit or use.place.step.after_exit
@@ -238,10 +254,12 @@ class FragmentEmitter:
                 )
         return None
 
-    def _fetched(self, expr: n.Expr, name: str) -> n.VarDecl:
-        """The variable that holds a texture fetch, as precise as the fetch."""
-        kind = str(self.program.facts.types[expr])
-        return variable(kind, self._own(name), self.precisions.of(expr))
+    def _fetched(self, use: SharedUse, name: str, form: FetchForm) -> list[n.VarDecl]:
+        """The variables that hold what was done ahead, as precise as the fetch."""
+        fetch, types = use.place.expr, self.program.facts.types
+        precision = self.precisions.of(fetch)
+        made = variables_of(fetch, form, name, types)
+        return [variable(kind, item, precision) for item, kind in made.items()]
 
     def _own(self, name: str) -> str:
         return self.program.prefix + name
@@ -330,8 +348,10 @@ def exact_original(program: FragmentProgram) -> Shader:
     return interface(with_locations(module, {program.color: 0}))
 
 
-def _cut(use: SharedUse, name: str, kind: CutKind) -> Cut:
-    return Cut(use.instance.path, use.place.expr, name, kind)
+def _at_least(shader: Shader, version: int) -> Shader:
+    return replace(
+        shader, module=replace(shader.module, version=max(shader.module.version, version))
+    )
 
 
 def _shrink(module: n.Module, wanted: dict[str, int], clones: set[str], memo: Memo) -> n.Module:

@@ -101,7 +101,7 @@ def emit_programs(
 ) -> ProgramSet:
     """Every pass of the given algorithms for the nodes, with the original and the hit mask."""
     program.memo.trim()
-    emitter = FragmentEmitter(program, nodes)
+    emitter = FragmentEmitter(program, nodes, options.fetches)
     made = ProgramSet(
         previous=vertex.previous_twins(),
         unchanging=vertex.unchanging(),

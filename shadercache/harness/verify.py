@@ -30,7 +30,7 @@ from shadercache.harness.runner import (
 )
 from shadercache.harness.scene import Scene
 from shadercache.harness.stage import Stage
-from shadercache.options import Mode, Options
+from shadercache.options import FetchForm, Mode, Options
 
 Image = NDArray[np.float32]
 
@@ -130,9 +130,14 @@ class Verifier:
         analysis: Analysis,
         size: tuple[int, int] = SIZE,
         mesh: Mesh | None = None,
+        fetches: FetchForm = "whole",
     ) -> None:
-        """Render the originals. Raises as ``Stage`` and ``BoundPass``."""
-        self.analysis = analysis
+        """Render the originals. Raises as ``Stage`` and ``BoundPass``.
+
+        ``fetches``: as in :class:`Options`; in proof mode gradients, which are not exact, are not
+        taken.
+        """
+        self.analysis, self.fetches = analysis, fetches
         mesh = mesh or scene_mesh(scene, small=True)
         self.stage = Stage(gpu, scene, size, color="rgba32f", mesh=mesh)
         self._moving = {mode: self._original(mode) for mode in ("plain", "proof")}
@@ -225,7 +230,8 @@ class Verifier:
         return Bundle(emission.manifest, emission.files)
 
     def _rewritten(self, nodes: Sequence[Candidate], mode: Mode) -> Bundle:
-        options = Options(mode=mode, cache_format="rgba32f")
+        fetches = "whole" if (mode, self.fetches) == ("proof", "gradient") else self.fetches
+        options = Options(mode=mode, cache_format="rgba32f", fetches=fetches)
         emission = rewrite(self.analysis, nodes, options, unprofitable=True)
         return Bundle(emission.manifest, emission.files)
 

@@ -35,7 +35,9 @@ from typing import Literal, TypeAlias
 
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
+from shadercache.options import FetchForm
 from shadercache.source import NOWHERE
+from shadercache.transform.fetch_ahead import done_ahead, left_over
 from shadercache.transform.names import FreshNames
 from shadercache.transform.replace import replace_expressions
 
@@ -47,6 +49,7 @@ class Cut:
     """One expression to replace: the calls from ``main`` to its function, itself, the variable.
 
     ``flag`` is the variable that says whether there is a value, for the kinds that set it.
+    ``form``: what of a texture fetch goes to the variable (:mod:`transform.fetch_ahead`).
     """
 
     path: tuple[n.Call, ...]
@@ -54,6 +57,7 @@ class Cut:
     variable: str
     kind: CutKind
     flag: str = ""
+    form: FetchForm = "whole"
 
 
 @dataclass(slots=True)
@@ -139,7 +143,7 @@ class _Maker:
             if left:
                 body.moved.append(_Moved(call, None))
         for cut in tree.cuts:
-            body.used[cut.expr] = cut.variable
+            body.used[cut.expr] = cut
             if cut.kind != "use":
                 body.moved.append(_Moved(cut.expr, cut))
         name = name or self.names.make(self.prefix + function.name)
@@ -199,7 +203,7 @@ class _Body:
     prefix: str
     last: n.Stmt | None
     renamed: dict[n.Expr, str] = field(default_factory=dict)
-    used: dict[n.Expr, str] = field(default_factory=dict)
+    used: dict[n.Expr, Cut] = field(default_factory=dict)
     moved: list[_Moved] = field(default_factory=list)
 
     def block(self, block: n.Block) -> tuple[n.Block, bool]:
@@ -255,8 +259,9 @@ class _Body:
         return body
 
     def _rewritten(self, original: n.Expr, rebuilt: n.Expr) -> n.Expr:
-        if original in self.used:
-            return n.Name(original.span, self.used[original])
+        cut = self.used.get(original)
+        if cut is not None:
+            return left_over(rebuilt, cut.form, cut.variable)
         if original in self.renamed and isinstance(rebuilt, n.Call):
             return replace(rebuilt, name=self.renamed[original])
         return rebuilt
@@ -272,20 +277,21 @@ class _Body:
             case "lack":
                 return [self._unless_reused(_set(self.prefix + "lacks"))]
             case "fill":
-                return [self._unless_reused(self._computed(item.cut)), _set(item.cut.flag)]
+                return [self._unless_reused(*self._computed(item.cut)), _set(item.cut.flag)]
             case "keep":
-                return [self._computed(item.cut), _set(item.cut.flag)]
-        return [self._computed(item.cut)]
+                return [*self._computed(item.cut), _set(item.cut.flag)]
+        return self._computed(item.cut)
 
-    def _computed(self, cut: Cut) -> n.Stmt:
+    def _computed(self, cut: Cut) -> list[n.Stmt]:
         value = replace_expressions(
             cut.expr, lambda old, new: new if old is cut.expr else self._rewritten(old, new)
         )
-        return _assign(cut.variable, value)
+        ahead = done_ahead(value, cut.form, cut.variable)
+        return [_assign(name, part) for name, part in ahead.items()]
 
-    def _unless_reused(self, stmt: n.Stmt) -> n.Stmt:
+    def _unless_reused(self, *stmts: n.Stmt) -> n.Stmt:
         reuse = n.Name(NOWHERE, self.prefix + "reuse")
-        return n.If(NOWHERE, n.Unary(NOWHERE, "!", reuse), n.Block(NOWHERE, (stmt,)), None)
+        return n.If(NOWHERE, n.Unary(NOWHERE, "!", reuse), n.Block(NOWHERE, stmts), None)
 
 
 def _operands_first(items: list[_Moved]) -> list[_Moved]:
