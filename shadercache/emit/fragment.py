@@ -27,6 +27,7 @@ from shadercache.emit.layout import Layout
 from shadercache.emit.runtime import load_part, runtime_names
 from shadercache.sema.facts import Facts, Symbol
 from shadercache.transform.drop_parameters import drop_parameters
+from shadercache.transform.drop_results import drop_results
 from shadercache.transform.guard_loops import guard_loops
 from shadercache.transform.names import FreshNames
 from shadercache.transform.remove_dead import remove_dead
@@ -116,10 +117,8 @@ class FragmentEmitter:
             early = self._finish("passes/here", [self._shade("need")], both=True)
         else:
             early = self._finish("passes/hit", [self._shade("use")], both=True)
-        table = EffectTable(early.module)
-        does = table.of(table.functions["main"].body).does
         if (
-            not does & (Does.DERIVATIVE | Does.IMPLICIT_LOD)
+            not _takes_derivatives(early.module)
             and not _loops_over_arrays(early.module)
             and not self._decides_loops
         ):
@@ -134,8 +133,12 @@ class FragmentEmitter:
         return self._finish("passes/miss", [self._shade(kind)], both=True)
 
     def reuse(self) -> Shader:
-        """Three passes, first: carry payloads over."""
-        return self._finish("passes/reuse", [self._shade("use")] if self.whole else [])
+        """Three passes, first: carry payloads over. What the shader discards is discarded, and
+        where it takes derivatives for that, the misses are discarded behind them."""
+        early = self._finish("passes/reuse", [self._shade("use")] if self.whole else [])
+        if not _takes_derivatives(early.module):
+            return early
+        return self._finish("passes/reuse_late", [self._shade("use")])
 
     def payload_only(self) -> Shader:
         """Three passes, second: compute payloads."""
@@ -266,6 +269,12 @@ class FragmentEmitter:
         return interface(with_locations(module, locations))
 
 
+def _takes_derivatives(module: n.Module) -> bool:
+    table = EffectTable(module)
+    does = table.of(table.functions["main"].body).does
+    return bool(does & (Does.DERIVATIVE | Does.IMPLICIT_LOD))
+
+
 def _loops_over_arrays(module: n.Module) -> bool:
     """Does a loop use an element of something? Behind a discard llvmpipe writes it wrongly, and
     what is written by a function or in part is not told from what is read."""
@@ -284,10 +293,11 @@ def _cut(use: SharedUse, name: str, kind: CutKind) -> Cut:
 
 
 def _shrink(module: n.Module, wanted: dict[str, int], clones: set[str]) -> n.Module:
-    """Remove what is dead; a parameter that nobody reads keeps its argument alive, so in turns."""
+    """Remove what is dead; a parameter that nobody reads keeps its argument alive, and a result
+    that nobody uses what it is made of: so in turns."""
     while True:
         module = remove_dead(module, wanted)
-        smaller = drop_parameters(module, clones)
+        smaller = drop_parameters(drop_results(module, clones), clones)
         if smaller is module:
             return module
         module = smaller
