@@ -7,29 +7,38 @@ The passes, in order (each in its own file):
 3.  :mod:`transform.raise_version`  older versions, in words of the first that has what it takes
 4.  :mod:`transform.unique_names`   every identifier means one thing, so the rest works by name
 5.  :mod:`transform.split`          one declarator to a declaration
-6.  :mod:`transform.lower_choices`  costly choices inside expressions become conditionals
-7.  :mod:`sema.check`               types of the tree that the rest works on
-8.  :mod:`analysis.candidates`      every node, offered or refused
+6.  :mod:`transform.unroll`         loops of few trips are taken apart, on request; then 4 and 5
+7.  :mod:`transform.compound`       ``c += x`` is ``c = c + x``, a value as well
+8.  :mod:`transform.lower_choices`  costly choices inside expressions become conditionals
+9.  :mod:`sema.check`               types of the tree that the rest works on
+10. :mod:`analysis.candidates`      every node, offered or refused
 
-and for one node, for each pass of each algorithm:
+and for one node or a set of them, for each pass of each algorithm:
 
-9.  :mod:`transform.specialise`     cut the node out of clones of the functions on its call path
-10. :mod:`emit.assemble`            add the look-up, the store and a new ``main``
-11. :mod:`transform.remove_dead`    keep what the pass's outputs need, in turns with
-12. :mod:`transform.drop_parameters`
-13. :mod:`transform.make_precise`   in proof mode only
-14. :mod:`emit.printer`             tree to text
+11. :mod:`transform.specialise`     cut the nodes out of clones of the functions on their call paths
+12. :mod:`emit.assemble`            add the look-up, the store and a new ``main``
+13. :mod:`transform.remove_dead`    keep what the pass's outputs need, in turns with
+14. :mod:`transform.drop_results`
+15. :mod:`transform.drop_parameters`
+16. :mod:`transform.compound`       ``c += x`` again where nothing was cut out
+17. :mod:`transform.make_precise`   in proof mode only
+18. :mod:`emit.printer`             tree to text
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
-from shadercache.analysis.candidates import Candidate, Candidates, find_candidates
+from shadercache.analysis.candidates import (
+    Candidate,
+    Candidates,
+    find_candidates,
+    varyings,
+)
 from shadercache.analysis.cost import CostTable
 from shadercache.analysis.definitions import Definitions
 from shadercache.analysis.effects import EffectTable
@@ -38,28 +47,35 @@ from shadercache.analysis.inputs import input_kinds
 from shadercache.analysis.overlap import OverlapTable, Parts
 from shadercache.analysis.refusals import Code
 from shadercache.analysis.restrictions import check_depth, check_size, check_stages, find_color
+from shadercache.analysis.sets import check_needed, check_set, notes_on
+from shadercache.analysis.user_mapping import check_user_mapping
 from shadercache.ast import nodes as n
 from shadercache.ast.large import allow_deep_trees
 from shadercache.ast.walk import walk
-from shadercache.diagnostics import Diagnostic, InputError, UsageError, input_error
+from shadercache.diagnostics import Diagnostic, InputError, UsageError, input_error, usage_error
 from shadercache.emit import program_set
-from shadercache.emit.fragment import FragmentProgram
+from shadercache.emit.fragment import FragmentEmitter, FragmentProgram
+from shadercache.emit.full_screen import full_screen_vertex
 from shadercache.emit.printer import print_node
 from shadercache.emit.vertex import VertexEmitter
+from shadercache.front.dialects import surrounded
 from shadercache.front.options import ReadOptions
-from shadercache.manifest import build_manifest, original_manifest
-from shadercache.options import ALGORITHMS, Mode, Options
+from shadercache.manifest import build_manifest, original_manifest, with_mapping
+from shadercache.options import ALGORITHMS, MappingKind, Mode, Options
 from shadercache.sema.check import check
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.read import read
 from shadercache.source import Source
+from shadercache.transform.compound import spell_out
 from shadercache.transform.lower_choices import lower_choices
 from shadercache.transform.make_precise import precise_version
 from shadercache.transform.names import fresh_prefix
 from shadercache.transform.raise_version import Raised, StageTree, raise_versions
 from shadercache.transform.split import split_declarations
 from shadercache.transform.unique_names import later_keywords, make_names_unique
+from shadercache.transform.unroll import unroll_loops
 
+_UNROLLED = re.compile(r"\.\d+u-")
 _INCLUDE = re.compile(r"#[ \t]*include\b")
 
 
@@ -74,6 +90,8 @@ class Analysis:
     raised: tuple[Raised, ...]
     vertex_module: n.Module | None
     reading: ReadOptions
+    kept_loops: tuple[Diagnostic, ...] = ()
+    """Which loops were not unrolled, where that was asked for, and why."""
 
     @property
     def nodes(self) -> tuple[Candidate, ...]:
@@ -81,9 +99,62 @@ class Analysis:
         return self.candidates.nodes
 
     @property
+    def mapping(self) -> MappingKind:
+        """Where a fragment finds what the previous frame stored."""
+        return self.program.mapping
+
+    @property
+    def full_screen(self) -> bool:
+        """Is there no geometry but a triangle that covers the target?"""
+        return self.vertex is None and self.mapping != "surface"
+
+    @cached_property
+    def vertex_emitter(self) -> VertexEmitter:
+        """What makes the vertex shaders: of the user's, or of the one of a full-screen pass.
+
+        Raises :class:`InputError` SC402 where there has to be one and is none, SC406 where a
+        full-screen pass cannot give the fragment shader a varying.
+        """
+        prefix = self.program.prefix
+        if self.vertex_module is not None:
+            parsed = self.raised[1].module
+            return VertexEmitter(
+                parsed, self.vertex_module, prefix, self.program.memo, self.mapping
+            )
+        if not self.full_screen:
+            raise input_error(
+                "SC402", "a vertex shader is needed to rewrite a shader", "give --vert"
+            )
+        source, module = full_screen_vertex(self.program.module)
+        check_stages(self.program.module, self.fragment, module, source)
+        return VertexEmitter(module, module, prefix, self.program.memo, self.mapping)
+
+    @property
+    def vertex_source(self) -> Source:
+        """The vertex shader's text: the user's, or that of a full-screen pass."""
+        return self.vertex or full_screen_vertex(self.program.module)[0]
+
+    def unchanged_for(self, *nodes: Candidate) -> tuple[str, ...] | None:
+        """While which uniforms, textures and attributes do not change is reuse of values exact?
+
+        ``None`` where this cannot be said: with another mapping than ``screen`` a value is found
+        between the texels of a cache.
+        """
+        if self.mapping != "screen":
+            return None
+        kinds = ("uniforms", "textures", "varyings")
+        found = frozenset[str]().union(*(node.inputs for node in nodes))
+        named = (name for name in found if not name.startswith("gl_"))
+        inputs = {name for name in named if self.input_kinds.get(name) in kinds}
+        passed = inputs & varyings(self.program.module)
+        if self.vertex is None:
+            return tuple(sorted(inputs))
+        return tuple(sorted((inputs - passed) | self.vertex_emitter.inputs(passed)))
+
+    @property
     def notes(self) -> tuple[Diagnostic, ...]:
-        """What became of the stages where they were of an older version."""
-        return tuple(note for stage in self.raised for note in stage.notes)
+        """What became of the stages where they were of an older version, and of loops."""
+        return (*(note for stage in self.raised for note in stage.notes), *self.kept_loops)
 
     @property
     def renamed(self) -> dict[str, str]:
@@ -96,12 +167,16 @@ class Analysis:
         return any(re.match(r"gl_(?!Frag(Color|Data))", name) for name in self.renamed)
 
     @property
-    def stands_alone(self) -> bool:
-        """Could a driver be given the user's own text, or does it need what is outside of it?"""
+    def written(self) -> str | None:
+        """The user's own text as a driver can be given it: with what its host adds to it.
+
+        ``None`` where it needs what is outside of it.
+        """
         reading = self.reading
         texts = (self.fragment.text, self.vertex.text if self.vertex else "")
-        changed = reading.defines or reading.undefined or reading.dialect != "glsl"
-        return not changed and not any(_INCLUDE.search(text) for text in texts)
+        if reading.defines or reading.undefined or any(_INCLUDE.search(text) for text in texts):
+            return None
+        return surrounded(self.fragment, reading.dialect)
 
     @cached_property
     def groups(self) -> Mapping[Candidate, Group]:
@@ -151,7 +226,10 @@ class Analysis:
         found = self._by_id.get(node_id)
         if found is not None:
             return found
-        hint = f"'shadercache nodes {self.fragment.name}' lists the nodes"
+        unroll = " --unroll" if self.reading.unroll else ""
+        hint = f"'shadercache nodes {self.fragment.name}{unroll}' lists the nodes"
+        if not unroll and _UNROLLED.search(node_id):
+            hint = "it is of the shader with its loops unrolled: add --unroll"
         stem = node_id.rpartition("-")[0]
         if any(node.id.rpartition("-")[0] == stem for node in self.nodes):
             message = (
@@ -162,6 +240,13 @@ class Analysis:
         message = f"{self.fragment.name} has no node '{node_id}'"
         raise UsageError(Diagnostic("SC010", message, hint=hint))
 
+    def nodes_of(self, ids: str) -> tuple[Candidate, ...]:
+        """The nodes with these ids, joined by ``+``; one id is a set of one. Raises as ``node``."""
+        parts = ids.split("+")
+        if len(parts) > 1 and "" in parts:
+            raise usage_error("SC010", f"'{ids}' lacks an id beside a '+'")
+        return tuple(self.node(node_id) for node_id in parts)
+
     def require(self, node: Candidate, unprofitable: bool = False) -> None:
         """Raise :class:`InputError` with the refusal's code if the node may not be cached.
 
@@ -171,26 +256,42 @@ class Analysis:
         if refusal is None or (refusal.unprofitable and unprofitable):
             return
         hint = "caching it anyway takes --unprofitable" if refusal.unprofitable else None
+        if refusal.code is Code.LOOP and not self.reading.unroll:
+            hint = "with --unroll, loops of few trips are taken apart"
         message = f"'{node.text}' {refusal.sentence}"
         raise InputError(
             Diagnostic(refusal.code.code, message, self.fragment, node.expr.span, hint)
         )
 
+    def require_all(self, nodes: Sequence[Candidate], unprofitable: bool = False) -> None:
+        """As :meth:`require` for each node; SC415 to SC417 where they do not go together."""
+        for node in nodes:
+            self.require(node, unprofitable)
+        if len(nodes) > 1:
+            check_set(nodes, self.groups, self.fragment)
+            check_needed(FragmentEmitter(self.program, nodes).unneeded(), self.fragment)
+
 
 @dataclass(frozen=True, slots=True)
 class Emission:
-    """What a rewrite yields: the texts by file name, and the manifest."""
+    """What a rewrite yields: the texts by file name, the manifest, and what is to be known."""
 
     files: dict[str, str]
     manifest: dict[str, Any]
+    notes: tuple[Diagnostic, ...] = ()
 
 
 def analyse(
-    fragment: Source, vertex: Source | None = None, reading: ReadOptions | None = None
+    fragment: Source,
+    vertex: Source | None = None,
+    reading: ReadOptions | None = None,
+    mapping: MappingKind | None = None,
 ) -> Analysis:
     """Parse, check and judge every expression of a fragment shader.
 
-    ``reading`` holds for both shaders, but the dialect is the fragment shader's.
+    ``reading`` holds for both shaders, but the dialect is the fragment shader's. Without a
+    ``mapping`` it is ``surface``, or ``screen`` for a shader without varyings that comes without a
+    vertex shader.
 
     Raises :class:`InputError` with every diagnostic of the first stage that finds any.
     """
@@ -203,21 +304,38 @@ def analyse(
     if vertex is not None:
         trees.append(_checked(vertex, "vertex", replace(reading, dialect="glsl")))
     raised = raise_versions(trees, fresh_prefix(*texts, stem="legacy"))
-    module, facts = _normalise(raised[0], fragment, "fragment")
+    named = _named(raised[0].module, raised[0].facts, fragment, "fragment")
+    module, facts = _lowered(*named, fragment)
+    original, kept_loops = module, tuple[Diagnostic, ...]()
+    if reading.unroll:
+        made = unroll_loops(*named, fragment)
+        kept_loops = made.notes
+        if made.module is not named[0]:
+            flat = _named(made.module, check(made.module, fragment), fragment, "fragment")
+            module, facts = _lowered(*flat, fragment)
     color = find_color(module, fragment)
     printed = _printed(trees[0].module, module)
-    candidates = find_candidates(module, facts, fragment, printed, EffectTable(module))
-    program = FragmentProgram(raised[0].module, module, facts, candidates, color, prefix)
+    table = EffectTable(module)
+    if mapping is None:
+        mapping = "surface" if vertex is not None or varyings(module) else "screen"
+    if mapping == "user":
+        check_user_mapping(module, fragment, table)
+    candidates = find_candidates(module, facts, fragment, printed, table, mapping)
+    program = FragmentProgram(
+        raised[0].module, module, facts, candidates, color, prefix, original, mapping
+    )
     vertex_module = None
     if vertex is not None:
-        vertex_module, _ = _normalise(raised[1], vertex, "vertex")
+        vertex_module, _ = _named(raised[1].module, raised[1].facts, vertex, "vertex")
         check_stages(module, fragment, vertex_module, vertex)
-    return Analysis(fragment, vertex, candidates, program, tuple(raised), vertex_module, reading)
+    return Analysis(
+        fragment, vertex, candidates, program, tuple(raised), vertex_module, reading, kept_loops
+    )
 
 
 def rewrite(
     analysis: Analysis,
-    node: Candidate,
+    node: Candidate | Sequence[Candidate],
     options: Options | None = None,
     algorithms: tuple[int, ...] = ALGORITHMS,
     *,
@@ -225,22 +343,30 @@ def rewrite(
 ) -> Emission:
     """The programs that cache ``node``, by the given algorithms, with their manifest.
 
+    Several nodes are cached together: they share the cache's texels, the look-up and the refresh.
     A node that is refused only as cheaper than a fetch is rewritten where ``unprofitable`` is set.
     Raises :class:`InputError` with the refusal's code for any other refused node, SC402 without a
     vertex shader, SC407 where an algorithm that was asked for alone cannot be used for the node,
-    SC408 where a name that has to stay is a keyword in proof mode.
+    SC408 where a name that has to stay is a keyword in proof mode, SC415 to SC417 for nodes that
+    cannot be cached together.
     """
-    analysis.require(node, unprofitable)
+    nodes = (node,) if isinstance(node, Candidate) else tuple(node)
+    analysis.require_all(nodes, unprofitable)
     options = options or Options()
     _check_names(analysis, options.mode)
     programs = program_set.emit_programs(
-        analysis.program, _vertex(analysis), node, options, algorithms
+        analysis.program, analysis.vertex_emitter, nodes, options, algorithms
     )
     if not programs.variants:
-        raise InputError(_unfit(analysis, node, programs))
-    sources = analysis.fragment, _vertex_source(analysis)
-    manifest = build_manifest(*sources, node, options, programs, analysis.renamed)
-    return Emission(programs.files, manifest)
+        raise InputError(_unfit(analysis, nodes, programs))
+    sources = analysis.fragment, analysis.vertex_source
+    manifest = with_mapping(
+        build_manifest(*sources, nodes, options, programs, analysis.renamed),
+        analysis.mapping,
+        analysis.full_screen,
+        analysis.unchanged_for(*nodes),
+    )
+    return Emission(programs.files, manifest, notes_on(nodes, analysis.fragment))
 
 
 def emit_original(analysis: Analysis, mode: Mode = "plain") -> Emission:
@@ -250,7 +376,7 @@ def emit_original(analysis: Analysis, mode: Mode = "plain") -> Emission:
     """
     options = Options(mode)
     _check_names(analysis, mode)
-    programs = program_set.emit_original(analysis.program, _vertex(analysis), options)
+    programs = program_set.emit_original(analysis.program, analysis.vertex_emitter, options)
     return Emission(programs.files, original_manifest(programs, options))
 
 
@@ -274,21 +400,13 @@ def _check_names(analysis: Analysis, mode: Mode) -> None:
         raise InputError(problems)
 
 
-def _unfit(analysis: Analysis, node: Candidate, programs: program_set.ProgramSet) -> Diagnostic:
+def _unfit(
+    analysis: Analysis, nodes: Sequence[Candidate], programs: program_set.ProgramSet
+) -> Diagnostic:
     passes, reason = next(iter(programs.refused.items()))
-    message = f"'{node.text}' cannot be cached by {passes}-pass: {reason}"
-    return Diagnostic("SC407", message, analysis.fragment, node.expr.span)
-
-
-def _vertex(analysis: Analysis) -> VertexEmitter:
-    if analysis.vertex_module is None:
-        raise input_error("SC402", "a vertex shader is needed to rewrite a shader", "give --vert")
-    return VertexEmitter(analysis.raised[1].module, analysis.vertex_module, analysis.program.prefix)
-
-
-def _vertex_source(analysis: Analysis) -> Source:
-    assert analysis.vertex is not None
-    return analysis.vertex
+    texts = " and ".join(f"'{node.text}'" for node in nodes)
+    message = f"{texts} cannot be cached by {passes}-pass: {reason}"
+    return Diagnostic("SC407", message, analysis.fragment, nodes[0].expr.span)
 
 
 def _checked(source: Source, stage: Stage, reading: ReadOptions) -> StageTree:
@@ -297,14 +415,16 @@ def _checked(source: Source, stage: Stage, reading: ReadOptions) -> StageTree:
     return StageTree(module, facts, source, stage)
 
 
-def _normalise(raised: Raised, source: Source, stage: Stage) -> tuple[n.Module, Facts]:
-    """Passes 4 to 7: bring a checked tree into the form that the rest works on."""
-    module, facts = raised.module, raised.facts
+def _named(module: n.Module, facts: Facts, source: Source, stage: Stage) -> tuple[n.Module, Facts]:
+    """Passes 4 and 5: everything in a checked tree has a name and a declaration of its own."""
     plain = split_declarations(make_names_unique(module, facts))
-    if plain is not module:
-        module, facts = plain, check(plain, source, stage)
-    plain = lower_choices(module, facts) if stage == "fragment" else module
     return (module, facts) if plain is module else (plain, check(plain, source, stage))
+
+
+def _lowered(module: n.Module, facts: Facts, source: Source) -> tuple[n.Module, Facts]:
+    """Passes 7 to 9: bring a fragment shader into the form that the rest works on."""
+    plain = lower_choices(spell_out(module, facts), facts)
+    return (module, facts) if plain is module else (plain, check(plain, source))
 
 
 def _printed(parsed: n.Module, module: n.Module) -> dict[str, str]:

@@ -5,16 +5,17 @@ The published schema is ``manifest.schema.json`` beside this file.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from hashlib import sha256
 from typing import Any
 
 from shadercache import __version__
 from shadercache.analysis.candidates import Candidate
+from shadercache.analysis.sets import is_skipped
 from shadercache.emit.layout import Layout
 from shadercache.emit.program_set import Pass, ProgramSet
 from shadercache.emit.runtime import OUTCOMES
-from shadercache.options import Options
+from shadercache.options import PREVIOUS_CLIP, MappingKind, Options
 from shadercache.source import Source
 
 SCHEMA_VERSION = 1
@@ -48,6 +49,9 @@ RESET = (
     "Draw only the passes with on_reset true.",
 )
 
+FULL_SCREEN = {"geometry": "full-screen triangle", "mode": "triangles", "vertices": 3}
+"""Three vertices without attributes: the vertex shaders make their positions."""
+
 RELIES_ON = (
     "opaque geometry, drawn without blending, alpha to coverage or multisampling",
     "the depth function 'less' in the application, with depth cleared to 1",
@@ -61,7 +65,7 @@ RELIES_ON = (
 def build_manifest(
     fragment: Source,
     vertex: Source,
-    node: Candidate,
+    nodes: Sequence[Candidate],
     options: Options,
     programs: ProgramSet,
     renamed: Mapping[str, str],
@@ -69,7 +73,7 @@ def build_manifest(
     """The manifest of a program set; ``renamed`` leads from the user's names to the variants'."""
     assert programs.original is not None and programs.debug is not None
     assert programs.payload is not None
-    layout = Layout(node.type)
+    layout = Layout(tuple(node.type for node in nodes))
     relies = list(RELIES_ON)
     if programs.unchanging:
         names = ", ".join(programs.unchanging)
@@ -78,7 +82,9 @@ def build_manifest(
         "schema_version": SCHEMA_VERSION,
         "generator": f"shadercache {__version__}",
         "source": {"fragment": _source(fragment), "vertex": _source(vertex)},
-        "node": _node(fragment, node),
+        "nodes": [
+            _node(fragment, node, place) for node, place in zip(nodes, layout.places, strict=True)
+        ],
         "mode": options.mode,
         "color": {"output": programs.color, "location": 0},
         "cache": _cache(layout, options),
@@ -99,6 +105,32 @@ def build_manifest(
         "frame": [*FRAME, *[FRAME_OF_TWO] * layout.second],
         "reset": list(RESET),
         "relies_on": relies,
+    }
+
+
+def with_mapping(
+    manifest: dict[str, Any],
+    mapping: MappingKind,
+    full_screen: bool,
+    unchanged: Sequence[str] | None,
+) -> dict[str, Any]:
+    """The manifest with where payloads are found, and what is drawn.
+
+    ``unchanged``: while which inputs do not change is reuse exact? (``None``: not said.)
+    """
+    how: dict[str, Any] = {"kind": mapping}
+    relies: list[str] = []
+    if unchanged is not None:
+        how["exact_while_unchanged"] = list(unchanged)
+        names = ", ".join(unchanged)
+        relies = [f"reuse is exact while these do not change: {names}"] * bool(unchanged)
+    if mapping == "user":
+        relies = [f"{PREVIOUS_CLIP}() says where the last frame showed what a pixel shows now"]
+    draw = FULL_SCREEN if full_screen else {"geometry": "objects"}
+    return manifest | {
+        "mapping": how,
+        "draw": dict(draw),
+        "relies_on": [*manifest["relies_on"], *relies],
     }
 
 
@@ -134,7 +166,8 @@ def _source(source: Source) -> dict[str, str]:
     return {"name": source.name, "sha256": sha256(source.text.encode()).hexdigest()}
 
 
-def _node(source: Source, node: Candidate) -> dict[str, Any]:
+def _node(source: Source, node: Candidate, place: tuple[str, str]) -> dict[str, Any]:
+    first, second = place
     start, end = source.position(node.expr.span.start), source.position(node.expr.span.end)
     return {
         "id": node.id,
@@ -147,6 +180,8 @@ def _node(source: Source, node: Candidate) -> dict[str, Any]:
             "end_line": end.line,
             "end_column": end.column,
         },
+        "channels": {name: text for name, text in (("cache", first), ("second", second)) if text},
+        "conditional": is_skipped(node),
     }
 
 

@@ -8,6 +8,13 @@ from typing import Literal, TypeAlias
 Mode: TypeAlias = Literal["plain", "proof"]
 CacheFormat: TypeAlias = Literal["rgba16f", "rgba32f"]
 
+MappingKind: TypeAlias = Literal["surface", "screen", "user"]
+"""Where a fragment finds what the previous frame stored: where its point of the surface was then,
+at its own pixel, or where a function of the user's says (docs/TRANSFORMATIONS.md)."""
+
+PREVIOUS_CLIP, CURRENT_CLIP = "scPreviousClip", "scCurrentClip"
+"""The user's functions that ``user`` calls; without the second the pixel's own place is taken."""
+
 ALGORITHMS = (1, 2, 3)
 
 DEFAULT_EPSILON = 1e-3

@@ -134,12 +134,17 @@ def _figures(found: Difference) -> list[float | None]:
 def fingerprint(scene: Scene) -> str:
     """Changes when anything that a verdict depends on changes: our code, the scene's files."""
     package = Path(shadercache.__file__).parent
-    code = (path for path in package.rglob("*") if path.suffix in (".py", ".glsl", ".frag", ".txt"))
-    mesh = scene.verify_mesh or scene.mesh
+    code = (
+        path
+        for path in package.rglob("*")
+        if path.suffix in (".py", ".glsl", ".vert", ".frag", ".txt")
+    )
+    meshes = (scene.verify_mesh or scene.mesh, scene.vertex)
     textures = (texture.path for texture in scene.textures.values())
-    files = [*code, *data_path("grammars").glob("*"), scene.path, scene.fragment, scene.vertex]
+    files = [*code, *data_path("grammars").glob("*"), scene.path, scene.fragment]
     digest = hashlib.sha256()
-    for path in sorted({*files, mesh, *textures}):
+    given = (path for path in meshes if path is not None)
+    for path in sorted({*files, *given, *textures}):
         digest.update(path.name.encode() + b"\0" + path.read_bytes())
     return digest.hexdigest()[:16]
 

@@ -11,7 +11,7 @@ from hashlib import blake2b
 
 from shadercache.analysis.cost import FETCH, CostTable
 from shadercache.analysis.effects import EffectTable
-from shadercache.analysis.instances import Instance, Place, Use, find_instances
+from shadercache.analysis.instances import Instance, Place, Use, find_instances, path_to
 from shadercache.analysis.neighbours import (
     Dependents,
     SharedUses,
@@ -26,6 +26,7 @@ from shadercache.ast import nodes as n
 from shadercache.ast.walk import expressions
 from shadercache.diagnostics import shortened
 from shadercache.lang.types import Type
+from shadercache.options import MappingKind
 from shadercache.sema.facts import Facts
 from shadercache.source import NOWHERE, Source, Span
 
@@ -34,6 +35,10 @@ FIRST_TEXEL, SECOND_TEXEL = 3, 4
 
 STORABLE = frozenset[str | None](("float", "int", "uint", "bool"))
 """Scalar types that a channel of 32 bits can hold."""
+
+OF_PIXEL = frozenset(("gl_FragCoord", "gl_FrontFacing", "gl_PointCoord", "gl_PrimitiveID"))
+"""Built-in inputs that are the same again at the same pixel, if nothing changes. (Those of samples
+and layers are not among them: a cache has neither.)"""
 
 MAX_TEXT = 2_000
 """Characters of a node's text: each of 10,000 sums in a row holds those before it."""
@@ -92,7 +97,12 @@ class Candidates:
 
 
 def find_candidates(
-    module: n.Module, facts: Facts, source: Source, printed: dict[str, str], table: EffectTable
+    module: n.Module,
+    facts: Facts,
+    source: Source,
+    printed: dict[str, str],
+    table: EffectTable,
+    mapping: MappingKind = "surface",
 ) -> Candidates:
     """Judge every expression of ``main`` and of every function it reaches.
 
@@ -100,13 +110,13 @@ def find_candidates(
     global as the user's source has it, from which the ids are made. Raises :class:`InputError`
     SC401 on too many call paths.
     """
-    instances = find_instances(table)
+    instances = find_instances(table, source)
     costs = CostTable(facts)
     slices = SliceTable(module, instances, table, costs)
     takes = SharedUses(instances, slices, derivatives(table))
     cubes = SharedUses(instances, slices, cube_lookups(table, facts))
     drops = discards(instances, slices)
-    judge = _Judge(module, facts, source, table, slices, (takes, cubes, drops), costs)
+    judge = _Judge(module, facts, source, table, slices, (takes, cubes, drops), costs, mapping)
     digests = _digests(instances, printed)
     found: list[Candidate] = []
     for instance in instances:
@@ -129,6 +139,7 @@ class _Judge:
         slices: SliceTable,
         uses: tuple[SharedUses, SharedUses, Dependents],
         costs: CostTable,
+        mapping: MappingKind,
     ) -> None:
         self.facts, self.source, self.table, self.slices = facts, source, table, slices
         (self.derivatives, self.cubes, self.discards), self.costs = uses, costs
@@ -139,7 +150,8 @@ class _Judge:
         self.mutable = sum({bit(name) for name in written})
         self.structs = {d.type.struct for d in module.decls if isinstance(d, n.VarDecl)} - {None}
         self.derivative = bit(DERIVATIVE)
-        self.varying = sum({bit(name) for name in _varyings(module)})
+        self.reused = _reused_builtins(module, mapping)
+        self.varying = sum({bit(name) for name in varyings(module) | self.reused})
 
     def candidate(
         self, instance: Instance, place: Place, digests: dict[Instance, str]
@@ -154,7 +166,7 @@ class _Judge:
             place=place,
             expr=place.expr,
             text=_text(self.source, place.expr),
-            path=instance.label,
+            path=path_to(instance, place, self.source),
             type=kind,
             cost=cost,
             ratio=cost / self.total,
@@ -220,7 +232,8 @@ class _Judge:
             )
         if found.leaves & self.derivative:
             return Refusal(Code.DERIVATIVE)
-        screen = sorted(name for name in names(found.leaves) if name.startswith("gl_"))
+        builtins = {name for name in names(found.leaves) if name.startswith("gl_")}
+        screen = sorted(builtins - self.reused)
         if screen:
             return Refusal(Code.SCREEN, ", ".join(screen))
         if not found.leaves and not self.table.of(expr).does:
@@ -237,15 +250,26 @@ class _Judge:
         return Refusal(Code.DISCARDS) if self.discards.fed_by(instance, place) else None
 
 
-def _varyings(module: n.Module) -> set[str]:
-    """Names of the inputs that differ from fragment to fragment."""
+def _reused_builtins(module: n.Module, mapping: MappingKind) -> frozenset[str]:
+    """The built-in inputs that do not bind a value to the place on the screen in this mapping.
+
+    Where the user says what a pixel shows, and no varying does, its place is how the shader gets
+    at what it shows. Beside varyings it is what it always is: the place on the screen.
+    """
+    if mapping == "screen":
+        return OF_PIXEL
+    return frozenset(() if mapping == "surface" or varyings(module) else ("gl_FragCoord",))
+
+
+def varyings(module: n.Module) -> set[str]:
+    """Names of the inputs that differ from fragment to fragment, built-in ones apart."""
     found: set[str] = set()
     for decl in module.decls:
         if isinstance(decl, n.VarDecl) and decl.qualifiers.has("in"):
             found |= {item.name for item in decl.declarators}
         elif isinstance(decl, n.BlockDecl) and decl.qualifiers.has("in"):
             found |= {decl.instance or ""} | {i.name for f in decl.fields for i in f.declarators}
-    return found - {""}
+    return {name for name in found if name and not name.startswith("gl_")}
 
 
 def _text(source: Source, expr: n.Expr) -> str:
@@ -263,6 +287,8 @@ def _digests(instances: tuple[Instance, ...], printed: dict[str, str]) -> dict[I
     found: dict[Instance, str] = {}
     for item in instances:
         own = printed[item.places.function.name]
+        if item.places.unrolled:
+            own += " unrolled"
         if item.parent is None or item.place is None:
             found[item] = _digest(own)
         else:
@@ -272,7 +298,8 @@ def _digests(instances: tuple[Instance, ...], printed: dict[str, str]) -> dict[I
 
 def _node_id(instance: Instance, place: Place, digests: dict[Instance, str]) -> str:
     name = instance.places.function.name
-    return f"{name}.{place.ordinal}-{_digest(digests[instance], str(place.ordinal))}"
+    mark = "u" if instance.unrolled else ""
+    return f"{name}.{place.ordinal}{mark}-{_digest(digests[instance], str(place.ordinal))}"
 
 
 def _initialisers(

@@ -14,8 +14,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import Flag, auto
 
+from shadercache.analysis.exposure import exposed_in, overwritten_in
 from shadercache.ast import nodes as n
-from shadercache.ast.walk import children
+from shadercache.ast.memo import Memo
+from shadercache.ast.walk import children, walk
 from shadercache.lang.builtins import Signature, overloads
 
 
@@ -70,16 +72,45 @@ def root_variable(target: n.Expr) -> str | None:
     return target.name
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Head:
+    """What a caller has to know of a function. Equal ones are one and the same object."""
+
+    effects: Effects
+    exposed: frozenset[str]
+    """Variables of its callers that it may read before it overwrites them."""
+    overwritten: frozenset[str]
+    """Variables of its callers that it overwrites wholly, wherever it returns."""
+    params: tuple[tuple[bool, n.TypeSpec, n.Dims], ...]
+    """For each parameter: does it write back? Its type."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Linked:
+    """A function with the heads of those that it calls.
+
+    It is the same object in every module where these are the same, so that what follows from
+    them can be kept in a :class:`Memo` with it as the key.
+    """
+
+    function: n.FunctionDef
+    inside: Effects
+    """Of its body: locals and parameters count."""
+    head: Head
+
+
 class EffectTable:
     """Effects of every piece of one module; computed on demand and kept.
 
-    Shape: one :class:`Effects` per node of the tree, keyed by identity.
+    Shape: one :class:`Effects` per node of the tree, keyed by identity. What it finds out about
+    whole functions goes to ``memo``.
     """
 
-    def __init__(self, module: n.Module) -> None:
+    def __init__(self, module: n.Module, memo: Memo | None = None) -> None:
         self.functions = {d.name: d for d in module.decls if isinstance(d, n.FunctionDef)}
+        self._memo = Memo() if memo is None else memo
         self._table: dict[n.Node, Effects] = {}
-        self._summaries: dict[str, Effects] = {}
+        self._by_name: dict[str, Linked] = {}
 
     def of(self, node: n.Node) -> Effects:
         """The effects of evaluating an expression or executing a statement."""
@@ -92,14 +123,44 @@ class EffectTable:
 
     def summary(self, name: str) -> Effects:
         """What a call of the user's function ``name`` does outside of the function."""
-        found = self._summaries.get(name)
+        return self.linked(name).head.effects
+
+    def linked(self, name: str) -> Linked:
+        """The user's function ``name`` with what it has to know of those it calls."""
+        found = self._by_name.get(name)
         if found is None:
             function = self.functions[name]
-            inside = self.of(function.body)
-            own = local_names(function)
-            does = inside.does & ~(Does.RETURN | Does.JUMP)
-            found = Effects(inside.reads - own, inside.writes - own, does)
-            self._summaries[name] = found
+            heads = tuple(
+                self.linked(callee).head if callee in self.functions else None
+                for callee in self._callees(function)
+            )
+            table: dict[object, Linked] = self._memo.table("linked functions")
+            found = table.get((function, heads))
+            if found is None:
+                found = table[function, heads] = self._link(function)
+            self._by_name[name] = found
+        return found
+
+    def _link(self, function: n.FunctionDef) -> Linked:
+        inside = self.of(function.body)
+        own = local_names(function)
+        does = inside.does & ~(Does.RETURN | Does.JUMP)
+        effects = Effects(inside.reads - own, inside.writes - own, does)
+        params = tuple((item.writes_back, item.type, item.dims) for item in function.proto.params)
+        head = Head(
+            effects, exposed_in(function, self) - own, overwritten_in(function, self) - own, params
+        )
+        heads: dict[object, Head] = self._memo.table("heads of functions")
+        sets = (effects.reads, effects.writes, head.exposed, head.overwritten)
+        return Linked(function, inside, heads.setdefault((*sets, does.value, params), head))
+
+    def _callees(self, function: n.FunctionDef) -> tuple[str, ...]:
+        """The names of all functions that a function calls, built-in ones too."""
+        table: dict[n.FunctionDef, tuple[str, ...]] = self._memo.table("callees")
+        found = table.get(function)
+        if found is None:
+            calls = (item.name for item in walk(function.body) if isinstance(item, n.Call))
+            found = table[function] = tuple(dict.fromkeys(calls))
         return found
 
     def _own(self, node: n.Node) -> Effects:

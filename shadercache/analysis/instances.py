@@ -6,16 +6,18 @@ expression together with the path of calls that leads to it.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum
 from typing import cast
 
 from shadercache.analysis.effects import EffectTable, out_arguments
-from shadercache.analysis.spine import Spine, Step, order_matters
+from shadercache.analysis.spine import Spine, Step, Trip, counters_of, order_matters
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import EXPRESSIONS, STATEMENTS, children
 from shadercache.diagnostics import input_error
+from shadercache.source import NOWHERE, Source
 
 MAX_INSTANCES = 20_000
 """Call paths are capped here (a call graph of 20 functions calling twice has a million)."""
@@ -42,8 +44,11 @@ class Use(Enum):
 class Place:
     """An expression of a function: its number in source order, its step and its use.
 
+    Only the user's own expressions are numbered: one that was added has the number of the next.
+
     ``order_matters``: the statement that it stands in has side effects, so that nothing may be
-    moved out of it; that is the step, or a statement inside it.
+    moved out of it; that is the step, or a statement inside it. ``trip``: the counters of the
+    unrolled loops that it stands in.
     """
 
     ordinal: int
@@ -51,6 +56,7 @@ class Place:
     step: Step
     use: Use
     order_matters: bool
+    trip: Trip
 
 
 class Places:
@@ -60,8 +66,10 @@ class Places:
         self.function = function
         self.spine = Spine(function, table)
         self.all: list[Place] = []
+        self._own = 0
         for step in self.spine.steps:
             self._visit(step, table)
+        self.unrolled = any(place.trip for place in self.all)
         self.of = {place.expr: place for place in self.all}
         self.calls = [
             (place, place.expr, table.functions[place.expr.name])
@@ -70,16 +78,19 @@ class Places:
         ]
 
     def _visit(self, step: Step, table: EffectTable) -> None:
-        stack: list[tuple[n.Node, Use, bool, bool]] = [(step.stmt, Use.PLAIN, False, False)]
+        stack = [(cast("n.Node", step.stmt), Use.PLAIN, False, False, step.trip)]
         while stack:
-            node, use, target, order = stack.pop()
+            node, use, target, order, trip = stack.pop()
             if isinstance(node, EXPRESSIONS):
                 shown = Use.LVALUE if target else use
-                self.all.append(Place(len(self.all), cast("n.Expr", node), step, shown, order))
+                place = Place(self._own, cast("n.Expr", node), step, shown, order, trip)
+                self.all.append(place)
+                self._own += node.span != NOWHERE
             elif isinstance(node, STATEMENTS):
                 order = order_matters(cast("n.Stmt", node), table)
+                trip += counters_of(node) if isinstance(node, n.Block) else ()
             parts = _parts(node, use, target, table)
-            stack.extend(reversed([(*part, order) for part in parts]))
+            stack.extend(reversed([(*part, order, trip) for part in parts]))
 
 
 def _parts(
@@ -128,8 +139,9 @@ class Instance:
     """A function as reached by one path of calls.
 
     ``label`` is the path as people read it (``main > marble > noise@2``: the second call of
-    ``noise`` in ``marble``). ``use``, ``after_exit`` and ``order_matters`` say what holds for the
-    call itself or for any call above it.
+    ``noise`` in ``marble``; ``main [i=3] > noise@4`` in an unrolled loop). ``use``, ``after_exit``
+    and ``order_matters`` say what holds for the call itself or for any call above it, ``unrolled``
+    whether a loop of this function or of one above it was unrolled.
     """
 
     index: int
@@ -141,6 +153,7 @@ class Instance:
     use: Use
     after_exit: bool
     order_matters: bool
+    unrolled: bool
 
     @property
     def path(self) -> tuple[n.Call, ...]:
@@ -150,7 +163,7 @@ class Instance:
         return (*self.parent.path, self.call)
 
 
-def find_instances(table: EffectTable) -> tuple[Instance, ...]:
+def find_instances(table: EffectTable, source: Source) -> tuple[Instance, ...]:
     """All instances reached from ``main``, callers before callees, in order of evaluation text.
 
     Raises :class:`InputError` SC401 where there are more than :data:`MAX_INSTANCES`, or where they
@@ -162,10 +175,11 @@ def find_instances(table: EffectTable) -> tuple[Instance, ...]:
         raise input_error(
             "SC401", f"the shader has {count} call paths; at most {MAX_INSTANCES} are analysed"
         )
-    main = Instance(0, places["main"], None, None, None, "main", Use.PLAIN, False, False)
+    top = places["main"]
+    main = Instance(0, top, None, None, None, "main", Use.PLAIN, False, False, top.unrolled)
     found = [main]
     for instance in found:  # grows while it runs
-        found.extend(_callees(instance, places, len(found)))
+        found.extend(_callees(instance, places, len(found), source))
     _check_total("expressions", sum(len(item.places.all) for item in found), MAX_NODES)
     _check_total("statements", sum(len(item.places.spine.steps) for item in found), MAX_STEPS)
     return tuple(found)
@@ -185,7 +199,9 @@ def _count(name: str, table: EffectTable, places: dict[str, Places], counts: dic
     return counts[name]
 
 
-def _callees(caller: Instance, places: dict[str, Places], first: int) -> Iterator[Instance]:
+def _callees(
+    caller: Instance, places: dict[str, Places], first: int, source: Source
+) -> Iterator[Instance]:
     total: dict[str, int] = {}
     for _, _, callee in caller.places.calls:
         total[callee.name] = total.get(callee.name, 0) + 1
@@ -199,11 +215,33 @@ def _callees(caller: Instance, places: dict[str, Places], first: int) -> Iterato
             parent=caller,
             call=call,
             place=place,
-            label=f"{caller.label} > {callee.name}{suffix}",
+            label=f"{path_to(caller, place, source)} > {callee.name}{suffix}",
             use=_worse(caller.use, place.use),
             after_exit=caller.after_exit or place.step.after_exit,
             order_matters=caller.order_matters or place.order_matters,
+            unrolled=caller.unrolled or places[callee.name].unrolled,
         )
+
+
+def path_to(instance: Instance, place: Place, source: Source) -> str:
+    """The path to an expression as people read it, with its trip: ``main [i=3, j=2]``."""
+    trip = ", ".join(f"{_user_name(item, source)}={_number(item.init)}" for item in place.trip)
+    return f"{instance.label} [{trip}]" if trip else instance.label
+
+
+def _user_name(item: n.Declarator, source: Source) -> str:
+    """A variable's name in the source; each trip has one of its own by now."""
+    found = re.match(r"\w+", source.excerpt(item.span))
+    return found[0] if found and item.name.startswith(found[0]) else item.name
+
+
+def _number(init: n.Expr | None) -> str:
+    match init:
+        case n.Literal(text=text):
+            return text
+        case n.Unary(op="-", operand=n.Literal(text=text)):
+            return f"-{text}"
+    raise AssertionError("a trip begins with the values of its counters")
 
 
 def _worse(one: Use, other: Use) -> Use:

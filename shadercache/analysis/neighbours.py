@@ -38,6 +38,15 @@ class SharedUse:
     """The expressions of its own statement that flow into it."""
 
 
+def evaluation_order(use: SharedUse) -> tuple[int, int]:
+    """A key to sort uses by: whatever one of them depends on comes before it.
+
+    A use depends on more steps than any use among its operands; in one expression the operand has
+    the higher number.
+    """
+    return use.operands.atoms.bit_count(), -use.place.ordinal
+
+
 class Dependents:
     """Whether values flow into certain places of a program.
 
@@ -107,9 +116,7 @@ class SharedUses:
         """
         below = {item for item in walk(place.expr) if isinstance(item, n.Call)}
         chosen = [use for use in self.all if self._is_inside(use, instance, below, found)]
-        # A use depends on more steps than any use among its operands; in one expression the
-        # operand has the higher number.
-        return sorted(chosen, key=lambda u: (u.operands.atoms.bit_count(), -u.place.ordinal))
+        return sorted(chosen, key=evaluation_order)
 
     def _of_instance(self, instance: Instance) -> list[SharedUse]:
         found = []

@@ -20,6 +20,7 @@ MAX_PAIRS = 50_000_000
 MAX_DEPTH = 500
 """Functions that may call one another in a row."""
 
+_OTHER_PLACES = ("origin_upper_left", "pixel_center_integer")
 _BUILTIN_OUTPUTS = ("gl_FragColor", "gl_FragData", "gl_FragDepth", "gl_SampleMask")
 
 
@@ -60,7 +61,8 @@ def find_color(module: n.Module, source: Source) -> str:
 
     Raises :class:`InputError` where it has none or several (SC403), writes a built-in output
     (SC404), asks for early fragment tests (SC405: the first pass must not write depth for a
-    fragment that it discards), or uses memory that others write (SC413).
+    fragment that it discards), uses memory that others write (SC413), or counts pixels in another
+    way (SC420).
     """
     problems = list(_unsupported(module, source))
     outputs = [
@@ -104,7 +106,8 @@ def _interface(module: n.Module, word: str) -> Iterator[tuple[str, str, n.Node]]
     for decl in module.decls:
         if isinstance(decl, n.VarDecl) and decl.qualifiers.has(word):
             for item in decl.declarators:
-                yield item.name, decl.type.name, item
+                if not item.name.startswith("gl_"):
+                    yield item.name, decl.type.name, item
         elif isinstance(decl, n.BlockDecl) and decl.qualifiers.has(word):
             yield decl.name, "block", decl
 
@@ -121,6 +124,10 @@ def _unsupported(module: n.Module, source: Source) -> Iterator[Diagnostic]:
         elif isinstance(node, n.LayoutItem) and node.name == "early_fragment_tests":
             message = "a shader with early_fragment_tests cannot be cached: its first pass discards"
             yield Diagnostic("SC405", message, source, node.span)
+        elif isinstance(node, n.LayoutItem) and node.name in _OTHER_PLACES:
+            message = f"a shader with {node.name} cannot be cached: variants find texels by"
+            message += " gl_FragCoord as it is without"
+            yield Diagnostic("SC420", message, source, node.span)
 
 
 def _uses_memory(node: n.Node, own: set[str]) -> bool:

@@ -10,10 +10,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from typing import TypeAlias
 
 from shadercache.analysis.effects import Does, Effects, EffectTable, local_names
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import children
+from shadercache.source import NOWHERE
+
+Trip: TypeAlias = tuple[n.Declarator, ...]
+"""The counters of a trip of an unrolled loop, as declared there, outermost loop first."""
 
 CONTROL = (n.If, n.Switch, n.For, n.While, n.DoWhile)
 
@@ -23,13 +28,14 @@ class Step:
     """One unconditional statement.
 
     ``after_exit``: an earlier statement may have left the function or discarded the fragment, so
-    that this one is not always reached.
+    that this one is not always reached. ``trip``: the counters of the unrolled loops it stands in.
     """
 
     index: int
     stmt: n.Stmt
     effects: Effects
     after_exit: bool
+    trip: Trip = ()
 
     @property
     def is_control(self) -> bool:
@@ -53,22 +59,39 @@ class Spine:
 
     def _collect(self, stmts: Iterable[n.Stmt], table: EffectTable) -> None:
         left = False
-        for stmt in _flatten(stmts):
+        for stmt, trip in _flatten(stmts):
             effects = table.of(stmt)
             index = len(self.steps)
-            self.steps.append(Step(index, stmt, effects, left))
+            self.steps.append(Step(index, stmt, effects, left, trip))
             kills = _overwrites(stmt)
             for name in effects.writes | kills:
                 self._writes.setdefault(name, []).append((index, name in kills))
             left = left or bool(effects.does & (Does.RETURN | Does.DISCARD))
 
 
-def _flatten(stmts: Iterable[n.Stmt]) -> Iterator[n.Stmt]:
+def _flatten(stmts: Iterable[n.Stmt], trip: Trip = ()) -> Iterator[tuple[n.Stmt, Trip]]:
     for stmt in stmts:
         if isinstance(stmt, n.Block):
-            yield from _flatten(stmt.body)
+            yield from _flatten(stmt.body, trip + counters_of(stmt))
         else:
-            yield stmt
+            yield stmt, trip
+
+
+def counters_of(block: n.Block) -> Trip:
+    """The counters that a block begins with if it is a trip of an unrolled loop.
+
+    The statement that declares them was added, but their names are the user's
+    (:mod:`shadercache.transform.unroll`).
+    """
+    found: list[n.Declarator] = []
+    for stmt in block.body:
+        match stmt:
+            case n.DeclStmt(span=span, decl=n.VarDecl(declarators=(item,))) if span == NOWHERE:
+                if item.span != NOWHERE:
+                    found.append(item)
+                    continue
+        break
+    return tuple(found)
 
 
 def _overwrites(stmt: n.Stmt) -> frozenset[str]:

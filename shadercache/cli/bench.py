@@ -23,8 +23,10 @@ from shadercache.cli.reading import (
     DefineOption,
     DialectOption,
     IncludeOption,
+    MappingOption,
     TokensOption,
     UndefineOption,
+    UnrollOption,
     read_options,
 )
 from shadercache.cli.scenes import choose_nodes, find_scene, split_list
@@ -38,10 +40,14 @@ if TYPE_CHECKING:
 
 
 def command(
-    target: Annotated[str, typer.Argument(metavar="SCENE", help="Scene file, folder or name.")],
+    target: Annotated[
+        str, typer.Argument(metavar="SCENE|FRAG", help="Scene, or a full-screen shader.")
+    ],
     nodes: Annotated[
         list[str] | None,
-        typer.Option(metavar="IDS", help="Only these nodes (ids or the scene's names)."),
+        typer.Option(
+            metavar="IDS", help="Only these nodes (ids or the scene's names; a+b is a set)."
+        ),
     ] = None,
     every_node: Annotated[
         bool, typer.Option("--every-node", help="Also nodes of the same value as another.")
@@ -64,7 +70,9 @@ def command(
     undefine: UndefineOption = None,
     include: IncludeOption = None,
     dialect: DialectOption = "glsl",
+    mapping: MappingOption = None,
     max_tokens: TokensOption = MAX_TOKENS,
+    unroll: UnrollOption = False,
     out: Annotated[
         Path,
         typer.Option(
@@ -85,33 +93,32 @@ def command(
     from shadercache.harness.context import open_context
     from shadercache.harness.measure import measure
     from shadercache.harness.measurement import MeasureOptions
-    from shadercache.harness.mesh import load_mesh
+    from shadercache.harness.mesh import replacement_mesh
     from shadercache.harness.results import environment, to_json
-    from shadercache.harness.scene import load_scene
-    from shadercache.harness.shaders import analyse_scene
+    from shadercache.harness.shaders import open_scene
     from shadercache.harness.sweep import make_entry
 
     algorithms, extent = parse_passes(passes), parse_size(size)
     choices = [(n, k) for n in parse_periods(period) for k in parse_blocks(block)]
-    scene = load_scene(find_scene(target))
-    reading = read_options(define, undefine, include, dialect, max_tokens)
-    scene, analysis = analyse_scene(scene, reading)
+    reading = read_options(define, undefine, include, dialect, max_tokens, unroll)
+    scene, analysis = open_scene(find_scene(target), reading, mapping)
     equal: dict[Candidate, int] = {}
+    chosen: list[tuple[str, tuple[Candidate, ...]]]
     if nodes:
         chosen = choose_nodes(scene, analysis, split_list(nodes))
     else:
         offered = [node for node in analysis.nodes if node.offered]
         equal = one_of_each(offered, analysis.groups)
-        chosen = [(node.id, node) for node in (offered if every_node else equal)]
+        chosen = [(node.id, (node,)) for node in (offered if every_node else equal)]
     options = Options(cache_format=cache_format, epsilon=epsilon)
     entries = [
         replace(
-            make_entry(analysis, label, node, options, algorithms, unprofitable=True),
-            equal=1 if every_node else equal.get(node, 1),
+            make_entry(analysis, label, found, options, algorithms, unprofitable=True),
+            equal=1 if every_node else equal.get(found[0], 1),
         )
-        for label, node in chosen
+        for label, found in chosen
     ]
-    replacement = load_mesh(mesh) if mesh else None
+    replacement = replacement_mesh(scene, mesh)
     reports: list[dict[str, Any]] = []
     with open_context() as gpu:
         where = environment(gpu)

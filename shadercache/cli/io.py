@@ -48,17 +48,17 @@ def read_source(path: str) -> Source:
         raise _not_utf8(name, data, error) from None
 
 
-def read_pair(fragment: str, vertex: str | None) -> tuple[Source, Source]:
-    """A fragment shader and its vertex shader, by default the ``.vert`` file beside it.
+def read_pair(fragment: str, vertex: str | None) -> tuple[Source, Source | None]:
+    """A fragment shader and its vertex shader, by default the ``.vert`` file beside it, if any.
 
     Raises:
         InputError: SC001, a file cannot be read.
-        UsageError: SC005, there is no vertex shader, or both are stdin.
+        UsageError: SC005, both are stdin.
     """
     if vertex is None:
         beside = Path(fragment).with_suffix(".vert") if fragment not in ("-", "") else None
         if beside is None or not beside.is_file():
-            raise usage_error("SC005", "the vertex shader is missing", hint="name it with --vert")
+            return read_source(fragment), None
         vertex = str(beside)
     if fragment == vertex == "-":
         raise usage_error("SC005", "only one of the two shaders can come from stdin")

@@ -15,18 +15,26 @@ from shadercache.cli.reading import (
     DefineOption,
     DialectOption,
     IncludeOption,
+    MappingOption,
     TokensOption,
     UndefineOption,
+    UnrollOption,
     read_options,
 )
 from shadercache.cli.scenes import find_scene
 from shadercache.cli.tables import format_table, shorten, terminal_width
 from shadercache.front.options import MAX_TOKENS
+from shadercache.options import PREVIOUS_CLIP
 
 if TYPE_CHECKING:
     from shadercache.analysis.candidates import Candidate
     from shadercache.compiler import Analysis
 
+MAPPINGS = {
+    "surface": "a value is reused on the same point of a surface",
+    "screen": "a value is reused at the same pixel; exact while its uniforms and textures stay",
+    "user": f"a value is reused from where {PREVIOUS_CLIP}() says",
+}
 HEADER = ("id", "path", "at", "type", "cost", "P/T", "twice", "verdict", "inputs", "text")
 CHANGES = "changes with"
 INPUTS_WIDTH = 24
@@ -34,6 +42,7 @@ TEXT_WIDTH = 60
 
 
 def command(
+    context: typer.Context,
     fragment: Annotated[str, typer.Argument(metavar="FRAG", help="Fragment shader; - is stdin.")],
     vert: Annotated[
         str | None, typer.Option(metavar="FILE", help="Vertex shader that goes with it.")
@@ -52,7 +61,9 @@ def command(
     undefine: UndefineOption = None,
     include: IncludeOption = None,
     dialect: DialectOption = "glsl",
+    mapping: MappingOption = None,
     max_tokens: TokensOption = MAX_TOKENS,
+    unroll: UnrollOption = False,
     as_json: Annotated[bool, typer.Option("--json", help="The same as JSON.")] = False,
 ) -> None:
     """List every value of a shader, its cost, and whether it may be cached.
@@ -68,22 +79,26 @@ def command(
     from shadercache.compiler import analyse
     from shadercache.harness.scene import load_scene
 
-    options = read_options(define, undefine, include, dialect, max_tokens)
+    options = read_options(define, undefine, include, dialect, max_tokens, unroll)
     source = read_source(fragment)
-    analysis = analyse(source, read_source(vert) if vert else None, options)
+    given = load_scene(find_scene(scene)) if scene else None
+    mapping = mapping or (given.mapping if given else None)
+    analysis = analyse(source, read_source(vert) if vert else None, options, mapping)
+    context.obj.show(analysis.kept_loops)
     nodes = analysis.nodes
-    changes = load_scene(find_scene(scene)).changes if scene else None
+    changes = given.changes if given else None
     shown = [node for node in nodes if node.offered or not offered]
     if sort == "ratio":
         shown.sort(key=lambda node: node.ratio)
     if as_json:
         found = [_as_json(analysis, node, changes) for node in shown]
-        print(json.dumps({"nodes": found}, indent=1))
+        print(json.dumps({"mapping": analysis.mapping, "nodes": found}, indent=1))
         return
     rows = [_row(analysis, node, changes) for node in shown]
     header = HEADER if changes is None else (*HEADER[:-1], CHANGES, HEADER[-1])
     print(format_table(header, rows, right="at cost P/T twice", width=terminal_width()))
     print(f"\n{_summary(nodes)}")
+    print(f"\nmapping: {analysis.mapping}, {MAPPINGS[analysis.mapping]}")
 
 
 def _changes(node: Candidate, changes: Mapping[str, str]) -> dict[str, list[str]]:
@@ -123,6 +138,7 @@ def _as_json(
     line, column = source.position(node.expr.span.start)
     end_line, end_column = source.position(node.expr.span.end)
     refusal = node.refusal
+    unchanged = analysis.unchanged_for(node)
     return {
         "id": node.id,
         "path": node.path,
@@ -135,6 +151,7 @@ def _as_json(
         "ratio": node.ratio,
         "passes": asdict(analysis.parts(node)) if node.legal else None,
         "inputs": sorted(node.inputs),
+        **({} if unchanged is None else {"exact_while_unchanged": list(unchanged)}),
         "depends_on": by_kind(node.inputs, analysis.input_kinds),
         **({} if changes is None else {"changes_with": _changes(node, changes)}),
         "group": analysis.groups[node].first.id,

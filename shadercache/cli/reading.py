@@ -11,6 +11,7 @@ import typer
 
 from shadercache.diagnostics import usage_error
 from shadercache.front.options import MAX_TOKENS, Dialect, ReadOptions
+from shadercache.options import MappingKind
 
 _NAME = re.compile(r"[A-Za-z_]\w*(\([^()]*\))?", re.ASCII)
 _FIXED = frozenset(("defined", "__LINE__", "__FILE__", "__VERSION__"))
@@ -35,8 +36,19 @@ DialectOption: TypeAlias = Annotated[
     Dialect,
     typer.Option(help="auto takes a file with mainImage and without main for Shadertoy's."),
 ]
+MappingOption: TypeAlias = Annotated[
+    MappingKind | None,
+    typer.Option(
+        help="Where reused values lie: on the surface (where there is one), at the same pixel of "
+        "the screen, or where the shader's scPreviousClip() says."
+    ),
+]
 TokensOption: TypeAlias = Annotated[
     int, typer.Option(min=1, metavar="N", help="Tokens a shader may have, macros expanded.")
+]
+UnrollOption: TypeAlias = Annotated[
+    bool,
+    typer.Option("--unroll", help="Take loops of few trips apart; their sums are nodes."),
 ]
 
 
@@ -46,6 +58,7 @@ def read_options(
     include: Sequence[Path] | None = None,
     dialect: Dialect = "glsl",
     max_tokens: int = MAX_TOKENS,
+    unroll: bool = False,
 ) -> ReadOptions:
     """What the options ask for. Of two definitions of a macro the later one holds.
 
@@ -65,6 +78,7 @@ def read_options(
         include_folders=tuple(include or ()),
         max_tokens=max_tokens,
         dialect=dialect,
+        unroll=unroll,
     )
 
 

@@ -1,4 +1,4 @@
-"""``shadercache rewrite``: the variants that cache one node, and the manifest for the engine."""
+"""``shadercache rewrite``: the variants that cache a node or a set, and the engine's manifest."""
 
 from __future__ import annotations
 
@@ -13,10 +13,13 @@ from shadercache.cli.reading import (
     DefineOption,
     DialectOption,
     IncludeOption,
+    MappingOption,
     TokensOption,
     UndefineOption,
+    UnrollOption,
     read_options,
 )
+from shadercache.diagnostics import usage_error
 from shadercache.front.options import MAX_TOKENS
 from shadercache.options import ALGORITHMS, CacheFormat, Mode, Options
 
@@ -27,7 +30,10 @@ if TYPE_CHECKING:
 def command(
     context: typer.Context,
     fragment: Annotated[str, typer.Argument(metavar="FRAG", help="Fragment shader; - is stdin.")],
-    node: Annotated[str, typer.Option(metavar="ID", help="The node to cache, from 'nodes'.")],
+    node: Annotated[
+        list[str],
+        typer.Option(metavar="ID", help="The node to cache, from 'nodes'; several are one set."),
+    ],
     out: Annotated[
         Path,
         typer.Option("-o", "--output", metavar="DIR", parser=folder, help="Folder to write."),
@@ -46,31 +52,38 @@ def command(
         Mode, typer.Option(help="proof pins the arithmetic down (#version 400, 320 es).")
     ] = "plain",
     unprofitable: Annotated[
-        bool, typer.Option("--unprofitable", help="Also a node that costs less than a fetch.")
+        bool, typer.Option("--unprofitable", help="Also nodes that cost less than a fetch.")
     ] = False,
     define: DefineOption = None,
     undefine: UndefineOption = None,
     include: IncludeOption = None,
     dialect: DialectOption = "glsl",
+    mapping: MappingOption = None,
     max_tokens: TokensOption = MAX_TOKENS,
+    unroll: UnrollOption = False,
 ) -> None:
-    """Write the shaders that cache one node, and how to run them.
+    """Write the shaders that cache one node, or several together, and how to run them.
 
-    How to run them is in manifest.json, which is written last.
+    Several nodes (--node A --node B, or A+B) share the texels of one cache, the look-up and the
+    refresh: up to seven channels in all. How to run them is in manifest.json, which is written
+    last.
     """
     from shadercache.compiler import analyse, rewrite
 
-    options = read_options(define, undefine, include, dialect, max_tokens)
-    analysis = analyse(*read_pair(fragment, vert), options)
+    options = read_options(define, undefine, include, dialect, max_tokens, unroll)
+    analysis = analyse(*read_pair(fragment, vert), options, mapping)
+    if analysis.vertex is None and not analysis.full_screen:
+        hint = "name it with --vert, or draw full-screen with --mapping screen"
+        raise usage_error("SC005", "the vertex shader is missing", hint)
     emission = rewrite(
         analysis,
-        analysis.node(node),
+        analysis.nodes_of("+".join(node)),
         Options(mode=mode, cache_format=cache_format),
         algorithms=ALGORITHMS if passes == "all" else (int(passes),),
         unprofitable=unprofitable,
     )
     _write(emission, out)
-    context.obj.show(analysis.notes)
+    context.obj.show((*analysis.notes, *emission.notes))
     print(f"wrote {len(emission.files)} shaders and {MANIFEST} to {out}")
 
 

@@ -1,4 +1,4 @@
-"""``shadercache run``: render one variant of one node, with the original beside it."""
+"""``shadercache run``: render one variant of a node or set of nodes beside the original."""
 
 from __future__ import annotations
 
@@ -21,8 +21,10 @@ from shadercache.cli.reading import (
     DefineOption,
     DialectOption,
     IncludeOption,
+    MappingOption,
     TokensOption,
     UndefineOption,
+    UnrollOption,
     read_options,
 )
 from shadercache.cli.scenes import choose_nodes, find_scene
@@ -31,8 +33,13 @@ from shadercache.options import DEFAULT_EPSILON, CacheFormat, Options
 
 
 def command(
-    target: Annotated[str, typer.Argument(metavar="SCENE", help="Scene file, folder or name.")],
-    node: Annotated[str, typer.Option(metavar="ID", help="Node id, or a name from the scene.")],
+    target: Annotated[
+        str, typer.Argument(metavar="SCENE|FRAG", help="Scene, or a full-screen shader.")
+    ],
+    node: Annotated[
+        list[str],
+        typer.Option(metavar="ID", help="Node id, or a name from the scene; several are one set."),
+    ],
     passes: Annotated[int, typer.Option(min=1, max=3, help="Passes of the variant.")] = 2,
     frame: Annotated[
         int, typer.Option(min=1, max=65_535, help="Frame whose pictures are written.")
@@ -50,13 +57,15 @@ def command(
         Path | None, typer.Option(metavar="FILE", help="Draw this mesh (.npz) instead.")
     ] = None,
     unprofitable: Annotated[
-        bool, typer.Option("--unprofitable", help="Also a node that costs less than a fetch.")
+        bool, typer.Option("--unprofitable", help="Also nodes that cost less than a fetch.")
     ] = False,
     define: DefineOption = None,
     undefine: UndefineOption = None,
     include: IncludeOption = None,
     dialect: DialectOption = "glsl",
+    mapping: MappingOption = None,
     max_tokens: TokensOption = MAX_TOKENS,
+    unroll: UnrollOption = False,
     out: Annotated[
         Path,
         typer.Option(
@@ -68,21 +77,19 @@ def command(
     from shadercache.harness.context import open_context
     from shadercache.harness.measure import measure
     from shadercache.harness.measurement import MeasureOptions
-    from shadercache.harness.mesh import load_mesh
-    from shadercache.harness.scene import load_scene
-    from shadercache.harness.shaders import analyse_scene
+    from shadercache.harness.mesh import replacement_mesh
+    from shadercache.harness.shaders import open_scene
     from shadercache.harness.sweep import make_entry
 
     extent = parse_size(size)
     every, edge = parse_periods(str(period))[0], parse_blocks(str(block))[0]
-    scene = load_scene(find_scene(target))
-    reading = read_options(define, undefine, include, dialect, max_tokens)
-    scene, analysis = analyse_scene(scene, reading)
-    [(label, chosen)] = choose_nodes(scene, analysis, [node])
+    reading = read_options(define, undefine, include, dialect, max_tokens, unroll)
+    scene, analysis = open_scene(find_scene(target), reading, mapping)
+    [(label, chosen)] = choose_nodes(scene, analysis, ["+".join(node)])
     options = Options(cache_format=cache_format, epsilon=epsilon)
     entry = make_entry(analysis, label, chosen, options, (passes,), unprofitable=unprofitable)
     how = MeasureOptions(extent, frame + 1, period=every, block=edge, picture_frame=frame)
-    replacement = load_mesh(mesh) if mesh else None
+    replacement = replacement_mesh(scene, mesh)
     with open_context() as gpu, step_progress(f"running {label}") as tell:
         found = measure(gpu, scene, [entry], how, tell, replacement)
     print(f"{summary(found)}\n\n{result_table(found, lambda item: item.label)}\n")

@@ -20,14 +20,16 @@ SCENE_FILE = "scene.toml"
 def find_scene(target: str) -> Path:
     """The scene file meant by ``target``.
 
-    That is a scene file, its folder, a fragment shader with a scene file beside it, or the name
-    of a scene that comes with shadercache. Raises :class:`UsageError` SC006 if there is none.
+    That is a scene file, its folder, a fragment shader with a scene file of its own beside it, or
+    the name of a scene that comes with shadercache. A fragment shader without a scene stands for
+    itself, since it may be a full-screen shader. Raises :class:`UsageError` SC006 if there is none.
     """
     path = Path(target)
     if path.is_dir():
         path = path / SCENE_FILE
-    elif path.suffix == ".frag" and path.is_file():
-        path = path.with_name(SCENE_FILE)
+    elif path.suffix != ".toml" and path.is_file():
+        beside = path.with_name(SCENE_FILE)
+        return beside if beside.is_file() and _names(beside, path) else path
     elif not path.exists() and path.name == target and not path.suffix:
         path = data_path("corpus", target, SCENE_FILE)
     if path.is_file():
@@ -37,14 +39,25 @@ def find_scene(target: str) -> Path:
     raise usage_error("SC006", f"no scene is meant by '{target}'", hint)
 
 
+def _names(scene: Path, fragment: Path) -> bool:
+    """Is it the scene of this fragment shader?"""
+    from shadercache.harness.scene import load_scene
+
+    return load_scene(scene).fragment.samefile(fragment)
+
+
 def choose_nodes(
     scene: Scene, analysis: Analysis, wanted: Sequence[str]
-) -> list[tuple[str, Candidate]]:
-    """Label and node for each wanted id, or name from the scene's ``[nodes]``.
+) -> list[tuple[str, tuple[Candidate, ...]]]:
+    """Label and nodes for each wanted id, or name from the scene's ``[nodes]``.
 
-    Raises :class:`UsageError` SC010 or SC011 for a node that does not exist.
+    One of the wanted is a node, or a set of nodes that are cached together: ``a+b``. Raises
+    :class:`UsageError` SC010 or SC011 for a node that does not exist.
     """
-    return [(item, analysis.node(scene.nodes.get(item, item))) for item in wanted]
+    return [
+        (item, analysis.nodes_of("+".join(scene.nodes.get(part, part) for part in item.split("+"))))
+        for item in wanted
+    ]
 
 
 def split_list(values: Iterable[str]) -> list[str]:

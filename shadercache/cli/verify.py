@@ -15,8 +15,10 @@ from shadercache.cli.reading import (
     DefineOption,
     DialectOption,
     IncludeOption,
+    MappingOption,
     TokensOption,
     UndefineOption,
+    UnrollOption,
     read_options,
 )
 from shadercache.cli.scenes import choose_nodes, find_scene
@@ -31,10 +33,14 @@ HEADER = ("node", "path", "laws", "plain: largest", "p99.9", "changed", "text")
 
 def command(
     target: Annotated[
-        str, typer.Argument(metavar="SCENE|FRAG", help="Scene, or a shader beside its scene.")
+        str,
+        typer.Argument(
+            metavar="SCENE|FRAG", help="Scene, a shader beside its scene, or a full-screen shader."
+        ),
     ],
     node: Annotated[
-        list[str] | None, typer.Option(metavar="ID", help="Only this node; may be repeated.")
+        list[str] | None,
+        typer.Option(metavar="ID", help="Only this node, or set A+B; may be repeated."),
     ] = None,
     unprofitable: Annotated[
         bool, typer.Option("--unprofitable", help="Also nodes cheaper than a fetch.")
@@ -46,7 +52,9 @@ def command(
     undefine: UndefineOption = None,
     include: IncludeOption = None,
     dialect: DialectOption = "glsl",
+    mapping: MappingOption = None,
     max_tokens: TokensOption = MAX_TOKENS,
+    unroll: UnrollOption = False,
     jobs: Annotated[
         int, typer.Option("-j", "--jobs", min=0, help="Processes; 0 takes one per core.")
     ] = 0,
@@ -64,20 +72,19 @@ def command(
     from shadercache.harness.context import open_context
     from shadercache.harness.parallel import verify_in_parallel
     from shadercache.harness.results import environment, write_json
-    from shadercache.harness.scene import load_scene
-    from shadercache.harness.shaders import analyse_scene
+    from shadercache.harness.shaders import open_scene
     from shadercache.harness.verify import Verifier
 
-    options = read_options(define, undefine, include, dialect, max_tokens)
+    options = read_options(define, undefine, include, dialect, max_tokens, unroll)
     path = find_scene(target)
-    scene = load_scene(path)
-    scene, analysis = analyse_scene(scene, options)
+    scene, analysis = open_scene(path, options, mapping)
     if node:
         chosen = [found for _, found in choose_nodes(scene, analysis, node)]
     else:
-        chosen = [item for item in analysis.nodes if item.offered or (unprofitable and item.legal)]
-    for item in chosen:
-        analysis.require(item, unprofitable)
+        legal = [item for item in analysis.nodes if item.offered or (unprofitable and item.legal)]
+        chosen = [(item,) for item in legal]
+    for nodes in chosen:
+        analysis.require_all(nodes, unprofitable)
     with open_context() as gpu:
         about = environment(gpu)
         verifier = Verifier(gpu, scene, analysis)
@@ -86,11 +93,12 @@ def command(
     with progress(f"verifying {scene.name}", len(chosen)) as advance:
         verdicts = verify_in_parallel(
             path,
-            [item.id for item in chosen],
+            ["+".join(item.id for item in nodes) for nodes in chosen],
             min(jobs or os.cpu_count() or 1, max(1, len(chosen))),
             plain,
             lambda _: advance(1),
             options,
+            mapping,
         )
     report = _report(scene.name, about, round_trip, ties, verdicts)
     if output is not None:

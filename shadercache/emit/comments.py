@@ -27,6 +27,22 @@ class Comments:
         """Is any left?"""
         return bool(self._left)
 
+    def anew(self) -> Comments:
+        """All the comments of the module, none of them printed."""
+        return Comments(self._all)
+
+    @property
+    def taken(self) -> frozenset[int]:
+        """Where those begin that are printed."""
+        return frozenset(self._starts) - self._left
+
+    def take_all(self, starts: frozenset[int]) -> bool:
+        """Count these as printed, if all of them are left; else say no."""
+        if not starts <= self._left:
+            return False
+        self._left -= starts
+        return True
+
     def before(self, offset: int) -> list[str]:
         """Those that belong to what begins at an offset."""
         return self._take(self._anchored.get((offset, False), ()))

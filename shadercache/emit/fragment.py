@@ -1,17 +1,19 @@
-"""The fragment shaders of all passes of a node's variants."""
+"""The fragment shaders of all passes of the variants of a node, or of a set of nodes."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 
 from shadercache.analysis.candidates import Candidate, Candidates
 from shadercache.analysis.effects import Does, EffectTable
 from shadercache.analysis.instances import Use
 from shadercache.analysis.loops import decided_loops
-from shadercache.analysis.neighbours import SharedUse
+from shadercache.analysis.neighbours import SharedUse, evaluation_order
 from shadercache.analysis.precision import PrecisionTable
 from shadercache.ast import nodes as n
+from shadercache.ast.memo import Memo
 from shadercache.ast.walk import walk
 from shadercache.emit.assemble import (
     Shader,
@@ -24,13 +26,17 @@ from shadercache.emit.assemble import (
 )
 from shadercache.emit.keep_globals import call_keeping
 from shadercache.emit.layout import Layout
-from shadercache.emit.runtime import load_part, runtime_names
+from shadercache.emit.runtime import Located, load_part, runtime_names
+from shadercache.options import CURRENT_CLIP, MappingKind
 from shadercache.sema.facts import Facts, Symbol
+from shadercache.transform.compound import contract
 from shadercache.transform.drop_parameters import drop_parameters
 from shadercache.transform.drop_results import drop_results
 from shadercache.transform.guard_loops import guard_loops
 from shadercache.transform.names import FreshNames
+from shadercache.transform.reachable import names_in
 from shadercache.transform.remove_dead import remove_dead
+from shadercache.transform.rename import rename
 from shadercache.transform.specialise import Clones, Cut, CutKind, insert_clones, specialise
 
 _LATE = ("passes/here_late", "passes/hit_late")
@@ -41,7 +47,8 @@ _LATE = ("passes/here_late", "passes/hit_late")
 class FragmentProgram:
     """The user's fragment shader, checked and with unique names, and how to extend it.
 
-    ``parsed`` is the same as the user wrote it.
+    ``parsed`` is the same as the user wrote it, ``original`` the one before loops were unrolled;
+    ``memo`` is what its variants share.
     """
 
     parsed: n.Module
@@ -50,25 +57,43 @@ class FragmentProgram:
     candidates: Candidates
     color: str
     prefix: str
+    original: n.Module
+    mapping: MappingKind = "surface"
+    memo: Memo = field(default_factory=Memo)
+
+    @property
+    def unrolled(self) -> bool:
+        """Are there loops that were unrolled?"""
+        return self.original is not self.module
+
+    @property
+    def located(self) -> Located:
+        """How the passes find their texels."""
+        if self.mapping != "user":
+            return Located(self.mapping)
+        functions = (d.name for d in self.module.decls if isinstance(d, n.FunctionDef))
+        return Located(self.mapping, CURRENT_CLIP in functions)
 
 
 class FragmentEmitter:
-    """Makes the passes of one node. Each method returns a finished shader."""
+    """Makes the passes of nodes that are cached together. Each method returns a finished shader."""
 
-    def __init__(self, program: FragmentProgram, node: Candidate) -> None:
-        assert node.instance is not None and node.place is not None
-        self.program, self.node = program, node
-        self.layout = Layout(node.type, program.module.profile == "es")
-        self.precisions = PrecisionTable(program.module, program.facts)
-        self.payload = program.prefix + "payload"
+    def __init__(self, program: FragmentProgram, nodes: Sequence[Candidate]) -> None:
+        self.program, self.nodes = program, tuple(nodes)
+        precisions = PrecisionTable(program.module, program.facts)
+        self.precisions = precisions
+        self.layout = Layout(
+            tuple(node.type for node in nodes),
+            program.module.profile == "es",
+            tuple(precisions.of(node.expr) for node in nodes),
+        )
+        self.payloads = self.layout.variables(program.prefix + "payload")
         stores = ("store", "store_2") if self.layout.second else ("store",)
         self.stores = [program.prefix + name for name in stores]
-        main = program.candidates.instances[0].places.function
-        discards = EffectTable(program.module).of(main.body).does & Does.DISCARD
-        self.whole = node.unsure or bool(discards)
-        """Do fragments do without the payload, so that each pass goes through the shader?"""
-        found = program.candidates.slices.value(node.instance, node.place)
-        self.fetches = program.candidates.derivatives.inside(node.instance, node.place, found)
+        discards = EffectTable(program.module, program.memo).summary("main").does & Does.DISCARD
+        self.whole = any(node.unsure for node in nodes) or bool(discards)
+        """Do fragments do without a payload, so that each pass goes through the shader?"""
+        self.fetches = _fetches(program.candidates, self.nodes)
 
     def one(self) -> Shader:
         """One pass: look up, else compute; then shade."""
@@ -93,16 +118,34 @@ class FragmentEmitter:
         ahead, entries = self._own("fetch_ahead"), [group.entry for group in clones]
         extra: list[n.Decl] = [keep(ahead, entries) if entries else call_all(ahead, ())]
         compute = "compute_only" if kept else "compute"
-        clones.append(self._clone(names, compute, (*cuts, self._node_cut("goal"))))
+        clones.append(self._clone(names, compute, (*cuts, *self._node_cuts("goal"))))
+        if self._only_main_colors():
+            extra.append(variable("vec4", self._own("color"), self._highp))
+            clones = [self._with_own_color(group) for group in clones]
         if kept:
             extra.append(keep(self._own("compute"), [self._own(compute)]))
         clones.append(self._shade("use", names))
         extra += [self._fetched(use.place.expr, name) for use, name in fetched]
         return self._finish("passes/one", clones, extra, both=True)
 
+    def _only_main_colors(self) -> bool:
+        """Is the colour a matter of ``main`` alone?"""
+        functions = (d for d in self.program.module.decls if isinstance(d, n.FunctionDef))
+        return not any(self.program.color in names_in(d) for d in functions if d.name != "main")
+
+    def _with_own_color(self, group: Clones) -> Clones:
+        """The payload's code with a variable for the colour: it goes, with what only feeds it,
+        where the payload does not need it. The output itself would count as needed."""
+        names = {self.program.color: self._own("color")}
+        return replace(group, made=tuple((old, rename(new, names)) for old, new in group.made))
+
+    @property
+    def _highp(self) -> str | None:
+        return "highp" if self.program.module.profile == "es" else None
+
     def _left_changed(self, made: Shader) -> tuple[Symbol, ...]:
         """The user's globals that the payload's code of a one-pass shader changes."""
-        table = EffectTable(made.module)
+        table = EffectTable(made.module, self.program.memo)
         ahead = ("fetch_ahead", "compute")
         entries = [name for name in map(self._own, ahead) if name in table.functions]
         written = frozenset[str]().union(*(table.summary(name).writes for name in entries))
@@ -118,7 +161,7 @@ class FragmentEmitter:
         else:
             early = self._finish("passes/hit", [self._shade("use")], both=True)
         if (
-            not _takes_derivatives(early.module)
+            not self._takes_derivatives(early.module)
             and not _loops_over_arrays(early.module)
             and not self._decides_loops
         ):
@@ -126,6 +169,10 @@ class FragmentEmitter:
         if self.whole:
             return self._finish("passes/here_late", [self._shade("lack")], both=True)
         return self._finish("passes/hit_late", [self._shade("use")], both=True)
+
+    def _takes_derivatives(self, module: n.Module) -> bool:
+        does = EffectTable(module, self.program.memo).summary("main").does
+        return bool(does & (Does.DERIVATIVE | Does.IMPLICIT_LOD))
 
     def miss(self) -> Shader:
         """Two passes, second: the original, keeping the payload."""
@@ -136,7 +183,7 @@ class FragmentEmitter:
         """Three passes, first: carry payloads over. What the shader discards is discarded, and
         where it takes derivatives for that, the misses are discarded behind them."""
         early = self._finish("passes/reuse", [self._shade("use")] if self.whole else [])
-        if not _takes_derivatives(early.module):
+        if not self._takes_derivatives(early.module):
             return early
         return self._finish("passes/reuse_late", [self._shade("use")])
 
@@ -151,7 +198,7 @@ class FragmentEmitter:
         return self._finish("passes/shade", [self._shade("use")], store=False)
 
     def payload_alone(self) -> Shader:
-        """The payload in place of the colour, for the cost of the payload (P of P/T)."""
+        """The payloads in place of the colour, for their cost (P of P/T)."""
         wanted = {self._own("value"): 0}
         clones = [self._shade("keep") if self.whole else self._compute()]
         return self._build("passes/payload_alone", clones, (), wanted)
@@ -162,8 +209,17 @@ class FragmentEmitter:
         clones = [self._shade("keep")] if self.whole else []
         return self._build("passes/hit_mask", clones, (), wanted)
 
+    def unneeded(self) -> tuple[Candidate, ...]:
+        """The nodes that the colour does not need where the others are reused."""
+        named = names_in(self.shade().module)
+        return tuple(
+            node
+            for node, payload in zip(self.nodes, self.payloads, strict=True)
+            if payload not in named
+        )
+
     def unfit(self, passes: int) -> str | None:
-        """Why the node cannot be cached in so many passes, if so."""
+        """Why the nodes cannot be cached in so many passes, if so."""
         if passes == 1:
             return self._unfit_here() if self.whole else self._unfit_ahead()
         if passes == 3 and self._decides_loops:
@@ -175,13 +231,14 @@ class FragmentEmitter:
 
     @cached_property
     def _decides_loops(self) -> bool:
-        """Does the payload decide how long a loop runs?"""
+        """Does a payload decide how long a loop runs?"""
         user = insert_clones(self.program.module, self._shade("use"))
-        return bool(decided_loops(user, (self.payload,)))
+        return bool(decided_loops(user, self.payloads))
 
     def _unfit_here(self) -> str | None:
-        table = EffectTable(self.program.module)
-        if table.of(self.node.expr).does & (Does.DERIVATIVE | Does.IMPLICIT_LOD):
+        table = EffectTable(self.program.module, self.program.memo)
+        shared = Does.DERIVATIVE | Does.IMPLICIT_LOD
+        if any(table.of(node.expr).does & shared for node in self.nodes):
             return (
                 "the value takes derivatives under a condition, and in one pass neighbouring "
                 "fragments would not compute it together"
@@ -216,23 +273,28 @@ class FragmentEmitter:
         return self.program.prefix + name
 
     def _names(self) -> FreshNames:
-        return FreshNames(runtime_names(self.program.prefix))
+        made = {self._own(f"fetch_{i}") for i in range(len(self.fetches))}
+        return FreshNames(runtime_names(self.program.prefix) | made | set(self.payloads))
 
     def _clone(self, names: FreshNames, entry: str, cuts: tuple[Cut, ...]) -> Clones:
         prefix = self.program.prefix
         return specialise(self.program.module, cuts, prefix + entry, names, prefix)
 
     def _shade(self, kind: CutKind, names: FreshNames | None = None) -> Clones:
-        """The whole shader with the node cut out in one way."""
-        return self._clone(names or self._names(), "shade", (self._node_cut(kind),))
+        """The whole shader with the nodes cut out in one way."""
+        return self._clone(names or self._names(), "shade", self._node_cuts(kind))
 
     def _compute(self) -> Clones:
-        """The payload alone."""
-        return self._clone(self._names(), "compute", (self._node_cut("goal"),))
+        """The payloads alone."""
+        return self._clone(self._names(), "compute", self._node_cuts("goal"))
 
-    def _node_cut(self, kind: CutKind) -> Cut:
-        assert self.node.instance is not None
-        return Cut(self.node.instance.path, self.node.expr, self.payload, kind)
+    def _node_cuts(self, kind: CutKind) -> tuple[Cut, ...]:
+        flags = self.layout.variables(self._own("valid"))
+        return tuple(
+            Cut(node.instance.path, node.expr, payload, kind, flag)
+            for node, payload, flag in zip(self.nodes, self.payloads, flags, strict=True)
+            if node.instance is not None
+        )
 
     def _finish(
         self,
@@ -258,21 +320,25 @@ class FragmentEmitter:
         prefix = self.program.prefix
         # ``main`` comes last: GLSL wants functions declared before they are called.
         names = ("lookup", "wide", "store", template)
-        options = (self.layout, prefix, self.precisions.of(self.node.expr), self.whole)
+        options = (self.layout, prefix, self.whole, self.program.located)
         parts = [load_part(name, *options) for name in names]
         user = insert_clones(self.program.module, *clones)
         if template in _LATE and self._decides_loops:
-            user = guard_loops(user, decided_loops(user, (self.payload,)), self._own("lacks"))
+            user = guard_loops(user, decided_loops(user, self.payloads), self._own("lacks"))
         module = merge(self.program.module, without_main(user), extra, *parts)
         made = {clone.name for group in clones for _, clone in group.made}
-        module = _shrink(module, locations, made)
+        module = contract(_shrink(module, locations, made, self.program.memo))
         return interface(with_locations(module, locations))
 
 
-def _takes_derivatives(module: n.Module) -> bool:
-    table = EffectTable(module)
-    does = table.of(table.functions["main"].body).does
-    return bool(does & (Does.DERIVATIVE | Does.IMPLICIT_LOD))
+def _fetches(candidates: Candidates, nodes: Sequence[Candidate]) -> list[SharedUse]:
+    """The derivatives and implicit fetches that the nodes' values need, in order of evaluation."""
+    found: dict[SharedUse, None] = {}
+    for node in nodes:
+        assert node.instance is not None and node.place is not None
+        value = candidates.slices.value(node.instance, node.place)
+        found |= dict.fromkeys(candidates.derivatives.inside(node.instance, node.place, value))
+    return sorted(found, key=evaluation_order)
 
 
 def _loops_over_arrays(module: n.Module) -> bool:
@@ -284,7 +350,7 @@ def _loops_over_arrays(module: n.Module) -> bool:
 
 def exact_original(program: FragmentProgram) -> Shader:
     """The user's shader with unique names and without what it does not need, for proof mode."""
-    module = remove_dead(program.module, (program.color,))
+    module = contract(remove_dead(program.original, (program.color,), program.memo))
     return interface(with_locations(module, {program.color: 0}))
 
 
@@ -292,12 +358,12 @@ def _cut(use: SharedUse, name: str, kind: CutKind) -> Cut:
     return Cut(use.instance.path, use.place.expr, name, kind)
 
 
-def _shrink(module: n.Module, wanted: dict[str, int], clones: set[str]) -> n.Module:
+def _shrink(module: n.Module, wanted: dict[str, int], clones: set[str], memo: Memo) -> n.Module:
     """Remove what is dead; a parameter that nobody reads keeps its argument alive, and a result
     that nobody uses what it is made of: so in turns."""
     while True:
-        module = remove_dead(module, wanted)
-        smaller = drop_parameters(drop_results(module, clones), clones)
+        module = remove_dead(module, wanted, memo)
+        smaller = drop_parameters(drop_results(module, clones, memo), clones, memo)
         if smaller is module:
             return module
         module = smaller

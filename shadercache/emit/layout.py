@@ -1,12 +1,14 @@
-"""How a payload lies in the cache: its scalars in the channels of one or two texels.
+"""How payloads lie in the cache: their scalars in the channels of one or two texels.
 
-Three channels of the first texel and four of the second hold the payload, scalar by scalar in the
-order of a constructor's arguments; the first texel's last channel holds 1/w. What is made of floats
+Three channels of the first texel and four of the second hold the payloads, one behind the other and
+each scalar by scalar in the order of a constructor's arguments; the first texel's last channel
+holds 1/w. What is made of floats
 alone lies in floats and is filtered. As soon as there is an integer or a boolean inside, all lies
 in 32-bit unsigned integers: bits of integers do not survive in float channels, whose NaNs a driver
 may change and whose smallest numbers it may flush to zero (GLSL 4.60 section 4.7.1)::
 
     vec4                   (x, y, z, 1/w) (w)
+    vec2 and vec3          (x, y, x of the other, 1/w) (y, z)
     struct { vec2 a; bool b; }    (bits of a.x, bits of a.y, b, bits of 1/w)
 """
 
@@ -28,70 +30,100 @@ _NARROWEST = {1: "r", 2: "rg", 3: "rgba", 4: "rgba"}
 
 @dataclass(frozen=True)
 class _Leaf:
-    """A scalar or vector of the payload: how it is reached, its type, its first channel."""
+    """A scalar or vector of a payload: how it is reached, its type, its first channel, and the
+    variable that says whether there is such a payload, if one does."""
 
     path: str
     type: Type
     start: int
+    flag: str | None
 
 
 @dataclass(frozen=True)
 class Layout:
-    """Where each scalar of a payload lies. ``type`` has at most seven scalars.
+    """Where each scalar of the payloads lies. ``types`` have at most seven scalars in all.
 
     ``es``: is it for GLSL ES, where integers may have 16 bits until they are made ``highp``?
+    ``precisions`` of the payloads' variables, where they have any.
     """
 
-    type: Type
+    types: tuple[Type, ...]
     es: bool = False
+    precisions: tuple[str | None, ...] = ()
 
     @property
     def bits(self) -> bool:
         """Are the texels unsigned integers?"""
-        return self.type.bases != {"float"}
+        return any(kind.bases != {"float"} for kind in self.types)
+
+    @property
+    def used(self) -> int:
+        """How many channels the payloads take in all."""
+        return sum(kind.components_or_one for kind in self.types)
 
     @property
     def channels(self) -> tuple[int, ...]:
-        """How many channels of each texel the payload takes."""
-        count = self.type.components_or_one
-        return (count,) if count <= FIRST_TEXEL else (FIRST_TEXEL, count - FIRST_TEXEL)
+        """How many channels of each texel the payloads take."""
+        if self.used <= FIRST_TEXEL:
+            return (self.used,)
+        return (FIRST_TEXEL, self.used - FIRST_TEXEL)
+
+    @property
+    def places(self) -> tuple[tuple[str, str], ...]:
+        """The channels of each payload: in the first texel, and in the second."""
+        found: list[tuple[str, str]] = []
+        start = 0
+        for kind in self.types:
+            end = start + kind.components_or_one
+            letters = (_XYZW[:FIRST_TEXEL] + _XYZW)[start:end]
+            split = max(0, FIRST_TEXEL - start)
+            found.append((letters[:split], letters[split:]))
+            start = end
+        return tuple(found)
 
     @property
     def second(self) -> bool:
         """Is there a second texel?"""
         return len(self.channels) == 2
 
-    @property
-    def takes_precision(self) -> bool:
-        """Can a variable of the type be declared with a precision (GLSL ES 3.00 section 4.5.2)?"""
-        return self.type.base in ("float", "int", "uint")
+    def variables(self, name: str) -> tuple[str, ...]:
+        """What is there for each payload: ``name`` itself, or in a set ``name_1``, ``name_2``..."""
+        if len(self.types) == 1:
+            return (name,)
+        return tuple(f"{name}_{number}" for number in range(1, len(self.types) + 1))
 
     def formats(self, cache_format: CacheFormat) -> tuple[str, ...]:
         """The format of each texture; ``cache_format`` decides the precision of floats."""
         kind = "32ui" if self.bits else cache_format.removeprefix("rgba")
         return (f"rgba{kind}", *(_NARROWEST[n] + kind for n in self.channels[1:]))
 
-    def macros(self, prefix: str) -> dict[str, str]:
+    def macros(self, prefix: str, whole: bool = False) -> dict[str, str]:
         """The macros of the ``.glsl`` files, where all names have that prefix.
 
-        Theirs do not have it: it is still to be put before them, in capitals.
+        Theirs do not have it: it is still to be put before them, in capitals. ``whole``: not every
+        fragment has the payloads.
         """
-        leaves = list(_leaves(self.type, f"{prefix}payload", 0))
+        flags = self.variables(f"{prefix}valid")
+        masked = whole and len(self.types) > 1
+        leaves = self._leaves(prefix, masked)
         # A constructor must not be hidden by a variable of the function that it stands in.
         names = [f"{prefix}local_{i}" for i in (1, 2, 3)] if self.structs else _LOCALS
-        zero = "0u" if self.bits else "0.0"
-        used = self.type.components_or_one
         found = {
             "TARGETS": str(len(self.channels)),
             "BITS": str(int(self.bits)),
-            "PAYLOAD": str(self.type),
-            "UNPACKED": self._unpacked(self.type, iter(leaves), names),
+            "WHOLE": str(int(whole)),
+            "MASKED": str(int(masked)),
+            "DECLARE_PAYLOADS": "; ".join(self._declared(prefix)),
+            "UNPACK": "; ".join(self._assigned(prefix, leaves, names)),
+            "DECLARE_VALID": "; ".join(f"bool {flag} = false" for flag in flags),
+            "SET_VALID(value)": "; ".join(f"{flag} = value" for flag in flags),
+            "VALID": " && ".join(flags),
             **{f"LOCAL_{number}": name for number, name in enumerate(names, start=1)},
         }
         for number, (start, end) in enumerate(
             ((0, FIRST_TEXEL), (FIRST_TEXEL, FIRST_TEXEL + SECOND_TEXEL)), start=1
         ):
-            padding = [zero] * (end - max(start, min(end, used)))
+            padding = [self._zero(1)] * (end - max(start, min(end, self.used)))
             found[f"PACKED_{number}"] = ", ".join(
                 [*self._packed(leaves, start, end, prefix), *padding]
             )
@@ -100,13 +132,39 @@ class Layout:
             marks = ("0xFFFFFFFFu" if mark else "0u" for mark in discrete)
             found[f"DISCRETE_{number}"] = f"uvec4({', '.join(marks)})"
         if len(leaves) == 1 and not self.bits and not self.second:
-            found["CHANNELS"] = _XYZW[:used]
+            found["CHANNELS"] = _XYZW[: self.used]
         return found
+
+    def _leaves(self, prefix: str, masked: bool) -> list[_Leaf]:
+        found: list[_Leaf] = []
+        start = 0
+        names = zip(
+            self.variables(f"{prefix}payload"), self.variables(f"{prefix}valid"), strict=True
+        )
+        for kind, (name, flag) in zip(self.types, names, strict=True):
+            found += _leaves(kind, name, start, flag if masked else None)
+            start += kind.components_or_one
+        return found
+
+    def _declared(self, prefix: str) -> Iterator[str]:
+        """The declaration of each payload's variable."""
+        names = self.variables(f"{prefix}payload")
+        precisions = self.precisions or (None,) * len(names)
+        for kind, name, precision in zip(self.types, names, precisions, strict=True):
+            # GLSL ES 3.00 section 4.5.2: only numbers have a precision.
+            takes = precision and kind.base in ("float", "int", "uint")
+            yield f"{precision} {kind} {name}" if takes else f"{kind} {name}"
+
+    def _assigned(self, prefix: str, leaves: list[_Leaf], names: list[str]) -> Iterator[str]:
+        """The assignment of each payload from the texels."""
+        rest = iter(leaves)
+        for kind, name in zip(self.types, self.variables(f"{prefix}payload"), strict=True):
+            yield f"{name} = {self._unpacked(kind, rest, names)}"
 
     @cached_property
     def structs(self) -> tuple[str, ...]:
-        """The names of the structs that the payload is made of."""
-        return tuple(dict.fromkeys(_structs(self.type)))
+        """The names of the structs that the payloads are made of."""
+        return tuple(dict.fromkeys(name for kind in self.types for name in _structs(kind)))
 
     def _packed(self, leaves: list[_Leaf], start: int, end: int, prefix: str) -> list[str]:
         """The channels from ``start`` to ``end``, those of one vector together."""
@@ -121,8 +179,14 @@ class Layout:
                 text += "." + "".join(_XYZW[i] for i in inside)
             if self.es and leaf.type.base == "int":
                 text = f"{prefix}wide_{len(inside)}({text})"
-            parts.append(self._to_channel(text, leaf.type.base, len(inside)))
+            text = self._to_channel(text, leaf.type.base, len(inside))
+            parts.append(f"{leaf.flag} ? {text} : {self._zero(len(inside))}" if leaf.flag else text)
         return parts
+
+    def _zero(self, count: int) -> str:
+        """What lies in so many channels that hold nothing."""
+        zero, vector = ("0u", "uvec") if self.bits else ("0.0", "vec")
+        return zero if count == 1 else f"{vector}{count}({zero})"
 
     def _to_channel(self, text: str, base: str | None, count: int) -> str:
         if not self.bits or base == "uint":
@@ -166,7 +230,7 @@ def _discrete(leaves: list[_Leaf], start: int, end: int) -> list[bool]:
     return marks
 
 
-def _leaves(kind: Type, path: str, start: int) -> Iterator[_Leaf]:
+def _leaves(kind: Type, path: str, start: int, flag: str | None) -> Iterator[_Leaf]:
     """The scalars and vectors (of a matrix: its columns) inside a value, in order."""
     if kind.is_array or kind.is_matrix:
         count = kind.dims[0] or 0 if kind.is_array else kind.cols
@@ -174,10 +238,10 @@ def _leaves(kind: Type, path: str, start: int) -> Iterator[_Leaf]:
     elif kind.struct is not None:
         inner = [(field, f"{path}.{name}") for name, field in kind.struct.fields.items()]
     else:
-        yield _Leaf(path, kind, start)
+        yield _Leaf(path, kind, start, flag)
         return
     for field, below in inner:
-        yield from _leaves(field, below, start)
+        yield from _leaves(field, below, start, flag)
         start += field.components_or_one
 
 

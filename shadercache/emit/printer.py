@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from shadercache.ast.memo import Memo
 from shadercache.ast.nodes import (
     Block,
     BlockDecl,
@@ -66,8 +67,12 @@ class _Output:
         self.lines += [indent + text for text in comments]
 
 
-def print_module(module: Module) -> str:
-    """The text of a whole shader, ending in a newline."""
+def print_module(module: Module, memo: Memo | None = None) -> str:
+    """The text of a whole shader, ending in a newline.
+
+    What a declaration looks like is kept in ``memo`` for other programs that have it.
+    """
+    memo = Memo() if memo is None else memo
     lines = [_version(module), *(directive.text for directive in module.directives)]
     comments = Comments(module.comments)
     header = comments.before(module.span.start)
@@ -75,16 +80,41 @@ def print_module(module: Module) -> str:
         lines += ["", *header]
     apart = True
     for decl in module.decls:
-        out = _Output(comments=comments)
-        _print_lines(decl, "", out)
-        if apart or len(out.lines) > 1:
+        printed = _declaration(decl, comments, memo)
+        if apart or len(printed) > 1:
             lines.append("")
-        lines += out.lines
-        apart = out.lines[-1].startswith("}")
+        lines += printed
+        apart = printed[-1].startswith("}")
     footer = comments.before(module.span.end)
     if footer:
         lines += ["", *footer]
     return "\n".join(lines) + "\n"
+
+
+def _declaration(decl: Node, comments: Comments, memo: Memo) -> list[str]:
+    """The lines of a declaration at global level."""
+    kept: dict[Node, _Printed] = memo.table("printed declarations")
+    found = kept.get(decl)
+    if found is None:
+        every = comments.anew()
+        found = kept[decl] = _Printed(_lines(decl, every), every.taken)
+    if comments.take_all(found.comments):
+        return found.lines
+    return _lines(decl, comments)
+
+
+@dataclass(frozen=True, slots=True)
+class _Printed:
+    """A declaration with all of its comments."""
+
+    lines: list[str]
+    comments: frozenset[int]
+
+
+def _lines(decl: Node, comments: Comments) -> list[str]:
+    out = _Output(comments=comments)
+    _print_lines(decl, "", out)
+    return out.lines
 
 
 def _version(module: Module) -> str:

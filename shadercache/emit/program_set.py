@@ -1,4 +1,4 @@
-"""All programs of a node: which passes each algorithm has, and their files.
+"""All programs of a node, or of a set of nodes: which passes each algorithm has, and their files.
 
 The table of algorithms here is the one place that knows them; an engine, and the harness, learns
 from the manifest what to do.
@@ -6,7 +6,7 @@ from the manifest what to do.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
 from shadercache.analysis.candidates import Candidate
@@ -16,6 +16,7 @@ from shadercache.emit.printer import print_module
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.options import Options
 from shadercache.sema.facts import Stage
+from shadercache.transform.hide_counters import hide_counters
 from shadercache.transform.make_precise import make_precise
 from shadercache.transform.precisions import with_precisions
 
@@ -94,19 +95,21 @@ _PASSES: dict[int, tuple[tuple[Pass, Callable[[FragmentEmitter], Shader]], ...]]
 def emit_programs(
     program: FragmentProgram,
     vertex: VertexEmitter,
-    node: Candidate,
+    nodes: Sequence[Candidate],
     options: Options,
     algorithms: tuple[int, ...],
 ) -> ProgramSet:
-    """Every pass of the given algorithms for a node, with the original and the hit mask."""
-    emitter = FragmentEmitter(program, node)
+    """Every pass of the given algorithms for the nodes, with the original and the hit mask."""
+    program.memo.trim()
+    emitter = FragmentEmitter(program, nodes)
     made = ProgramSet(
         previous=vertex.previous_twins(),
         unchanging=vertex.unchanging(),
         prefix=program.prefix,
         color=program.color,
     )
-    write = _Writer(made, vertex, options, f"node {node.id}")
+    about = ", ".join(f"node {node.id}" for node in nodes)
+    write = _Writer(made, vertex, options, about, program.unrolled)
     made.original = write.original(program)
     made.debug = write.add(_HIT_MASK, emitter.hit_mask())
     made.payload = write.add(_PAYLOAD, emitter.payload_alone())
@@ -124,7 +127,8 @@ def emit_programs(
 def emit_original(program: FragmentProgram, vertex: VertexEmitter, options: Options) -> ProgramSet:
     """The user's shaders themselves, printed: what variants are compared with."""
     made = ProgramSet(prefix=program.prefix, color=program.color)
-    made.original = _Writer(made, vertex, options, "unchanged").original(program)
+    write = _Writer(made, vertex, options, "unchanged", program.unrolled)
+    made.original = write.original(program)
     return made
 
 
@@ -136,6 +140,7 @@ class _Writer:
     vertex: VertexEmitter
     options: Options
     about: str
+    unrolled: bool
 
     def original(self, program: FragmentProgram) -> Pass:
         """The user's own shaders: word for word, or ready for proof mode."""
@@ -168,8 +173,11 @@ class _Writer:
         return (*listed, *more)
 
     def _text(self, item: Pass, shader: Shader, stage: Stage) -> str:
-        module = with_precisions(shader.module)
+        memo = self.vertex.memo
+        module = with_precisions(shader.module, memo)
         if self.options.mode == "proof":
-            module = make_precise(module, self.vertex.prefix, stage)
-        version, rest = print_module(module).split("\n", 1)
+            if self.unrolled and stage == "fragment":
+                module = hide_counters(module)
+            module = make_precise(module, self.vertex.prefix, stage, memo)
+        version, rest = print_module(module, memo).split("\n", 1)
         return f"{version}\n// shadercache: {item.file}, {self.about}\n{rest}"

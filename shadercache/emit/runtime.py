@@ -1,18 +1,21 @@
 """The fixed GLSL text of the variants, parsed.
 
-It stands in the ``.glsl`` files of this folder; the payload's type and how it is packed are filled
-in through macros.
+It stands in the ``.glsl`` files of this folder; the payloads' types and how they are packed are
+filled in through macros.
 """
 
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 from functools import cache, lru_cache
 from pathlib import Path
+from typing import get_args
 
 from shadercache.ast import nodes as n
 from shadercache.emit.layout import Layout
 from shadercache.front.parse import parse
+from shadercache.options import MappingKind
 from shadercache.source import Source
 from shadercache.transform.forget_places import without_places
 from shadercache.transform.names import PREFIX
@@ -26,18 +29,33 @@ SPREAD = 24.0
 """How many epsilons a single texel of the filter may be off in depth (docs/NUMERICS.md)."""
 
 
+@dataclass(frozen=True, slots=True)
+class Located:
+    """How a pass finds its texel; ``own_current``: does the user say where the pixel itself is?"""
+
+    mapping: MappingKind = "surface"
+    own_current: bool = False
+
+    @property
+    def macros(self) -> dict[str, str]:
+        """The macros of the ``.glsl`` files that tell the mapping."""
+        marks = {kind.upper(): kind == self.mapping for kind in get_args(MappingKind)}
+        marks["OWN_CURRENT"] = self.own_current
+        return {name: str(int(mark)) for name, mark in marks.items()}
+
+
+ON_SURFACE = Located()
+
+
 @lru_cache(maxsize=512)  # each struct of each shader is a type of its own
 def load_part(
-    name: str, layout: Layout, prefix: str, precision: str | None = None, whole: bool = False
+    name: str, layout: Layout, prefix: str, whole: bool = False, located: Located = ON_SURFACE
 ) -> tuple[n.Decl, ...]:
-    """The declarations of one file, for a payload of this layout, with the given name prefix.
+    """The declarations of one file, for payloads of this layout, with the given name prefix.
 
-    ``precision`` is the payload's, in GLSL ES; ``whole``: not every fragment has a payload.
+    ``whole``: not every fragment has the payloads.
     """
-    macros = layout.macros(prefix)
-    if precision and layout.takes_precision:
-        macros["PAYLOAD"] = f"{precision} {macros['PAYLOAD']}"
-    macros |= {"SPREAD": str(SPREAD), "WHOLE": str(int(whole))}
+    macros = layout.macros(prefix, whole) | located.macros | {"SPREAD": str(SPREAD)}
     macros |= {key.upper(): str(value) for key, value in OUTCOMES.items()}
     # Names of the user's can stand in what a macro means; none begins with the prefix.
     capitals = prefix.upper()

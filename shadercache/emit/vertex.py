@@ -15,14 +15,17 @@ Attributes and textures read for the position are taken as unchanging; the manif
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from shadercache.ast import nodes as n
+from shadercache.ast.memo import Memo
 from shadercache.ast.walk import walk
 from shadercache.emit.assemble import Shader, interface, merge
 from shadercache.emit.layout import Layout
 from shadercache.emit.runtime import load_part
 from shadercache.lang.types import FLOAT, builtin_type
+from shadercache.options import MappingKind
 from shadercache.source import NOWHERE
 from shadercache.transform.reachable import declared_names
 from shadercache.transform.remove_dead import remove_dead
@@ -38,9 +41,19 @@ class VertexEmitter:
     parsed: n.Module
     module: n.Module
     prefix: str
+    memo: Memo
+    mapping: MappingKind = "surface"
 
     def for_fragment(self, fragment: Shader) -> Shader:
         """The vertex shader for a fragment shader: exactly the varyings which that one reads."""
+        kept: dict[frozenset[str], Shader] = self.memo.table("vertex shaders")
+        inputs = frozenset(fragment.inputs)
+        found = kept.get(inputs)
+        if found is None:
+            found = kept[inputs] = self._for_inputs(fragment)
+        return found
+
+    def _for_inputs(self, fragment: Shader) -> Shader:
         own = {self.prefix + "current", self.prefix + "previous"}
         module = self._extended() if own.intersection(fragment.inputs) else self.module
         wanted = set(fragment.inputs)
@@ -49,10 +62,15 @@ class VertexEmitter:
                 # Blocks meet by their block name; statements know the instance or the members.
                 wanted.update(declared_names(decl))
         wanted |= {POSITION} | {name for name in _written(self.module) if name.startswith("gl_")}
-        return interface(_invariant(remove_dead(module, wanted)))
+        return interface(_invariant(remove_dead(module, wanted, self.memo)))
 
     def previous_twins(self) -> dict[str, str]:
-        """The uniforms that the position depends on, and their twins for the previous frame."""
+        """The uniforms that the position depends on, and their twins for the previous frame.
+
+        None where the previous position is not that of a vertex.
+        """
+        if self.mapping != "surface":
+            return {}
         return {
             old: new
             for decl in self._slice().decls
@@ -61,7 +79,9 @@ class VertexEmitter:
         }
 
     def unchanging(self) -> tuple[str, ...]:
-        """Attributes and textures that the position depends on: they must not change."""
+        """Attributes and textures that the previous position depends on: they must not change."""
+        if self.mapping != "surface":
+            return ()
         found: list[str] = []
         for decl in self._slice().decls:
             if isinstance(decl, n.VarDecl) and (
@@ -70,12 +90,22 @@ class VertexEmitter:
                 found += [item.name for item in decl.declarators]
         return tuple(found)
 
+    def inputs(self, varyings: Iterable[str]) -> frozenset[str]:
+        """Uniforms, textures and attributes that the position and these varyings depend on."""
+        sliced = remove_dead(self.module, {POSITION, *varyings}, self.memo)
+        return frozenset(
+            name
+            for decl in sliced.decls
+            if isinstance(decl, n.VarDecl | n.BlockDecl) and decl.qualifiers.has("in", "uniform")
+            for name in declared_names(decl)
+        )
+
     def _slice(self) -> n.Module:
-        return remove_dead(self.module, (POSITION,))
+        return remove_dead(self.module, (POSITION,), self.memo)
 
     def _extended(self) -> n.Module:
         main = rename_function(self.module, "main", self.prefix + "vertex")
-        part = load_part("vertex", Layout(FLOAT), self.prefix)
+        part = load_part("vertex", Layout((FLOAT,)), self.prefix)
         variables = [d for d in part if isinstance(d, n.VarDecl)]
         functions = [d for d in part if isinstance(d, n.FunctionDef)]
         return merge(self.module, (*main.decls, *self._twins()), variables, functions)

@@ -29,6 +29,7 @@ OLDEST = 130
 """The first version that has all that is in the texts of the hosts."""
 
 _MAIN = re.compile(r"\bvoid\s+(main|mainImage)\s*\(", re.ASCII)
+_VERSION = re.compile(r"#[ \t]*version\b[^\n]*")
 _USER = "// The user's file stands here.\n"
 
 
@@ -69,6 +70,22 @@ def host_of(source: Source, dialect: Dialect) -> Host | None:
         hint = "--dialect auto tells such files from plain GLSL"
         raise InputError(Diagnostic("SC125", message, source, span, hint))
     return None
+
+
+def surrounded(source: Source, dialect: Dialect) -> str:
+    """The user's text with what its host adds as text, for a driver.
+
+    Raises as :func:`host_of`.
+    """
+    host = host_of(source, dialect)
+    if host is None:
+        return source.text
+    own = _uniforms(re.findall(r"\w+|[^\w\s]", source.text))
+    head = [" ".join(decl) for decl in host.declarations if decl[2] not in own]
+    named = _VERSION.search(source.text)
+    version = f"#version {host.version.number}" if named is None else named[0]
+    user = source.text if named is None else source.text.replace(named[0], "", 1)
+    return "\n".join([version, *head, user, " ".join(host.main), ""])
 
 
 def check_version(version: Version, source: Source) -> None:

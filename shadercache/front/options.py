@@ -18,7 +18,8 @@ class ReadOptions:
     ``defines`` are macros (name, replacement) that exist before the first line; the name may have
     parameters, as in ``("F(x)", "x + x")``. ``undefined`` takes away predefined macros, such as
     those of extensions that the driver at hand lacks. ``#include`` finds files in
-    ``include_folders`` and nowhere else, but for the folder of the file that includes.
+    ``include_folders`` and nowhere else, but for the folder of the file that includes. ``unroll``
+    takes loops of few trips apart, so that what they compute can be cached.
     """
 
     defines: tuple[tuple[str, str], ...] = ()
@@ -26,6 +27,7 @@ class ReadOptions:
     include_folders: tuple[Path, ...] = ()
     max_tokens: int = MAX_TOKENS
     dialect: Dialect = "glsl"
+    unroll: bool = False
 
 
 DEFAULTS = ReadOptions()

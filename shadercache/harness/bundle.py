@@ -1,4 +1,4 @@
-"""A rewritten node as an engine sees it: the manifest and the shader files it names.
+"""A rewritten node or set of nodes as an engine sees it: the manifest and the files it names.
 
 This is all the harness knows about a variant; it holds no knowledge of the algorithms.
 """
@@ -57,8 +57,12 @@ class Bundle:
     files: Mapping[str, str]
 
     def node(self, key: str) -> str:
-        """What the manifest says of the cached node: ``id``, ``path``, ``text`` or ``type``."""
-        return str(_need(self.manifest, "node", key))
+        """What the manifest says of the cached nodes: ``id``, ``path``, ``text`` or ``type``.
+
+        Of several the ids are joined as on the command line, ``a+b``, the rest by ``" | "``.
+        """
+        found = [str(_need(node, key)) for node in _need(self.manifest, "nodes")]
+        return ("+" if key == "id" else " | ").join(found)
 
     @property
     def mode(self) -> str:

@@ -24,7 +24,8 @@ def semantic_values(scene: Scene, frame: int, aspect: float) -> dict[str, Matrix
     """Every semantic's value at a frame (counted from 0); ``aspect`` is width / height.
 
     ``normal-matrix`` is the inverse transpose of the model-view matrix (3x3), ``eye`` the camera's
-    place in the world, ``time`` seconds at 60 frames a second.
+    place in the world, ``time`` seconds at 60 frames a second, ``time-delta`` those since the last
+    frame (none in the first, which is also the scene at rest).
     """
     model = rotation(scene.motion, frame)
     view = look_at(scene.camera)
@@ -39,14 +40,22 @@ def semantic_values(scene: Scene, frame: int, aspect: float) -> dict[str, Matrix
         "model-view-projection": project @ model_view,
         "normal-matrix": np.linalg.inv(model_view[:3, :3]).T,
         "eye": np.asarray(scene.camera.eye, np.float64),
-        "time": np.asarray(frame / FRAMES_PER_SECOND),
+        "time": np.asarray(scene.start_time + frame / FRAMES_PER_SECOND),
+        "time-delta": np.asarray(1.0 / FRAMES_PER_SECOND if frame > 0 else 0.0),
         "frame": np.asarray(float(frame)),
     }
 
 
-def scene_values(scene: Scene, frame: int, aspect: float) -> Values:
-    """The value of every uniform of the scene at a frame."""
-    values = semantic_values(scene, frame, aspect)
+def scene_values(scene: Scene, frame: int, size: tuple[int, int]) -> Values:
+    """The value of every uniform of the scene at a frame, in a picture of a size in pixels.
+
+    ``resolution`` is that size, ``resolution-aspect`` the same with the shape of a pixel, 1.
+    """
+    width, height = size
+    values = semantic_values(scene, frame, width / height) | {
+        "resolution": np.array([width, height], np.float64),
+        "resolution-aspect": np.array([width, height, 1.0]),
+    }
     uniforms = {name: np.asarray(value, np.float64) for name, value in scene.constants.items()}
     # A transpose read row by row is the matrix column by column; vectors stay as they are.
     return uniforms | {name: values[word].T.ravel() for name, word in scene.semantics.items()}

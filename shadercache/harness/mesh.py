@@ -20,7 +20,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from shadercache.diagnostics import InputError, input_error
+from shadercache.diagnostics import InputError, input_error, usage_error
+from shadercache.harness.scene import Scene
 
 _HELPERS = ("bounds", "index", "index_delta")
 
@@ -51,6 +52,29 @@ def load_mesh(path: Path) -> Mesh:
     for name, array in arrays.items():
         _check_array(path, name, array, count)
     return Mesh(str(path), arrays, _index(path, raw, count))
+
+
+FULL_SCREEN = Mesh("full-screen triangle", {}, np.array([[0, 1, 2]], np.uint32))
+"""Three vertices without attributes; the vertex shader makes their positions."""
+
+
+def scene_mesh(scene: Scene, small: bool = False) -> Mesh:
+    """What a scene draws; ``small``: its low resolution stand-in, where it has one.
+
+    Raises as :func:`load_mesh`.
+    """
+    path = scene.verify_mesh if small and scene.verify_mesh else scene.mesh
+    return FULL_SCREEN if path is None else load_mesh(path)
+
+
+def replacement_mesh(scene: Scene, path: Path | None) -> Mesh | None:
+    """What is drawn in place of the scene's mesh, if anything is.
+
+    Raises as :func:`load_mesh`, and :class:`UsageError` SC008 where the scene has no mesh.
+    """
+    if path is not None and scene.mesh is None:
+        raise usage_error("SC008", f"--mesh: {scene.name} is full-screen and draws no mesh")
+    return None if path is None else load_mesh(path)
 
 
 def load_npz(path: Path, code: str, what: str) -> dict[str, NDArray[np.generic]]:

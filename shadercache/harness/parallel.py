@@ -14,9 +14,9 @@ from pathlib import Path
 
 from shadercache.front.options import ReadOptions
 from shadercache.harness.context import open_context
-from shadercache.harness.scene import load_scene
-from shadercache.harness.shaders import analyse_scene
+from shadercache.harness.shaders import open_scene
 from shadercache.harness.verify import Verdict, Verifier
+from shadercache.options import MappingKind
 
 _verifier: Verifier | None = None
 """The worker process's own; set once when the process starts."""
@@ -29,18 +29,20 @@ def verify_in_parallel(
     plain: bool = True,
     told: Callable[[Verdict], None] | None = None,
     reading: ReadOptions | None = None,
+    mapping: MappingKind | None = None,
 ) -> list[Verdict]:
-    """Verdicts for the nodes (by id) of a scene, in the order of ``nodes``.
+    """Verdicts for the nodes (by id; ``a+b`` is a set) of a scene, in the order of ``nodes``.
 
-    ``jobs`` processes; 1 works in this one. ``told`` hears of each verdict as it comes; ``reading``
-    is how the shaders are read. Raises as :class:`Verifier`.
+    ``scene`` is its file, or a full-screen shader. ``jobs`` processes; 1 works in this one.
+    ``told`` hears of each verdict as it comes; ``reading`` is how the shaders are read. Raises as
+    :func:`open_scene` and :class:`Verifier`.
     """
     if jobs == 1:
-        with closing(_open(scene, reading)) as verifier:
+        with closing(_open(scene, reading, mapping)) as verifier:
             return [_tell(_check(verifier, node, plain), told) for node in nodes]
     found: dict[str, Verdict] = {}
     spawn = get_context("spawn")  # a forked child would share the parent's driver state
-    with ProcessPoolExecutor(jobs, spawn, _start, (scene, reading)) as pool:
+    with ProcessPoolExecutor(jobs, spawn, _start, (scene, reading, mapping)) as pool:
         waiting = [pool.submit(_work, node, plain) for node in nodes]
         try:
             for future in as_completed(waiting):
@@ -52,15 +54,15 @@ def verify_in_parallel(
     return [found[node] for node in nodes]
 
 
-def _open(path: Path, reading: ReadOptions | None) -> Verifier:
-    return Verifier(open_context(), *analyse_scene(load_scene(path), reading))
+def _open(path: Path, reading: ReadOptions | None, mapping: MappingKind | None) -> Verifier:
+    return Verifier(open_context(), *open_scene(path, reading, mapping))
 
 
-def _start(path: Path, reading: ReadOptions | None) -> None:
+def _start(path: Path, reading: ReadOptions | None, mapping: MappingKind | None) -> None:
     global _verifier
     # One rasteriser thread a process, or llvmpipe's threads fight over the cores.
     os.environ.setdefault("LP_NUM_THREADS", "1")
-    _verifier = _open(path, reading)
+    _verifier = _open(path, reading, mapping)
 
 
 def _work(node: str, plain: bool) -> Verdict:
@@ -69,7 +71,7 @@ def _work(node: str, plain: bool) -> Verdict:
 
 
 def _check(verifier: Verifier, node: str, plain: bool) -> Verdict:
-    return verifier.check(verifier.analysis.node(node), plain)
+    return verifier.check(verifier.analysis.nodes_of(node), plain)
 
 
 def _tell(verdict: Verdict, told: Callable[[Verdict], None] | None) -> Verdict:

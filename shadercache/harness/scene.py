@@ -9,9 +9,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, cast, get_args
 
 from shadercache.harness.toml_reader import Table, is_number, read_toml
+from shadercache.options import MappingKind
 
 SEMANTICS = (
     "model",
@@ -23,9 +24,12 @@ SEMANTICS = (
     "normal-matrix",
     "eye",
     "time",
+    "time-delta",
     "frame",
+    "resolution",
+    "resolution-aspect",
 )
-"""What a uniform can be tied to; ``camera.semantic_values`` defines each."""
+"""What a uniform can be tied to; ``camera.semantic_values`` and ``scene_values`` define each."""
 
 CAUSES = ("view", "light", "time")
 """Why a uniform may change from frame to frame. Those with a semantic tell it by that."""
@@ -53,15 +57,21 @@ class Motion:
     frames: int
 
 
+RESTING_CAMERA = Camera((0.0, 0.0, 3.0), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0), 45.0, 0.1, 100.0)
+RESTING_MOTION = Motion((0.0, 1.0, 0.0), 0.0, 0.0, 64)
+"""Of scenes that are one full-screen triangle, which neither moves."""
+
+
 @dataclass(frozen=True, slots=True)
 class TextureSpec:
-    """A texture file and how it is sampled."""
+    """A texture file and how it is sampled. ``made``: it is generated, and ``path`` says what."""
 
     path: Path
     filter: str
     mipmap: bool
     wrap: str
     anisotropy: float
+    made: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,14 +90,18 @@ class Scene:
     ``constants`` hold the numbers of a uniform in the order of upload: the components of a vector,
     the columns of a matrix, the elements of an array. ``changes`` says why a uniform or a texture
     changes, by its name: one of :data:`CAUSES`. ``nodes`` are names for node ids.
+
+    Without a vertex shader the scene is a triangle that covers the picture, and has no mesh.
+    ``mapping`` is how its payloads are found, if the scene says it; ``start_time`` are the seconds
+    that its clock shows in frame 0.
     """
 
     path: Path
     name: str
     title: str
     fragment: Path
-    vertex: Path
-    mesh: Path
+    vertex: Path | None
+    mesh: Path | None
     verify_mesh: Path | None
     attributes: Mapping[str, str]
     camera: Camera
@@ -99,6 +113,9 @@ class Scene:
     demo: Demo | None
     cull: bool
     changes: Mapping[str, str]
+    unroll: bool = False
+    mapping: MappingKind | None = None
+    start_time: float = 0.0
 
 
 def load_scene(path: Path) -> Scene:
@@ -112,17 +129,19 @@ def load_scene(path: Path) -> Scene:
     source, values = read_toml(path)
     top = Table(source, values)
     constants, semantics = _uniforms(top.table("uniforms"))
+    mapping = _mapping(top)
+    flat = mapping not in (None, "surface") and not top.has("vertex")
     scene = Scene(
         path=path,
         name=top.text("name"),
         title=top.text("title", path.parent.name or "scene"),
         fragment=top.file("fragment"),
-        vertex=top.file("vertex"),
-        mesh=top.file("mesh"),
+        vertex=None if flat else top.file("vertex"),
+        mesh=None if flat else top.file("mesh"),
         verify_mesh=top.file("verify_mesh") if top.has("verify_mesh") else None,
         attributes=_strings(top.table("attributes")),
-        camera=_camera(top.table("camera")),
-        motion=_motion(top.table("motion")),
+        camera=RESTING_CAMERA if flat else _camera(top.table("camera")),
+        motion=RESTING_MOTION if flat else _motion(top.table("motion")),
         constants=constants,
         semantics=semantics,
         textures=_textures(top.table("textures")),
@@ -130,10 +149,18 @@ def load_scene(path: Path) -> Scene:
         demo=_demo(top.table("demo")) if top.has("demo") else None,
         cull=top.text("cull", "none", ("none", "back")) == "back",
         changes=_changes(top.table("changes"), semantics),
+        unroll=top.boolean("unroll", False),
+        mapping=mapping,
+        start_time=top.number("start_time", 0.0),
     )
     top.refuse_unknown()
     top.raise_problems()
     return scene
+
+
+def _mapping(top: Table) -> MappingKind | None:
+    known = get_args(MappingKind)
+    return cast(MappingKind, top.text("mapping", known[0], known)) if top.has("mapping") else None
 
 
 def _camera(table: Table) -> Camera:
@@ -241,9 +268,7 @@ def _demo(table: Table) -> Demo:
 
 def _changes(table: Table, semantics: Mapping[str, str]) -> dict[str, str]:
     """``light = ["u_light"]`` and the like, by the names of uniforms, with what semantics tell."""
-    found = {
-        name: "time" if word in ("time", "frame") else "view" for name, word in semantics.items()
-    }
+    found = causes(semantics)
     for cause in CAUSES:
         names = table.values.get(cause, [])
         if table.has(cause) and not (isinstance(names, list) and all(map(_is_text, names))):
@@ -252,6 +277,15 @@ def _changes(table: Table, semantics: Mapping[str, str]) -> dict[str, str]:
         found |= dict.fromkeys(names, cause)
     table.refuse_unknown()
     return found
+
+
+def causes(semantics: Mapping[str, str]) -> dict[str, str]:
+    """Why the uniforms with a semantic change, by name; those of the picture's size do not."""
+    return {
+        name: "time" if word in ("time", "time-delta", "frame") else "view"
+        for name, word in semantics.items()
+        if not word.startswith("resolution")
+    }
 
 
 def _is_text(value: Any) -> bool:

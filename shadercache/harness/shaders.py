@@ -4,32 +4,66 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from pathlib import Path
 from typing import TypeVar
 
 from shadercache.compiler import Analysis, analyse
+from shadercache.diagnostics import input_error, usage_error
 from shadercache.front.options import ReadOptions
-from shadercache.harness.scene import Scene
+from shadercache.harness.made_scene import made_scene
+from shadercache.harness.scene import Scene, load_scene
+from shadercache.options import MappingKind
 from shadercache.source import Source
 
 T = TypeVar("T")
 
+FULL_SCREEN = "--mapping screen"
 
-def analyse_scene(scene: Scene, reading: ReadOptions | None = None) -> tuple[Scene, Analysis]:
-    """The scene and what the compiler makes of its shaders.
+
+def open_scene(
+    path: Path, reading: ReadOptions | None = None, mapping: MappingKind | None = None
+) -> tuple[Scene, Analysis]:
+    """The scene of a scene file, or a made one for a full-screen shader; and its shaders.
+
+    Raises as ``load_scene`` and ``analyse_scene``, and :class:`UsageError` SC006 for a shader that
+    needs geometry.
+    """
+    if path.suffix == ".toml":
+        return analyse_scene(load_scene(path), reading, mapping)
+    analysis = analyse(read_shader(path), None, reading, mapping)
+    if not analysis.full_screen:
+        message = f"the shader {path} has no scene, and its values lie on surfaces"
+        hint = f"put a scene.toml that names it beside it, or draw it full-screen: {FULL_SCREEN}"
+        raise usage_error("SC006", message, hint)
+    return made_scene(path, analysis), analysis
+
+
+def analyse_scene(
+    scene: Scene, reading: ReadOptions | None = None, mapping: MappingKind | None = None
+) -> tuple[Scene, Analysis]:
+    """The scene and what the compiler makes of its shaders; ``mapping`` goes before the scene's.
 
     Where shaders of an older version are raised some attributes, uniforms and textures get new
     names: the scene has what it gives under these as well. Raises as :func:`compiler.analyse`.
     """
-    analysis = analyse(*read_shaders(scene), reading)
+    reading = reading or ReadOptions()
+    reading = replace(reading, unroll=reading.unroll or scene.unroll)
+    analysis = analyse(*read_shaders(scene), reading, mapping or scene.mapping)
     return with_aliases(scene, analysis.renamed), analysis
 
 
-def read_shaders(scene: Scene) -> tuple[Source, Source]:
-    """The scene's fragment and vertex shader."""
-    return (
-        Source(str(scene.fragment), scene.fragment.read_text(encoding="utf-8")),
-        Source(str(scene.vertex), scene.vertex.read_text(encoding="utf-8")),
-    )
+def read_shaders(scene: Scene) -> tuple[Source, Source | None]:
+    """The scene's fragment shader, and its vertex shader if it has one."""
+    vertex = None if scene.vertex is None else read_shader(scene.vertex)
+    return read_shader(scene.fragment), vertex
+
+
+def read_shader(path: Path) -> Source:
+    """The text of one shader. Raises :class:`InputError` SC001 for what is no text."""
+    try:
+        return Source(str(path), path.read_text(encoding="utf-8-sig"))
+    except (OSError, UnicodeDecodeError) as error:
+        raise input_error("SC001", f"cannot read {path}: {error}") from None
 
 
 def with_aliases(scene: Scene, renamed: Mapping[str, str]) -> Scene:

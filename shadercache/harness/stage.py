@@ -10,7 +10,7 @@ import numpy as np
 from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.harness.camera import Values, scene_values
 from shadercache.harness.context import Gpu
-from shadercache.harness.mesh import Mesh, load_mesh
+from shadercache.harness.mesh import Mesh, scene_mesh
 from shadercache.harness.owner import Owner
 from shadercache.harness.programs import Program, Programs
 from shadercache.harness.scene import Scene
@@ -43,7 +43,7 @@ class Stage(Owner):
         """
         self.gpu = gpu
         self.scene = scene
-        self.mesh = load_mesh(scene.mesh) if mesh is None else mesh
+        self.mesh = scene_mesh(scene) if mesh is None else mesh
         self._check_attributes()
         self.programs = Programs(gpu)
         self.targets = Targets(gpu.ctx, size, color)
@@ -63,8 +63,7 @@ class Stage(Owner):
         """The scene's uniforms at a frame. Equal frames give the same object."""
         found = self._values.get(frame)
         if found is None:
-            width, height = self.size
-            found = self._values[frame] = scene_values(self.scene, frame, width / height)
+            found = self._values[frame] = scene_values(self.scene, frame, self.size)
             if len(self._values) > _KEPT_FRAMES:
                 self._values.popitem(last=False)
         return found

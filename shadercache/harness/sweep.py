@@ -14,13 +14,13 @@ from shadercache.options import ALGORITHMS, Options
 def make_entry(
     analysis: Analysis,
     label: str,
-    node: Candidate,
+    node: Candidate | Sequence[Candidate],
     options: Options,
     algorithms: Sequence[int] = ALGORITHMS,
     *,
     unprofitable: bool = False,
 ) -> Entry:
-    """A node ready to be measured.
+    """A node, or several cached together, ready to be measured.
 
     All variants are made, since the parts of P/T and of the floor are measured on them; only those
     of ``algorithms`` that the node has are run. Raises as :func:`shadercache.compiler.rewrite`.

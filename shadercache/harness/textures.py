@@ -96,13 +96,25 @@ def _bad(path: Path, what: str) -> InputError:
     return input_error("SC531", f"the texture {path} {what}")
 
 
+def made_pixels(what: str) -> tuple[NDArray[np.generic], str]:
+    """A generated texture, the same in every run: smooth blobs under noise, in four channels.
+
+    ``what`` and the shapes are those of :func:`load_pixels`.
+    """
+    shape = {"pixels": (64, 64), "faces": (6, 64, 64), "layers": (4, 64, 64)}[what]
+    noise = np.random.default_rng(2008).random((*shape, 4))
+    across = np.sin(np.linspace(0.0, 4.0 * np.pi, 64, endpoint=False))
+    blobs = 0.5 + 0.5 * across[:, None, None] * across[None, :, None]
+    return (255.0 * (0.5 * noise + 0.5 * blobs)).astype(np.uint8), what
+
+
 def upload_texture(gpu: Gpu, spec: TextureSpec) -> GlTexture:
     """Load a texture file into GL with its sampling state.
 
     Raises:
         InputError: SC530, SC531 as ``load_pixels``.
     """
-    pixels, what = load_pixels(spec.path)
+    pixels, what = made_pixels(spec.path.name) if spec.made else load_pixels(spec.path)
     texture = _create(gpu.ctx, pixels, what)
     if spec.mipmap:
         texture.build_mipmaps()

@@ -8,6 +8,7 @@ counted (law 4).
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
@@ -19,7 +20,7 @@ from shadercache.compiler import Analysis, emit_original, rewrite
 from shadercache.diagnostics import InputError, input_error
 from shadercache.harness.bundle import Bundle
 from shadercache.harness.context import Gpu
-from shadercache.harness.mesh import Mesh, load_mesh
+from shadercache.harness.mesh import Mesh, scene_mesh
 from shadercache.harness.runner import (
     CoverageRunner,
     OriginalRunner,
@@ -70,8 +71,10 @@ class Difference:
 
 @dataclass(slots=True)
 class Verdict:
-    """The laws for one node. Keys of the dictionaries are algorithms (``2-pass``).
+    """The laws for one node, or for several cached together. Keys of the dictionaries are
+    algorithms (``2-pass``).
 
+    ``node`` and what follows it is of all nodes, joined as :meth:`Bundle.node` does it.
     ``refused`` holds the algorithms that the compiler does not offer for the node, and why;
     ``failure`` says why a variant could not be drawn at all, where one could not.
     """
@@ -130,7 +133,7 @@ class Verifier:
     ) -> None:
         """Render the originals. Raises as ``Stage`` and ``BoundPass``."""
         self.analysis = analysis
-        mesh = mesh or load_mesh(scene.verify_mesh or scene.mesh)
+        mesh = mesh or scene_mesh(scene, small=True)
         self.stage = Stage(gpu, scene, size, color="rgba32f", mesh=mesh)
         self._moving = {mode: self._original(mode) for mode in ("plain", "proof")}
         proof = self._bundle("proof")
@@ -149,12 +152,12 @@ class Verifier:
         version.
         """
         analysis = self.analysis
-        assert analysis.vertex is not None
         written = emit_original(analysis, "plain")
-        files = {"original.vert": analysis.vertex.text, "original.frag": analysis.fragment.text}
+        text = analysis.written
         found = Difference()
-        if analysis.reads_fixed_function or not analysis.stands_alone:
+        if analysis.reads_fixed_function or text is None:
             return None
+        files = {"original.vert": analysis.vertex_source.text, "original.frag": text}
         try:
             runner = OriginalRunner(self.stage, Bundle(written.manifest, files))
         except InputError:
@@ -168,28 +171,35 @@ class Verifier:
                 found = found.worst(difference(image, reference, self.covered[frame]))
         return found
 
-    def check(self, node: Candidate, plain: bool = True) -> Verdict:
+    def check(self, node: Candidate | Sequence[Candidate], plain: bool = True) -> Verdict:
         """Laws 2 to 4 for one node in proof mode, and what plain mode changes if ``plain``.
 
-        A variant that the driver turns down breaks the laws; it does not end the verifying.
+        Several nodes are cached together; raises InputError where they cannot be. A variant that
+        the driver turns down breaks the laws; it does not end the verifying.
         """
         if not self.covered[0].any():
             raise input_error("SC612", "the object covers no pixel, so no law can be checked")
-        self.analysis.require(node, unprofitable=True)
-        verdict = Verdict(node.id, node.path, node.text, node.offered)
+        nodes = (node,) if isinstance(node, Candidate) else tuple(node)
+        self.analysis.require_all(nodes, unprofitable=True)
+        verdict = Verdict(
+            "+".join(item.id for item in nodes),
+            " | ".join(item.path for item in nodes),
+            " | ".join(item.text for item in nodes),
+            all(item.offered for item in nodes),
+        )
         try:
-            self._check_modes(node, verdict, plain)
+            self._check_modes(nodes, verdict, plain)
         except InputError as error:
             verdict.failure = str(error)
         return verdict
 
-    def _check_modes(self, node: Candidate, verdict: Verdict, plain: bool) -> None:
-        bundle = self._rewritten(node, "proof")
+    def _check_modes(self, nodes: Sequence[Candidate], verdict: Verdict, plain: bool) -> None:
+        bundle = self._rewritten(nodes, "proof")
         for entry in bundle.manifest["refused"]:
             verdict.refused[entry["algorithm"]] = entry["reason"]
         self.check_bundle(bundle, verdict)
         if plain:
-            shipped = self._rewritten(node, "plain")
+            shipped = self._rewritten(nodes, "plain")
             for name in shipped.algorithms:
                 verdict.plain[name] = self._always(shipped, name, "plain")
 
@@ -214,9 +224,9 @@ class Verifier:
         emission = emit_original(self.analysis, mode)
         return Bundle(emission.manifest, emission.files)
 
-    def _rewritten(self, node: Candidate, mode: Mode) -> Bundle:
+    def _rewritten(self, nodes: Sequence[Candidate], mode: Mode) -> Bundle:
         options = Options(mode=mode, cache_format="rgba32f")
-        emission = rewrite(self.analysis, node, options, unprofitable=True)
+        emission = rewrite(self.analysis, nodes, options, unprofitable=True)
         return Bundle(emission.manifest, emission.files)
 
     def _always(self, bundle: Bundle, name: str, mode: Mode) -> Difference:

@@ -18,8 +18,9 @@ from typing import TypeAlias, TypeVar
 
 from shadercache.analysis.effects import EffectTable
 from shadercache.ast import nodes as n
+from shadercache.ast.memo import Memo
 from shadercache.ast.walk import walk
-from shadercache.transform.reachable import names_in
+from shadercache.transform.reachable import kept_names
 from shadercache.transform.replace import replace_expressions
 
 _T = TypeVar("_T")
@@ -28,41 +29,44 @@ Dropped: TypeAlias = Mapping[str, set[int]]
 """Places of the parameters that go, by function."""
 
 
-def drop_parameters(module: n.Module, functions: Collection[str]) -> n.Module:
+def drop_parameters(
+    module: n.Module, functions: Collection[str], memo: Memo | None = None
+) -> n.Module:
     """The module without unread parameters of the given functions (the same one if none).
 
     Functions are taken in order of definition, callees first, so that a parameter which was only
     handed down goes together with the one it was handed to.
     """
-    impure = _impure_arguments(module, functions)
+    memo = Memo() if memo is None else memo
+    impure = _impure_arguments(module, functions, memo)
     dropped: dict[str, set[int]] = {}
     decls: list[tuple[n.Decl, int]] = []
     for decl in module.decls:
         known = len(dropped)
         if isinstance(decl, n.FunctionDef):
-            decl = _without_arguments(decl, dropped)
-            places = _unread(decl) - impure.get(decl.name, set())
+            decl = _without_arguments(decl, dropped, memo)
+            places = _unread(decl, memo) - impure.get(decl.name, set())
             if places and decl.name in functions:
                 dropped[decl.name] = places
                 decl = replace(decl, proto=_without_params(decl.proto, places))
         decls.append((decl, known))
     if not dropped:
         return module
-    finished = (_finished(decl, dropped, known) for decl, known in decls)
+    finished = (_finished(decl, dropped, known, memo) for decl, known in decls)
     return replace(module, decls=tuple(finished))
 
 
-def _finished(decl: n.Decl, dropped: Dropped, known: int) -> n.Decl:
+def _finished(decl: n.Decl, dropped: Dropped, known: int, memo: Memo) -> n.Decl:
     """Prototypes, and calls before the definition: only the first ``known`` are done yet."""
     if isinstance(decl, n.FunctionProto) and decl.name in dropped:
         return _without_params(decl, dropped[decl.name])
     if isinstance(decl, n.FunctionDef):
-        return _without_arguments(decl, dict(list(dropped.items())[known:]))
+        return _without_arguments(decl, dict(list(dropped.items())[known:]), memo)
     return decl
 
 
-def _without_arguments(function: n.FunctionDef, dropped: Dropped) -> n.FunctionDef:
-    if dropped.keys().isdisjoint(names_in(function.body)):
+def _without_arguments(function: n.FunctionDef, dropped: Dropped, memo: Memo) -> n.FunctionDef:
+    if dropped.keys().isdisjoint(kept_names(function.body, memo)):
         return function
 
     def without(original: n.Expr, rebuilt: n.Expr) -> n.Expr:
@@ -73,8 +77,8 @@ def _without_arguments(function: n.FunctionDef, dropped: Dropped) -> n.FunctionD
     return replace(function, body=replace_expressions(function.body, without))
 
 
-def _unread(function: n.FunctionDef) -> set[int]:
-    used = names_in(function.body)
+def _unread(function: n.FunctionDef, memo: Memo) -> set[int]:
+    used = kept_names(function.body, memo)
     return {
         place
         for place, param in enumerate(function.proto.params)
@@ -82,11 +86,14 @@ def _unread(function: n.FunctionDef) -> set[int]:
     }
 
 
-def _impure_arguments(module: n.Module, functions: Collection[str]) -> dict[str, set[int]]:
+def _impure_arguments(
+    module: n.Module, functions: Collection[str], memo: Memo
+) -> dict[str, set[int]]:
     """For each function the argument places that have a side effect in some call."""
-    table = EffectTable(module)
+    table = EffectTable(module, memo)
     found: dict[str, set[int]] = {}
-    for item in walk(module):
+    callers = (decl for decl in module.decls if not kept_names(decl, memo).isdisjoint(functions))
+    for item in (item for decl in callers for item in walk(decl)):
         if isinstance(item, n.Call) and item.name in functions:
             places = {i for i, arg in enumerate(item.args) if table.of(arg).writes}
             found.setdefault(item.name, set()).update(places)

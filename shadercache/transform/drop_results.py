@@ -17,17 +17,23 @@ from dataclasses import replace
 
 from shadercache.analysis.effects import EffectTable
 from shadercache.ast import nodes as n
+from shadercache.ast.memo import Memo
 from shadercache.ast.rewrite import Rewriter
 from shadercache.ast.walk import walk
 from shadercache.source import NOWHERE
+from shadercache.transform.reachable import kept_names
 
 
-def drop_results(module: n.Module, functions: Collection[str]) -> n.Module:
+def drop_results(
+    module: n.Module, functions: Collection[str], memo: Memo | None = None
+) -> n.Module:
     """The module without unused results of the given functions (the same one if none)."""
-    unused = _returning(module, functions) - _used(module)
+    memo = Memo() if memo is None else memo
+    returning = _returning(module, functions)
+    unused = returning - _used(module, returning, memo) if returning else returning
     if not unused:
         return module
-    table = EffectTable(module)
+    table = EffectTable(module, memo)
     return replace(module, decls=tuple(_without(decl, unused, table) for decl in module.decls))
 
 
@@ -41,14 +47,12 @@ def _returning(module: n.Module, functions: Collection[str]) -> set[str]:
     }
 
 
-def _used(module: n.Module) -> set[str]:
+def _used(module: n.Module, functions: set[str], memo: Memo) -> set[str]:
     """Functions with a call that is not a statement of its own."""
-    alone = {
-        item.expr
-        for item in walk(module)
-        if isinstance(item, n.ExprStmt) and isinstance(item.expr, n.Call)
-    }
-    return {item.name for item in walk(module) if isinstance(item, n.Call) and item not in alone}
+    callers = [decl for decl in module.decls if not kept_names(decl, memo).isdisjoint(functions)]
+    items = [item for decl in callers for item in walk(decl)]
+    alone = {item.expr for item in items if isinstance(item, n.ExprStmt)}
+    return {item.name for item in items if isinstance(item, n.Call) and item not in alone}
 
 
 def _without(decl: n.Decl, unused: set[str], table: EffectTable) -> n.Decl:

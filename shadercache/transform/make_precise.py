@@ -22,19 +22,24 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import TypeAlias, cast
 
-from shadercache.analysis.effects import EffectTable
+from shadercache.analysis.effects import EffectTable, Linked
 from shadercache.ast import nodes as n
+from shadercache.ast.memo import Memo
 from shadercache.ast.walk import children
 from shadercache.lang.types import Type, builtin_type
 from shadercache.sema.check import check
 from shadercache.sema.facts import Stage
 from shadercache.source import NOWHERE, Source
 from shadercache.transform.precisions import all_highp
-from shadercache.transform.reachable import names_in
+from shadercache.transform.reachable import kept_names
 from shadercache.transform.replace import replace_expressions
 
 _DESKTOP, _ES = 400, 320
 _OUTPUTS_ONLY = 420
+
+_SIZES = ("2", "3", "4", *(f"{rows}x{columns}" for rows in "234" for columns in "234"))
+_MATRICES = {f"{kind}{size}" for kind in ("mat", "dmat") for size in _SIZES} | {"outerProduct"}
+"""What a program names that works with matrices: their types, and what makes one without."""
 
 Types: TypeAlias = Mapping[n.Expr, Type]
 
@@ -44,31 +49,52 @@ def precise_version(module: n.Module) -> int:
     return max(module.version, _ES if module.profile == "es" else _DESKTOP)
 
 
-def make_precise(module: n.Module, prefix: str, stage: Stage = "fragment") -> n.Module:
+def make_precise(
+    module: n.Module, prefix: str, stage: Stage = "fragment", memo: Memo | None = None
+) -> n.Module:
     """The module at :func:`precise_version` with precise values and invariant varyings."""
-    table = EffectTable(module)
-    types = _types(module) if stage == "fragment" else {}
-    decls = tuple(_decl(decl, prefix, table, types) for decl in module.decls)
+    memo = Memo() if memo is None else memo
+    functions = _functions(module, prefix, stage, memo)
+    decls = tuple(
+        functions[decl.name] if isinstance(decl, n.FunctionDef) else _decl(decl)
+        for decl in module.decls
+    )
     version = precise_version(module)
     # GLSL ES has no invariant inputs (3.20 section 4.8.1), nor has GLSL from 4.20 on.
     if stage == "vertex" or (module.profile != "es" and version < _OUTPUTS_ONLY):
         decls = tuple(_varying(decl, "out" if stage == "vertex" else "in") for decl in decls)
     made = replace(module, version=version, decls=decls)
-    return all_highp(made) if module.profile == "es" else made
+    return all_highp(made, memo) if module.profile == "es" else made
 
 
-def _types(module: n.Module) -> Types:
-    """The types of all expressions where the module works with matrices, which it rarely does."""
-    if not any("mat" in name for name in names_in(module)):
+def _functions(module: n.Module, prefix: str, stage: Stage, memo: Memo) -> dict[str, n.FunctionDef]:
+    """The functions of a module with precise values, by name."""
+    table = EffectTable(module, memo)
+    kept: dict[Linked, n.FunctionDef] = memo.table("precise functions")
+    linked = {name: table.linked(name) for name in table.functions}
+    new = {name for name, item in linked.items() if item not in kept}
+    types = _types(module, new, memo) if stage == "fragment" and new else {}
+    for name in new:
+        function = table.functions[name]
+        body = _Function(function, prefix, table.functions, table, types).block(function.body)
+        kept[linked[name]] = replace(function, proto=_proto(function.proto), body=body)
+    return {name: kept[item] for name, item in linked.items()}
+
+
+def _types(module: n.Module, functions: set[str], memo: Memo) -> Types:
+    """The types of all expressions in the given functions where the module works with matrices,
+    which it rarely does. Of the other functions the checker sees the heads alone."""
+    if all(kept_names(decl, memo).isdisjoint(_MATRICES) for decl in module.decls):
         return {}
-    return check(module, Source("proof", "")).types
+    decls = tuple(
+        decl.proto if isinstance(decl, n.FunctionDef) and decl.name not in functions else decl
+        for decl in module.decls
+    )
+    return check(replace(module, decls=decls), Source("proof", "")).types
 
 
-def _decl(decl: n.Decl, prefix: str, table: EffectTable, types: Types) -> n.Decl:
+def _decl(decl: n.Decl) -> n.Decl:
     match decl:
-        case n.FunctionDef():
-            body = _Function(decl, prefix, table.functions, table, types).block(decl.body)
-            return replace(decl, proto=_proto(decl.proto), body=body)
         case n.FunctionProto():
             return _proto(decl)
         case n.VarDecl():

@@ -14,6 +14,7 @@ from dataclasses import replace
 from typing import TypeVar
 
 from shadercache.ast import nodes as n
+from shadercache.ast.memo import Memo
 from shadercache.ast.rewrite import Rewriter
 from shadercache.lang.types import builtin_type
 from shadercache.lang.words import PRECISIONS
@@ -24,16 +25,31 @@ N = TypeVar("N", bound=n.VarDecl | n.Param | n.FunctionProto)
 _DEFAULTS = ("float", "int", "sampler2D", "samplerCube")
 
 
-def with_precisions(module: n.Module) -> n.Module:
+def with_precisions(module: n.Module, memo: Memo | None = None) -> n.Module:
     """The module with ``highp`` on the declarations that are not the user's, if it is GLSL ES."""
-    return _Highp().rewrite(module) if module.profile == "es" else module
+    if module.profile != "es":
+        return module
+    return _each(module, _Highp(), Memo() if memo is None else memo)
 
 
-def all_highp(module: n.Module) -> n.Module:
+def all_highp(module: n.Module, memo: Memo | None = None) -> n.Module:
     """The module with ``highp`` in the place of every other precision, the default ones too."""
     defaults = (n.PrecisionDecl(NOWHERE, "highp", n.TypeSpec(NOWHERE, kind)) for kind in _DEFAULTS)
-    made = _AllHighp().rewrite(module)
+    made = _each(module, _AllHighp(), Memo() if memo is None else memo)
     return replace(made, decls=(*defaults, *made.decls))
+
+
+def _each(module: n.Module, rewriter: Rewriter, memo: Memo) -> n.Module:
+    """The module with every declaration rewritten, each by itself: other programs have it too."""
+    kept: dict[n.Decl, tuple[n.Decl, ...]] = memo.table(type(rewriter).__name__)
+    decls: list[n.Decl] = []
+    for decl in module.decls:
+        found = kept.get(decl)
+        if found is None:
+            found = rewriter.rewrite(replace(module, directives=(), decls=(decl,))).decls
+            kept[decl] = found
+        decls += found
+    return replace(module, decls=tuple(decls))
 
 
 class _AllHighp(Rewriter):

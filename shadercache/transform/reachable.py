@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from shadercache.ast import nodes as n
+from shadercache.ast.memo import Memo
 from shadercache.ast.walk import walk
 from shadercache.lang.words import PRECISIONS
 
@@ -20,6 +21,19 @@ def names_in(node: n.Node) -> set[str]:
         if isinstance(item, n.Name | n.Call | n.TypeSpec):
             names.add(item.name)
     return names
+
+
+def kept_names(node: n.Node, memo: Memo) -> frozenset[str]:
+    """:func:`names_in` for nodes that other programs have as well: functions and their bodies."""
+    table: dict[n.Node, frozenset[str]] = memo.table("names")
+    found = table.get(node)
+    if found is None:
+        if isinstance(node, n.FunctionDef):
+            found = kept_names(node.body, memo) | names_in(node.proto)
+        else:
+            found = frozenset(names_in(node))
+        table[node] = found
+    return found
 
 
 def declared_names(decl: n.Decl) -> tuple[str, ...]:
@@ -39,9 +53,9 @@ def declared_names(decl: n.Decl) -> tuple[str, ...]:
             return ()
 
 
-def keep_reachable(module: n.Module, wanted: frozenset[str]) -> n.Module:
+def keep_reachable(module: n.Module, wanted: frozenset[str], memo: Memo) -> n.Module:
     """The module without the declarations that neither ``main`` nor ``wanted`` needs."""
-    needed = _needed_names(module, wanted | {"main"})
+    needed = _needed_names(module, wanted | {"main"}, memo)
     decls: list[n.Decl] = []
     for decl in module.decls:
         kept = _keep(decl, needed, wanted)
@@ -54,7 +68,7 @@ def keep_reachable(module: n.Module, wanted: frozenset[str]) -> n.Module:
     return replace(module, decls=tuple(decls))
 
 
-def _needed_names(module: n.Module, roots: frozenset[str]) -> set[str]:
+def _needed_names(module: n.Module, roots: frozenset[str], memo: Memo) -> set[str]:
     declared: dict[str, list[n.Decl]] = {}
     for decl in module.decls:
         for name in declared_names(decl):
@@ -70,7 +84,7 @@ def _needed_names(module: n.Module, roots: frozenset[str]) -> set[str]:
         for decl in declared.get(name, ()):
             if decl not in seen:
                 seen.add(decl)
-                todo.extend(names_in(decl))
+                todo.extend(kept_names(decl, memo))
     return needed
 
 

@@ -18,12 +18,14 @@ Works by name, on a module in which every identifier means one thing
 from __future__ import annotations
 
 import operator
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import cast
 
-from shadercache.analysis.effects import Does, EffectTable, root_variable
+from shadercache.analysis.effects import Does, EffectTable, Linked, root_variable
+from shadercache.analysis.exposure import overwritten_by, reads_of
 from shadercache.ast import nodes as n
+from shadercache.ast.memo import Memo
 from shadercache.ast.walk import EXPRESSIONS, children
 from shadercache.source import NOWHERE
 from shadercache.transform.reachable import keep_reachable, names_in
@@ -31,30 +33,33 @@ from shadercache.transform.reachable import keep_reachable, names_in
 Live = frozenset[str]
 
 
-def remove_dead(module: n.Module, wanted: Iterable[str]) -> n.Module:
+def remove_dead(module: n.Module, wanted: Iterable[str], memo: Memo | None = None) -> n.Module:
     """The module with only what ``main`` needs to write the ``wanted`` global variables.
 
     Other outputs are no longer written; where one is still read it becomes a plain global.
     """
     outputs = frozenset(wanted)
+    memo = Memo() if memo is None else memo
     while True:
-        pruned = keep_reachable(_prune_functions(module, outputs), outputs)
+        pruned = keep_reachable(_prune_functions(module, outputs, memo), outputs, memo)
         if pruned is module:
             return module
         module = pruned
 
 
-def _prune_functions(module: n.Module, outputs: Live) -> n.Module:
+def _prune_functions(module: n.Module, outputs: Live, memo: Memo) -> n.Module:
     """Callers come first: what is live after their calls is live where the callee returns."""
-    table = EffectTable(module)
+    table = EffectTable(module, memo)
     live: dict[str, Live] = {"main": outputs}
     pruned: dict[n.Decl, n.FunctionDef] = {}
     for function in _callers_first(table.functions):
         # What no call leads to is never executed; it goes with the declarations.
         at_exit = live.get(function.name, frozenset()) | _written_back(function)
-        body, _ = _Pruner(table, at_exit, live).block(function.body, at_exit)
-        if body is not function.body:
-            pruned[function] = replace(function, body=body)
+        new, after_calls = _pruned(table, table.linked(function.name), at_exit, memo)
+        if new is not function:
+            pruned[function] = new
+        for name, names in after_calls.items():
+            live[name] = live.get(name, frozenset()) | names
     if not pruned:
         return module
     return replace(module, decls=tuple(pruned.get(decl, decl) for decl in module.decls))
@@ -74,6 +79,23 @@ def _callers_first(functions: dict[str, n.FunctionDef]) -> list[n.FunctionDef]:
         stack.pop()
         order.setdefault(function.name, function)
     return [*order.values()][::-1]
+
+
+def _pruned(
+    table: EffectTable, linked: Linked, at_exit: Live, memo: Memo
+) -> tuple[n.FunctionDef, Mapping[str, Live]]:
+    """One function without what is dead in it, where ``at_exit`` is live when it returns; and what
+    is live behind its calls."""
+    kept: dict[object, tuple[n.FunctionDef, Mapping[str, Live]]] = memo.table("pruned functions")
+    # What it does not write itself is live throughout, or not at all, and decides nothing.
+    at_exit &= linked.inside.writes
+    found = kept.get((linked, at_exit))
+    if found is None:
+        function, pruner = linked.function, _Pruner(table, at_exit, {})
+        body, _ = pruner.block(function.body, at_exit)
+        new = function if body is function.body else replace(function, body=body)
+        found = kept[linked, at_exit] = new, pruner.after_calls
+    return found
 
 
 def _written_back(function: n.FunctionDef) -> Live:
@@ -167,7 +189,7 @@ class _Pruner:
             return None, live
         if parts == [stmt.expr]:
             self._note_calls(stmt, live)
-            return stmt, (live - _killed(stmt.expr)) | self.table.of(stmt.expr).reads
+            return stmt, (live - overwritten_by(stmt, self.table)) | reads_of(stmt, self.table)
         kept = [n.ExprStmt(part.span, part) for part in parts]
         for item in kept:
             live = self.evaluated(item, live)
@@ -176,7 +198,7 @@ class _Pruner:
     def evaluated(self, node: n.Node, live: Live) -> Live:
         """What is live before something that is kept as it is, and overwrites nothing wholly."""
         self._note_calls(node, live)
-        return live | self.table.of(node).reads
+        return live | reads_of(node, self.table)
 
     def _note_calls(self, node: n.Node, live: Live) -> None:
         """Note what is live behind the calls inside."""
@@ -189,7 +211,7 @@ class _Pruner:
             called = {name for arg in last.args for name in names_in(arg)} & called
         for name in called:
             # Other parts may be evaluated after it.
-            self._note(name, live | self.table.of(node).reads)
+            self._note(name, live | reads_of(node, self.table))
 
     def _note(self, name: str, live: Live) -> None:
         self.after_calls[name] = self.after_calls.get(name, frozenset()) | live
@@ -337,10 +359,3 @@ def _is_empty(stmt: n.Stmt) -> bool:
     return (isinstance(stmt, n.Block) and not stmt.body) or (
         isinstance(stmt, n.ExprStmt) and stmt.expr is None
     )
-
-
-def _killed(expr: n.Expr) -> Live:
-    """Variables that the expression overwrites wholly, whatever they held."""
-    if isinstance(expr, n.Assign) and expr.op == "=" and isinstance(expr.target, n.Name):
-        return frozenset((expr.target.name,))
-    return frozenset()

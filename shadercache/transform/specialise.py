@@ -14,11 +14,12 @@ Several things can be asked for, each at an expression on a call path:
 * *use*: the expression is replaced by a variable;
 * *store*: its value goes to the variable first (in a statement of its own), then the variable is
   used;
-* *goal*: as store, and everything after it is cut off: the functions on the path return nothing.
+* *goal*: as store, and everything after the last goal is cut off: the functions on its path return
+  nothing.
 
 And where not every fragment comes by the expression:
 
-* *keep*: as store, and it is noted that there is a value (``sc_valid``);
+* *keep*: as store, and it is noted in the cut's flag (``sc_valid``) that there is a value;
 * *fill*: as keep, but a value from the cache (``sc_reuse``) is taken as it is;
 * *need*: as use, but a fragment without a value from the cache is discarded;
 * *lack*: as need, but it is only noted (``sc_lacks``), and what follows goes on.
@@ -28,7 +29,7 @@ And where not every fragment comes by the expression:
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from typing import Literal, TypeAlias
 
@@ -43,12 +44,16 @@ CutKind: TypeAlias = Literal["use", "store", "goal", "keep", "fill", "need", "la
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Cut:
-    """One expression to replace: the calls from ``main`` to its function, itself, the variable."""
+    """One expression to replace: the calls from ``main`` to its function, itself, the variable.
+
+    ``flag`` is the variable that says whether there is a value, for the kinds that set it.
+    """
 
     path: tuple[n.Call, ...]
     expr: n.Expr
     variable: str
     kind: CutKind
+    flag: str = ""
 
 
 @dataclass(slots=True)
@@ -74,7 +79,8 @@ def specialise(
 ) -> Clones:
     """Clone ``main`` (as ``entry``) and the functions on the cuts' paths, with the cuts made.
 
-    The other clones get fresh names that begin with ``prefix``. At most one cut is a goal.
+    The other clones get fresh names that begin with ``prefix``. Goals are evaluated in every run:
+    none stands under a condition.
     The clones are not yet in the module: see :func:`insert_clones`.
     """
     functions = {d.name: d for d in module.decls if isinstance(d, n.FunctionDef)}
@@ -118,20 +124,27 @@ class _Maker:
         self.functions, self.names, self.prefix = functions, names, prefix
         self.made: list[tuple[n.FunctionDef, n.FunctionDef]] = []
 
-    def clone(self, function: n.FunctionDef, tree: _Tree, name: str | None = None) -> str:
-        """Add the clone of a function with the cuts of ``tree`` made; return its name."""
-        body = _Body(self.prefix)
+    def clone(
+        self, function: n.FunctionDef, tree: _Tree, name: str | None = None, ends: bool = True
+    ) -> str:
+        """Add the clone of a function with the cuts of ``tree`` made; return its name.
+
+        ``ends``: is a clone with goals left at the last of them?
+        """
+        end = _find_end(function, tree) if ends and tree.has_goal else None
+        body = _Body(self.prefix, end.stmt if end else None)
         for call, below in tree.below.items():
-            body.renamed[call] = self.clone(self.functions[call.name], below)
-            if below.has_goal:
-                body.moved.append(_Moved(call, None, "goal"))
+            left = end is not None and call in end.calls
+            body.renamed[call] = self.clone(self.functions[call.name], below, ends=left)
+            if left:
+                body.moved.append(_Moved(call, None))
         for cut in tree.cuts:
             body.used[cut.expr] = cut.variable
             if cut.kind != "use":
-                body.moved.append(_Moved(cut.expr, cut.variable, cut.kind))
+                body.moved.append(_Moved(cut.expr, cut))
         name = name or self.names.make(self.prefix + function.name)
         proto = replace(function.proto, name=name)
-        if tree.has_goal:
+        if end is not None:
             void = n.TypeSpec(NOWHERE, "void")
             proto = replace(proto, type=void, qualifiers=n.NO_QUALIFIERS)
         clone = replace(function, proto=proto, body=body.block(function.body)[0])
@@ -140,28 +153,57 @@ class _Maker:
 
 
 @dataclass(frozen=True, slots=True)
+class _End:
+    """The statement of a function with the last goal, and the calls in it that lead to goals.
+
+    A call whose value another goal of that statement needs is not among them.
+    """
+
+    stmt: n.Stmt
+    calls: frozenset[n.Expr]
+
+
+def _find_end(function: n.FunctionDef, tree: _Tree) -> _End:
+    goals: list[n.Expr] = [cut.expr for cut in tree.cuts if cut.kind == "goal"]
+    goals += [call for call, below in tree.below.items() if below.has_goal]
+    stmt = next(item for item in _last_first(function.body) if any(_holds(item, g) for g in goals))
+    inside = [goal for goal in goals if _holds(stmt, goal)]
+    free = [g for g in inside if not any(_holds(o, g) for o in inside if o is not g)]
+    return _End(stmt, frozenset(g for g in free if g in tree.below))
+
+
+def _last_first(block: n.Block) -> Iterator[n.Stmt]:
+    """The statements of a block and of plain blocks in it, from the last to the first."""
+    for stmt in reversed(block.body):
+        if isinstance(stmt, n.Block):
+            yield from _last_first(stmt)
+        else:
+            yield stmt
+
+
+@dataclass(frozen=True, slots=True)
 class _Moved:
     """An expression that gets statements of its own before the one it stands in.
 
-    Without a ``variable`` it is a call on the way to the goal, which returns nothing any more.
+    Without a ``cut`` it is a call on the way to the last goals, which returns nothing any more.
     """
 
     expr: n.Expr
-    variable: str | None
-    kind: CutKind
+    cut: Cut | None
 
 
 @dataclass(slots=True)
 class _Body:
-    """Rewrites the statements of one function."""
+    """Rewrites the statements of one function, up to the own statements of ``last``."""
 
     prefix: str
+    last: n.Stmt | None
     renamed: dict[n.Expr, str] = field(default_factory=dict)
     used: dict[n.Expr, str] = field(default_factory=dict)
     moved: list[_Moved] = field(default_factory=list)
 
     def block(self, block: n.Block) -> tuple[n.Block, bool]:
-        """The rewritten block, and whether it ends in the goal."""
+        """The rewritten block, and whether it ends in the last goal."""
         body: list[n.Stmt] = []
         for stmt in block.body:
             if isinstance(stmt, n.Block):
@@ -174,14 +216,14 @@ class _Body:
         return replace(block, body=tuple(body)), False
 
     def statement(self, stmt: n.Stmt, body: list[n.Stmt]) -> bool:
-        """Append the rewritten statement; tell whether the goal is reached with it."""
+        """Append the rewritten statement; tell whether the last goal is reached with it."""
         inside = [item for item in self.moved if _holds(stmt, item.expr)]
         parts = _head(stmt)
         ahead = [item for item in inside if any(_holds(part, item.expr) for part in parts)]
-        for item in sorted(ahead, key=lambda item: item.kind == "goal"):
+        for item in _operands_first(ahead):
             body += self._own_statements(item)
-            if item.kind == "goal":
-                return True
+        if stmt is self.last:
+            return True
         deeper = len(ahead) < len(inside)
         body.append(self._control(stmt) if deeper else replace_expressions(stmt, self._rewritten))
         return False
@@ -220,34 +262,43 @@ class _Body:
         return rebuilt
 
     def _own_statements(self, item: _Moved) -> list[n.Stmt]:
-        """``variable = expression;`` and the like, or the call that leads to the goal."""
+        """``variable = expression;`` and the like, or the call that leads to the last goals."""
         span = item.expr.span
-        if item.variable is None:
+        if item.cut is None:
             return [n.ExprStmt(span, replace_expressions(item.expr, self._rewritten))]
-        match item.kind:
+        match item.cut.kind:
             case "need":
                 return [self._unless_reused(n.Jump(span, "discard"))]
             case "lack":
-                return [self._unless_reused(self._set("lacks"))]
+                return [self._unless_reused(_set(self.prefix + "lacks"))]
             case "fill":
-                return [self._unless_reused(self._computed(item)), self._set("valid")]
+                return [self._unless_reused(self._computed(item.cut)), _set(item.cut.flag)]
             case "keep":
-                return [self._computed(item), self._set("valid")]
-        return [self._computed(item)]
+                return [self._computed(item.cut), _set(item.cut.flag)]
+        return [self._computed(item.cut)]
 
-    def _computed(self, item: _Moved) -> n.Stmt:
+    def _computed(self, cut: Cut) -> n.Stmt:
         value = replace_expressions(
-            item.expr, lambda old, new: new if old is item.expr else self._rewritten(old, new)
+            cut.expr, lambda old, new: new if old is cut.expr else self._rewritten(old, new)
         )
-        assert item.variable is not None
-        return _assign(item.variable, value)
-
-    def _set(self, flag: str) -> n.Stmt:
-        return _assign(self.prefix + flag, n.Literal(NOWHERE, "true"))
+        return _assign(cut.variable, value)
 
     def _unless_reused(self, stmt: n.Stmt) -> n.Stmt:
         reuse = n.Name(NOWHERE, self.prefix + "reuse")
         return n.If(NOWHERE, n.Unary(NOWHERE, "!", reuse), n.Block(NOWHERE, (stmt,)), None)
+
+
+def _operands_first(items: list[_Moved]) -> list[_Moved]:
+    """What stands inside of another comes before it."""
+
+    def depth(item: _Moved) -> int:
+        return sum(_holds(other.expr, item.expr) for other in items)
+
+    return sorted(items, key=depth, reverse=True) if len(items) > 1 else items
+
+
+def _set(flag: str) -> n.Stmt:
+    return _assign(flag, n.Literal(NOWHERE, "true"))
 
 
 def _assign(name: str, value: n.Expr) -> n.Stmt:

@@ -109,7 +109,9 @@ def test_text_for_the_cpu() -> None:
     int n = int(m);
     float f = n;
     k += u_tint.x;
-    o_color = vec4(sin(m) * v_uv.x, f * 2.0, k * 2.0, loop(m) + v_uv.y);
+    float l = k;
+    l++;
+    o_color = vec4(sin(m) * v_uv.x, f * 2.0, k * 2.0 + l * 3.0, loop(m) + v_uv.y);
     """
     analysis = analysed(body, declarations)
 
@@ -119,7 +121,8 @@ def test_text_for_the_cpu() -> None:
     assert cpu("sin(m)") == "sin((u_time * 3.0 + 1.0) * 0.5)"
     assert cpu("f * 2.0") == "float(int((u_time * 3.0 + 1.0) * 0.5)) * 2.0"
     assert cpu("loop(m)") == "loop((u_time * 3.0 + 1.0) * 0.5)"
-    assert cpu("k * 2.0") is None, "k was changed in a way that no expression tells"
+    assert cpu("k * 2.0") == "(u_time * 3.0 + u_tint.x) * 2.0"
+    assert cpu("l * 3.0") is None, "l was changed in a way that no expression tells"
     assert cpu("v_uv.x") is None, "nothing for the CPU"
 
 

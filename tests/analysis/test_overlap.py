@@ -69,23 +69,23 @@ def test_no_pass_of_the_corpus_costs_more_than_is_told(scene: str) -> None:
 
 def _compare(analysis: Analysis, node: Candidate) -> None:
     """No pass costs more than the original and its look-ups; one pass also what is done twice."""
-    parts = analysis.parts(node)
+    parts, prefix = analysis.parts(node), analysis.program.prefix
     assert parts.payload <= parts.whole and parts.remainder <= parts.whole
-    emitter = FragmentEmitter(analysis.program, node)
-    assert _cost(emitter.payload_only()) <= parts.payload + PADDING
-    assert _cost(emitter.shade()) <= parts.remainder + 2 * FETCH + PADDING
-    assert _cost(emitter.hit()) <= parts.remainder + PADDING
-    assert _cost(emitter.miss()) <= parts.whole + PADDING
+    emitter = FragmentEmitter(analysis.program, (node,))
+    assert _cost(emitter.payload_only(), prefix) <= parts.payload + PADDING
+    assert _cost(emitter.shade(), prefix) <= parts.remainder + 2 * FETCH + PADDING
+    assert _cost(emitter.hit(), prefix) <= parts.remainder + PADDING
+    assert _cost(emitter.miss(), prefix) <= parts.whole + PADDING
     # Fetches that one pass moves ahead compute where to look once more.
-    if emitter.unfit_for_one_pass() is None and not emitter.fetches:
-        assert _cost(emitter.one()) <= parts.whole + parts.overlap + PADDING
+    if emitter.unfit(1) is None and not emitter.fetches:
+        assert _cost(emitter.one(), prefix) <= parts.whole + parts.overlap + PADDING
 
 
-def _cost(shader: Shader) -> float:
+def _cost(shader: Shader, prefix: str) -> float:
     """The static cost of an emitted shader, the look-up in the cache of the last frame apart."""
     text = print_module(with_precisions(shader.module))
     module = parse(Source("pass.frag", text))
     costs = CostTable(check(module, Source("pass.frag", text), "fragment"))
     functions = {item.name: item for item in module.decls if isinstance(item, n.FunctionDef)}
-    look_up = functions.get("sc_look_up")
+    look_up = functions.get(f"{prefix}look_up")
     return costs.function(functions["main"]) - (costs.function(look_up) if look_up else 0.0)

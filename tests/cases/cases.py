@@ -1,6 +1,7 @@
 """The cases: fragment shaders, each of which is a trap for one thing the compiler might get wrong.
 
-Beside each stands what is expected of it: ``name.txt`` has a line for every node.
+Beside each stands what is expected of it: ``name.txt`` has a line for every node. Of those named
+``unrolled_...`` the loops are unrolled.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from functools import cache
 from pathlib import Path
 
 from shadercache.compiler import Analysis, analyse
+from shadercache.front.options import ReadOptions
 from shadercache.source import Source
 
 FOLDER = Path(__file__).parent
@@ -37,4 +39,4 @@ def vertex(name: str) -> Path:
 @cache
 def analysed(name: str) -> Analysis:
     """What the compiler makes of a case. Raises :class:`InputError` where it refuses it whole."""
-    return analyse(*sources(name))
+    return analyse(*sources(name), ReadOptions(unroll=name.startswith("unrolled_")))

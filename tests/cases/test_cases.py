@@ -7,8 +7,10 @@ import subprocess
 from collections.abc import Iterable
 from contextlib import closing
 from pathlib import Path
+from random import Random
 
 import pytest
+from laws.random_sets import random_sets
 from laws.slices import VARIABLE, day_slice, seed
 
 from shadercache.analysis.candidates import Candidate
@@ -40,6 +42,12 @@ def told(name: str) -> list[Candidate]:
 
 def legal(name: str) -> list[Candidate]:
     return [node for node in told(name) if node.legal]
+
+
+def of_the_day(name: str) -> list[tuple[Candidate, ...]]:
+    """What is tried today: some nodes, and a set of nodes."""
+    sets, _ = random_sets(analysed(name), legal(name), Random(f"{seed()} {name}"), 1)
+    return [*((node,) for node in day_slice(legal(name), seed(), NODES)), *sets]
 
 
 def cacheable(name: str) -> bool:
@@ -74,8 +82,7 @@ def test_laws_1_to_4(name: str, gpu: Gpu, scene_folder: Path) -> None:
     scene = scene_of(name, scene_folder)
     with closing(Verifier(gpu, scene, analysed(name), SIZE)) as verifier:
         found = verifier.round_trip()
-        nodes = day_slice(legal(name), seed(), NODES)
-        verdicts = [verifier.check(node, plain=False) for node in nodes]
+        verdicts = [verifier.check(nodes, plain=False) for nodes in of_the_day(name)]
         assert verifier.covered[0].mean() > 0.2
     assert found is not None and found.exact
     broken = {
@@ -94,9 +101,9 @@ def test_the_reference_compiler_says_no_more_than_of_the_original(
     accepted = _complaints([(f"user{suffix}", text) for suffix, text in shaders.items()], tmp_path)
     assert not any(line.startswith("ERROR") for line in accepted)
     texts = [item for mode in MODES for item in emit_original(analysis, mode).files.items()]
-    for node in day_slice(legal(name), seed(), NODES):
+    for nodes in of_the_day(name):
         for mode in MODES:
-            emission = rewrite(analysis, node, Options(mode), unprofitable=True)
+            emission = rewrite(analysis, nodes, Options(mode), unprofitable=True)
             texts += emission.files.items()
     assert _complaints(texts, tmp_path) <= accepted, f"{VARIABLE}={seed()} repeats this"
 

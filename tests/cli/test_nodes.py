@@ -142,3 +142,28 @@ def test_only_values_of_uniforms_have_a_text_for_the_cpu(shell: Shell, fragment:
     nodes = shell("nodes", fragment, "--json").json["nodes"]
     told = {node["refusal"]["code"] for node in nodes if node["on_cpu"] is not None}
     assert told <= {"SC303"}
+
+
+LOOPS = """#version 330
+in vec2 v_uv;
+out vec4 o_color;
+float wave(float x) { return sin(x) * cos(x + 1.0) * sin(x * 2.0); }
+void main() {
+    float sum = 0.0;
+    for (int i = 0; i < 3; i++) sum += wave(v_uv.x + float(i));
+    for (int i = 0; i < 3; i++) { if (sum > 2.0) break; sum *= 1.1; }
+    o_color = vec4(sum);
+}
+"""
+
+
+def test_loops_are_unrolled_on_request(shell: Shell) -> None:
+    plain = shell("nodes", "-", "--json", stdin=LOOPS.encode())
+    assert plain.err == ""
+    sums = [node for node in plain.json["nodes"] if node["text"].startswith("sum +=")]
+    assert [node["refusal"]["code"] for node in sums] == ["SC301"]
+    outcome = shell("nodes", "-", "--unroll", "--json", stdin=LOOPS.encode())
+    sums = [node for node in outcome.json["nodes"] if node["text"].startswith("sum +=")]
+    assert [node["path"] for node in sums] == ["main [i=0]", "main [i=1]", "main [i=2]"]
+    assert all(node["offered"] for node in sums)
+    assert "8:5: note: this loop is not unrolled: there is a break" in outcome.err

@@ -124,3 +124,114 @@ def test_an_output_folder_that_cannot_be_written(
     assert (outcome.status, outcome.out) == (2, "")
     assert outcome.err.startswith("error: cannot write")
     assert reason in outcome.err and "[SC002]" in outcome.err
+
+
+SET = """#version 330 core
+uniform sampler2D u_wood;
+uniform vec3 u_light;
+in vec3 v_position;
+in vec3 v_normal;
+out vec4 o_color;
+
+float rings(vec3 at) {
+    return 0.5 + 0.5 * sin(length(at.xz) * 20.0 + sin(at.y * 3.0) * cos(at.x * 5.0));
+}
+void main() {
+    vec4 wood = texture(u_wood, v_position.xy) * rings(v_position);
+    vec2 wide = vec2(rings(v_position.yzx), rings(v_normal));
+    vec3 tone = wood.rgb * rings(v_position.zxy) + rings(v_normal.yzx);
+    float fine = tone.x > 0.5 ? wide.x : rings(v_normal.zyx);
+    o_color = vec4(tone * wide.y * fine, wood.a);
+}
+"""
+
+
+@pytest.fixture
+def several(shell: Shell, fragment: Path, tmp_path: Path) -> tuple[Path, dict[str, str]]:
+    """A shader with many values worth caching, and their ids by their texts."""
+    path = tmp_path / "set.frag"
+    path.write_text(SET)
+    path.with_suffix(".vert").write_text(fragment.with_suffix(".vert").read_text())
+    nodes = shell("nodes", path, "--json").json["nodes"]
+    return path, {node["text"]: node["id"] for node in reversed(nodes)}
+
+
+WIDE, TONE = "rings(v_position.yzx)", "rings(v_position.zxy)"
+SUM = "wood.rgb * rings(v_position.zxy) + rings(v_normal.yzx)"
+
+
+@pytest.mark.parametrize("joined", [True, False])
+def test_several_nodes_are_one_set(
+    shell: Shell, several: tuple[Path, dict[str, str]], tmp_path: Path, joined: bool
+) -> None:
+    path, ids = several
+    pair = ids[WIDE], ids["wood"]
+    nodes = ("--node", "+".join(pair)) if joined else ("--node", pair[0], "--node", pair[1])
+    out = tmp_path / "out"
+    outcome = shell("rewrite", path, *nodes, "-o", out)
+    assert (outcome.status, outcome.err) == (0, "")
+    manifest = json.loads((out / "manifest.json").read_text())
+    assert [node["id"] for node in manifest["nodes"]] == list(pair)
+    channels = [{"cache": "x"}, {"cache": "yz", "second": "xy"}]
+    assert [node["channels"] for node in manifest["nodes"]] == channels
+
+
+def test_a_value_that_comes_and_goes_is_noted(
+    shell: Shell, several: tuple[Path, dict[str, str]], tmp_path: Path
+) -> None:
+    path, ids = several
+    nodes = ("--node", ids[TONE], "--node", ids["rings(v_normal.zyx)"])
+    outcome = shell("rewrite", path, *nodes, "-o", tmp_path / "out")
+    assert outcome.status == 0
+    assert "note: 'rings(v_normal.zyx)' is not computed in every fragment" in outcome.err
+    manifest = json.loads((tmp_path / "out" / "manifest.json").read_text())
+    assert [node["conditional"] for node in manifest["nodes"]] == [False, True]
+
+
+@pytest.mark.parametrize(
+    ("nodes", "status", "said"),
+    [
+        ((TONE, TONE), 1, "is in the set twice [SC415]"),
+        ((TONE, "rings(v_position.zxy)*"), 2, "has no node '"),
+        ((SUM, "tone"), 1, "'tone' ("),
+        (("wood", "tone", WIDE), 1, "the set needs 4 + 3 + 1 = 8 channels"),
+        ((TONE, SUM), 1, "'rings(v_position.zxy)' ("),
+        ((WIDE, "vec2(rings(v_position.yzx), rings(v_normal))"), 1, "is not needed where the rest"),
+        ((WIDE, "u_wood"), 1, "[SC305]"),
+        ((WIDE, "v_normal.yzx"), 1, "[SC308]"),
+        ((WIDE, ""), 2, "lacks an id beside a '+' [SC010]"),
+    ],
+)
+def test_sets_that_cannot_be(
+    shell: Shell,
+    several: tuple[Path, dict[str, str]],
+    tmp_path: Path,
+    nodes: tuple[str, ...],
+    status: int,
+    said: str,
+) -> None:
+    path, ids = several
+    wanted = "+".join(ids.get(text, text) for text in nodes)
+    outcome = shell("rewrite", path, "--node", wanted, "-o", tmp_path / "out")
+    assert (outcome.status, outcome.out) == (status, "")
+    assert said in outcome.err
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_node_of_an_unrolled_loop(shell: Shell, tmp_path: Path) -> None:
+    shader = tmp_path / "loop.frag"
+    shader.write_text(
+        "#version 330\nin vec3 v_position;\nout vec4 o_color;\nvoid main() {\n"
+        "    float sum = 0.0;\n"
+        "    for (int i = 0; i < 4; i++) sum += sin(v_position.x * exp(float(i))) * cos(sum);\n"
+        "    o_color = vec4(sum);\n}\n"
+    )
+    line = ["rewrite", shader, "--vert", Path(__file__).parent / "shaders" / "small.vert"]
+    nodes = shell("nodes", shader, "--unroll", "--json").json["nodes"]
+    node = next(item["id"] for item in nodes if item["path"] == "main [i=2]" and item["offered"])
+    out = tmp_path / "out"
+    assert shell(*line, "--node", node, "--unroll", "-o", out).status == 0
+    assert "for (" in (out / "original.frag").read_text()
+    assert "for (" not in (out / "2-pass.miss.frag").read_text()
+    refused = shell(*line, "--node", node, "-o", out)
+    assert refused.status == 2 and "add --unroll" in refused.err

@@ -84,19 +84,19 @@ LAYOUTS = [
 def test_layout(
     kind: Type, formats: tuple[str, ...], first: str, second: str, unpacked: str
 ) -> None:
-    layout = Layout(kind)
+    layout = Layout((kind,))
     macros = layout.macros("sc_")
     assert layout.formats("rgba16f") == formats
     assert (macros["PACKED_1"], macros["PACKED_2"]) == (first, second)
-    assert macros["UNPACKED"] == unpacked
+    assert macros["UNPACK"] == f"sc_payload = {unpacked}"
 
 
 def test_the_masks_mark_what_must_not_be_blended() -> None:
     mixed = struct_type("Mixed", {"at": vector("float", 2), "id": INT, "more": FLOAT, "on": BOOL})
-    macros = Layout(mixed).macros("sc_")
+    macros = Layout((mixed,)).macros("sc_")
     assert macros["DISCRETE_1"] == "uvec4(0u, 0u, 0xFFFFFFFFu, 0u)"
     assert macros["DISCRETE_2"] == "uvec4(0u, 0xFFFFFFFFu, 0u, 0u)"
-    assert Layout(FLAGGED).macros("sc_")["ANY_DISCRETE_1"] == "0"
+    assert Layout((FLAGGED,)).macros("sc_")["ANY_DISCRETE_1"] == "0"
 
 
 @pytest.mark.parametrize("name", PAYLOADS)
@@ -112,7 +112,7 @@ def test_every_program_is_valid_and_holds_nothing_unused(name: str) -> None:
         for variant in emission.manifest["variants"]:
             for item in variant["passes"]:
                 layers = {name for name in item["targets"] if name.startswith("cache")}
-                wanted = {"cache", "cache-2"} if Layout(node.type).second else {"cache"}
+                wanted = {"cache", "cache-2"} if Layout((node.type,)).second else {"cache"}
                 assert layers in (wanted, set())
 
 

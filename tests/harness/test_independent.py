@@ -12,12 +12,13 @@ from types import ModuleType
 
 import pytest
 
-from shadercache.compiler import analyse, rewrite
+from shadercache.compiler import Emission, analyse, rewrite
 from shadercache.harness.bundle import Bundle, load_bundle
 from shadercache.harness.context import Gpu
 from shadercache.harness.mesh import load_mesh
 from shadercache.harness.runner import RunOptions, VariantRunner
 from shadercache.harness.scene import load_scene
+from shadercache.harness.shaders import open_scene
 from shadercache.harness.stage import Stage
 from shadercache.paths import data_path
 from shadercache.source import Source
@@ -78,6 +79,28 @@ def test_same_bits_for_a_manifest_by_hand(
     assert agree(stage, bundle, folder, algorithm, form)
 
 
+@pytest.mark.parametrize("name", ["orbit", "scroll"])
+def test_same_bits_full_screen(gpu: Gpu, tmp_path: Path, name: str) -> None:
+    """What to draw, and where payloads are, stands in the manifest; no mesh is given."""
+    path = Path(__file__).parent.parent / "laws" / "full_screen" / f"{name}.frag"
+    for mapping in ("screen", "user"):
+        scene, analysis = open_scene(path, mapping=mapping)
+        nodes = [node for node in analysis.nodes if node.offered]
+        folder = tmp_path / mapping
+        folder.mkdir()
+        write(rewrite(analysis, nodes[1]), folder)
+        bundle = load_bundle(folder)
+        with Stage(gpu, scene, (96, 64), "rgba32f") as stage:
+            for algorithm in bundle.algorithms:
+                assert agree(stage, bundle, folder, algorithm, None), (mapping, algorithm)
+
+
+def write(emission: Emission, folder: Path) -> None:
+    for file, text in emission.files.items():
+        (folder / file).write_text(text)
+    (folder / "manifest.json").write_text(json.dumps(emission.manifest))
+
+
 def corpus_scenes() -> list[str]:
     return sorted(path.parent.name for path in data_path("corpus").glob("*/scene.toml"))
 
@@ -96,9 +119,7 @@ def test_same_bits_for_what_the_compiler_writes(gpu: Gpu, tmp_path: Path, name: 
             emission = rewrite(analysis, node)
             folder = tmp_path / str(number)
             folder.mkdir()
-            for file, text in emission.files.items():
-                (folder / file).write_text(text)
-            (folder / "manifest.json").write_text(json.dumps(emission.manifest))
+            write(emission, folder)
             bundle = load_bundle(folder)
             for algorithm in bundle.algorithms:
                 assert agree(stage, bundle, folder, algorithm, None), (node.id, algorithm)

@@ -8,8 +8,10 @@ import numpy as np
 import pytest
 
 from shadercache.diagnostics import InputError
+from shadercache.front.options import ReadOptions
 from shadercache.harness.camera import look_at, perspective, rotation, scene_values
 from shadercache.harness.scene import Motion, Scene, load_scene
+from shadercache.harness.shaders import analyse_scene
 
 
 def broken(folder: Path, old: str, new: str) -> InputError:
@@ -21,6 +23,14 @@ def broken(folder: Path, old: str, new: str) -> InputError:
     with pytest.raises(InputError) as caught:
         load_scene(path)
     return caught.value
+
+
+def test_a_scene_may_ask_for_unrolled_loops(scene: Scene, scene_folder: Path) -> None:
+    assert not analyse_scene(scene)[1].reading.unroll
+    path = scene_folder / "unrolled.toml"
+    path.write_text("unroll = true\n" + (scene_folder / "scene.toml").read_text())
+    assert analyse_scene(load_scene(path))[1].reading.unroll
+    assert analyse_scene(scene, ReadOptions(unroll=True))[1].reading.unroll
 
 
 def test_a_folder_stands_for_its_scene_file(scene: Scene, scene_folder: Path) -> None:
@@ -112,7 +122,7 @@ def test_matrices(scene: Scene) -> None:
 
 
 def test_uniform_values_are_in_upload_order(scene: Scene) -> None:
-    values = scene_values(scene, 3, 1.0)
+    values = scene_values(scene, 3, (64, 64))
     model = rotation(scene.motion, 3)
     assert values["u_model"].tolist() == model.T.ravel().tolist()
     assert values["u_light"].tolist() == [0.4, 0.8, 0.5]

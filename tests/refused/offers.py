@@ -22,7 +22,6 @@ from shadercache.emit.assemble import Shader, interface, merge, with_locations, 
 from shadercache.emit.fragment import exact_original
 from shadercache.emit.printer import print_module
 from shadercache.emit.runtime import runtime_names
-from shadercache.emit.vertex import VertexEmitter
 from shadercache.front.parse import parse
 from shadercache.lang.types import Type
 from shadercache.source import Source
@@ -101,13 +100,10 @@ def _held(analysis: Analysis) -> set[Operation]:
 
 def programs(analysis: Analysis) -> dict[str, str]:
     """The two stages of the shader that computes the offers, to be drawn like the original."""
-    assert analysis.vertex_module is not None
     fragment = offers_of(analysis)
-    prefix = analysis.program.prefix
-    vertex = VertexEmitter(analysis.raised[1].module, analysis.vertex_module, prefix)
     return {
         "original.frag": _text(fragment),
-        "original.vert": _text(vertex.for_fragment(fragment)),
+        "original.vert": _text(analysis.vertex_emitter.for_fragment(fragment)),
     }
 
 

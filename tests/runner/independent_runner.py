@@ -36,7 +36,10 @@ class IndependentRunner:
         cache_format: str | None = None,
         cull: bool = False,
     ) -> None:
-        """Args: ``attributes`` maps vertex attributes to (n, c) float32, ``index`` is (m, 3)."""
+        """Args: ``attributes`` maps vertex attributes to (n, c) float32, ``index`` is (m, 3).
+
+        Both are of the engine's objects, which a full-screen variant does not draw.
+        """
         self.ctx = ctx
         self.flags = moderngl.DEPTH_TEST | (moderngl.CULL_FACE if cull else 0)
         self.folder = folder
@@ -48,7 +51,9 @@ class IndependentRunner:
             name: (ctx.buffer(array.astype("f4").tobytes()), f"{array.shape[1]}f")
             for name, array in attributes.items()
         }
-        self.index = ctx.buffer(index.astype("u4").tobytes())
+        full_screen = self.manifest["draw"]["geometry"] == "full-screen triangle"
+        self.vertices = self.manifest["draw"]["vertices"] if full_screen else -1
+        self.index = None if full_screen else ctx.buffer(index.astype("u4").tobytes())
         cache = self.manifest["cache"]
         self.layers = [cache, cache["second"]] if "second" in cache else [cache]
         self.caches = [self._textures(size, cache_format) for _ in range(cache["buffers"])]
@@ -123,7 +128,7 @@ class IndependentRunner:
             framebuffer.use()
             self.ctx.depth_func = DEPTH_TESTS[item["depth"]["test"]]
             self._set_uniforms(program, item["uniforms"], values, numbers, caches)
-            array.render()
+            array.render(vertices=self.vertices)
         self.caches.reverse()
         self.last_values = dict(values)
         width, height = self.color.size

@@ -1,7 +1,11 @@
 // The look-up in the cache of the previous frame. Words in capitals: see macros.glsl.
 
+#if SC_SURFACE
 in vec4 sc_current;   // clip-space position in this frame
 in vec4 sc_previous;  // clip-space position of the same surface point in the previous frame
+#elif SC_OWN_CURRENT
+vec4 sc_current;  // clip-space position in this frame, by the user's function
+#endif
 
 uniform SC_SAMPLER sc_cache;    // what the previous frame stored: payload and 1/w
 #if SC_TARGETS == 2
@@ -12,7 +16,7 @@ uniform int sc_period;       // frames between two refreshes of a pixel
 uniform int sc_block;        // edge in pixels of the squares that are refreshed together
 uniform float sc_epsilon;    // greatest accepted difference of depths, relative to the depth
 
-SC_PAYLOAD sc_payload;
+SC_DECLARE_PAYLOADS;
 
 // A well mixed 32-bit hash of a block's coordinates.
 uint sc_hash(uvec2 block) {
@@ -33,6 +37,25 @@ bool sc_due() {
     return phase == 0 || phase == sc_period;
 }
 
+#if SC_SCREEN
+// What the previous frame stored at this pixel, if the surface is as far away as it was there.
+// Returns SC_HIT, SC_REFRESH or SC_DEPTH.
+int sc_look_up(SC_OUT_TEXELS) {
+    ivec2 own = ivec2(gl_FragCoord.xy);
+    texel = texelFetch(sc_cache, own, 0);
+#if SC_TARGETS == 2
+    texel_2 = texelFetch(sc_cache_2, own, 0);
+#endif
+    if (sc_due()) {
+        return SC_REFRESH;
+    }
+    // Both depths are 1/w. A comparison with NaN is false and so a miss.
+    if (!(abs(SC_FLOAT(texel.w) - gl_FragCoord.w) <= sc_epsilon * gl_FragCoord.w)) {
+        return SC_DEPTH;
+    }
+    return SC_HIT;
+}
+#else
 #if SC_BITS
 // What four texels hold at a place between them: floats are blended, integers and booleans (marked
 // in a mask) are those of one of the texels.
@@ -53,7 +76,20 @@ bool sc_same(uvec4 a, uvec4 b, uvec4 c, uvec4 d, uvec4 discrete) {
 // Returns SC_HIT, SC_REFRESH, SC_OUTSIDE or SC_DEPTH.
 int sc_look_up(SC_OUT_TEXELS) {
     ivec2 last = textureSize(sc_cache, 0) - 1;
+#if SC_USER
+    SC_LOCATE
+    vec4 sc_previous = scPreviousClip();
+#endif
+#if SC_PIXEL_IS_CURRENT
+    vec2 motion = sc_previous.xy / sc_previous.w - (2.0 * gl_FragCoord.xy / vec2(last + 1) - 1.0);
+    // The user's function comes to the pixel's own place by another way, up to rounding: what is
+    // less than a 256th of a pixel is no motion.
+    if (all(lessThan(0.5 * vec2(last + 1) * abs(motion), vec2(1.0 / 256.0)))) {
+        motion = vec2(0.0);
+    }
+#else
     vec2 motion = sc_previous.xy / sc_previous.w - sc_current.xy / sc_current.w;
+#endif
     vec2 corner = gl_FragCoord.xy - 0.5 + 0.5 * vec2(last + 1) * motion;
     // At rest the motion is exactly zero: all four texels are the pixel's own, nothing is filtered.
     vec2 whole = floor(corner);
@@ -109,3 +145,4 @@ int sc_look_up(SC_OUT_TEXELS) {
 #endif
     return SC_HIT;
 }
+#endif

@@ -1,33 +1,42 @@
-// What a pass writes into the cache: the payload, padded to three channels, and 1/w; what does not
+// What a pass writes into the cache: the payloads, padded to three channels, and 1/w; what does not
 // fit there goes to the second texture. Where not every fragment has a payload (SC_WHOLE) a texel may
-// be empty, which matches nothing.
+// be empty, which matches nothing; so does one that lacks one of several payloads (SC_MASKED).
 
+#if SC_SURFACE
 in vec4 sc_current;  // clip-space position in this frame
+#elif SC_OWN_CURRENT
+vec4 sc_current;  // the same, by the user's function
+#endif
 out SC_TEXEL sc_store;  // the texel of the cache
 #if SC_TARGETS == 2
 out SC_TEXEL sc_store_2;
 #endif
 
-SC_PAYLOAD sc_payload;
+SC_DECLARE_PAYLOADS;
 #if SC_WHOLE
-bool sc_reuse = false;  // is there a payload from the cache?
-bool sc_valid = false;  // is there a payload to store?
+bool sc_reuse = false;  // are there payloads from the cache?
+SC_DECLARE_VALID;       // is there a payload to store?
 #endif
 bool sc_lacks = false;  // was a payload needed, and none there?
 
 SC_TEXEL sc_texel() {
+#if SC_MASKED
+    // The third of three passes takes from here what there is; the next frame needs all or nothing.
+    return SC_TEXEL(SC_PACKED_1, SC_VALID ? SC_INVERSE_W : SC_NO_DEPTH);
+#else
 #if SC_WHOLE
-    if (!sc_valid) {
+    if (!SC_VALID) {
         return SC_EMPTY;
     }
 #endif
     return SC_TEXEL(SC_PACKED_1, SC_INVERSE_W);
+#endif
 }
 
 #if SC_TARGETS == 2
 SC_TEXEL sc_texel_2() {
-#if SC_WHOLE
-    if (!sc_valid) {
+#if SC_WHOLE && !SC_MASKED
+    if (!SC_VALID) {
         return SC_TEXEL(0);
     }
 #endif

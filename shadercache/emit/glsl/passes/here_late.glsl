@@ -3,8 +3,8 @@
 void main() {
     SC_DECLARE_TEXELS;
     sc_reuse = sc_look_up(SC_TEXELS) == SC_HIT;
-    sc_valid = sc_reuse;
-    sc_payload = SC_UNPACKED;
+    SC_SET_VALID(sc_reuse);
+    SC_UNPACK;
     sc_shade();
     SC_STORE;
     if (sc_lacks) {

@@ -4,7 +4,7 @@ void main() {
     if (sc_look_up(SC_TEXELS) != SC_HIT) {
         discard;
     }
-    sc_payload = SC_UNPACKED;
+    SC_UNPACK;
     sc_shade();
     SC_STORE;
 }

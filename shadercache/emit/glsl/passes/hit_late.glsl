@@ -3,7 +3,7 @@
 void main() {
     SC_DECLARE_TEXELS;
     sc_lacks = sc_look_up(SC_TEXELS) != SC_HIT;
-    sc_payload = SC_UNPACKED;
+    SC_UNPACK;
     sc_shade();
     SC_STORE;
     if (sc_lacks) {

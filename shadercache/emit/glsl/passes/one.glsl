@@ -3,7 +3,7 @@ void main() {
     sc_fetch_ahead();
     SC_DECLARE_TEXELS;
     if (sc_look_up(SC_TEXELS) == SC_HIT) {
-        sc_payload = SC_UNPACKED;
+        SC_UNPACK;
     } else {
         sc_compute();
     }

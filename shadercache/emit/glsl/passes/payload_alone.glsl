@@ -1,7 +1,7 @@
 // Not part of any variant: the payload alone, drawn like the original, to measure what it costs.
 out vec4 sc_value;
 
-SC_PAYLOAD sc_payload;
+SC_DECLARE_PAYLOADS;
 
 void main() {
 #if SC_WHOLE

@@ -5,9 +5,9 @@ void main() {
     if (sc_look_up(SC_TEXELS) != SC_HIT) {
         discard;
     }
-    sc_payload = SC_UNPACKED;
+    SC_UNPACK;
 #if SC_WHOLE
-    sc_valid = true;
+    SC_SET_VALID(true);
     sc_shade();
 #endif
     SC_STORE;

@@ -3,8 +3,8 @@
 void main() {
     SC_DECLARE_TEXELS;
     sc_lacks = sc_look_up(SC_TEXELS) != SC_HIT;
-    sc_payload = SC_UNPACKED;
-    sc_valid = true;
+    SC_UNPACK;
+    SC_SET_VALID(true);
     sc_shade();
     SC_STORE;
     if (sc_lacks) {

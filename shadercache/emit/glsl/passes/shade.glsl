@@ -4,7 +4,7 @@ uniform SC_SAMPLER sc_payloads;  // what this frame stored so far
 uniform SC_SAMPLER sc_payloads_2;
 #endif
 
-SC_PAYLOAD sc_payload;
+SC_DECLARE_PAYLOADS;
 
 void main() {
 #ifdef SC_CHANNELS
@@ -14,7 +14,7 @@ void main() {
 #if SC_TARGETS == 2
     SC_TEXEL SC_LOCAL_2 = texelFetch(sc_payloads_2, ivec2(gl_FragCoord.xy), 0);
 #endif
-    sc_payload = SC_UNPACKED;
+    SC_UNPACK;
 #endif
     sc_shade();
 }

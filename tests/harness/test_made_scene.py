@@ -1,0 +1,137 @@
+"""The scene of a shader that has none: values by name and by type, and generated textures."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from shadercache.compiler import analyse, emit_original
+from shadercache.diagnostics import InputError, UsageError
+from shadercache.harness.bundle import Bundle
+from shadercache.harness.camera import scene_values
+from shadercache.harness.context import Gpu
+from shadercache.harness.made_scene import START, made_scene
+from shadercache.harness.runner import render_original
+from shadercache.harness.scene import load_scene
+from shadercache.harness.shaders import analyse_scene, open_scene
+from shadercache.harness.stage import Stage
+from shadercache.source import Source
+
+INPUTS = """#version 330
+struct Lamp { vec3 place; float power; };
+uniform float u_time, uTime, time, u_gain;
+uniform int iFrame, u_count;
+uniform vec2 u_resolution;
+uniform vec3 iResolution;
+uniform vec4 iMouse;
+uniform vec2 u_mouse;
+uniform bool u_lit;
+uniform mat3 u_turn;
+uniform mat2x3 u_skew;
+uniform vec4 u_tint;
+uniform vec3 u_path[2];
+uniform Lamp u_lamp;
+uniform Lamp u_lamps[2];
+uniform float u_set = 7.0;
+uniform sampler2D u_map;
+uniform samplerCube u_sky;
+uniform sampler2DArray u_layers;
+out vec4 o_color;
+void main() {
+    vec2 p = gl_FragCoord.xy / u_resolution;
+    o_color = texture(u_map, p) + texture(u_sky, vec3(p, 1.0)) + texture(u_layers, vec3(p, 2.0));
+    o_color += float(u_lit) * u_tint * vec4(u_turn * u_path[1], u_skew[1].y);
+    o_color += u_time + uTime + time;
+    o_color.xy += u_lamp.place.xy * u_lamps[1].power + iResolution.xy / iMouse.zw + u_mouse;
+    o_color.x += u_gain + float(iFrame + u_count) + u_set;
+}
+"""
+
+
+def test_values_by_name_and_type() -> None:
+    scene = made_scene(Path("toy.frag"), analyse(Source("toy.frag", INPUTS)))
+    values = {name: array.tolist() for name, array in scene_values(scene, 6, (40, 30)).items()}
+    now = START + 0.1
+    assert values["u_time"] == values["uTime"] == values["time"] == [pytest.approx(now)]
+    assert values["iFrame"] == [6.0] and values["u_count"] == [1.0]
+    assert values["u_resolution"] == [40.0, 30.0]
+    assert values["iResolution"] == [40.0, 30.0, 1.0]
+    assert values["iMouse"] == [0.0] * 4 and values["u_mouse"] == [0.0] * 2
+    assert values["u_lit"] == [1.0] and values["u_gain"] == [0.5]
+    assert values["u_turn"] == [1, 0, 0, 0, 1, 0, 0, 0, 1]
+    assert values["u_skew"] == [1, 0, 0, 0, 1, 0]
+    assert values["u_tint"] == [0.8, 0.6, 0.4, 1.0]
+    assert values["u_path"] == [0.8, 0.6, 0.4] * 2
+    assert values["u_lamp.place"] == values["u_lamps[1].place"] == [0.8, 0.6, 0.4]
+    assert values["u_lamps[0].power"] == [0.5]
+    assert "u_set" not in values
+    assert set(scene.textures) == {"u_map", "u_sky", "u_layers"}
+    assert scene.changes["u_time"] == scene.changes["iFrame"] == "time"
+    assert "u_resolution" not in scene.changes
+    assert scene_values(scene, 0, (4, 3))["u_time"] == START
+
+
+def test_everything_can_be_drawn(gpu: Gpu) -> None:
+    analysis = analyse(Source("toy.frag", INPUTS))
+    emission = emit_original(analysis)
+    bundle = Bundle(emission.manifest, emission.files)
+    with Stage(gpu, made_scene(Path("toy.frag"), analysis), (16, 12), "rgba32f") as stage:
+        first, later = render_original(stage, bundle, (0, 6))
+    assert np.isfinite(first[..., 2]).all() and len(np.unique(first[..., 2])) > 50
+    assert (later[..., 2] > first[..., 2]).all(), "three clocks go on"
+
+
+def test_nothing_is_made_for_a_uniform_block(gpu: Gpu, tmp_path: Path) -> None:
+    path = tmp_path / "block.frag"
+    path.write_text(
+        "#version 330\nuniform Light { vec4 tint; };\nout vec4 c;\nvoid main() { c = tint; }\n"
+    )
+    scene, analysis = open_scene(path)
+    emission = emit_original(analysis)
+    with Stage(gpu, scene, (8, 8)) as stage, pytest.raises(InputError, match="SC524"):
+        render_original(stage, Bundle(emission.manifest, emission.files), (0,))
+
+
+def test_a_shader_of_surfaces_needs_a_scene(tmp_path: Path) -> None:
+    path = tmp_path / "solid.frag"
+    path.write_text("#version 330\nin vec3 v;\nout vec4 c;\nvoid main() { c = vec4(v, 1.0); }\n")
+    with pytest.raises(UsageError, match="SC006"):
+        open_scene(path)
+    path.write_text("#version 330\nout vec4 c;\nvoid main() { c = gl_FragCoord; }\n")
+    with pytest.raises(UsageError, match="SC006"):
+        open_scene(path, mapping="surface")
+    assert open_scene(path)[1].full_screen
+    with pytest.raises(InputError, match="SC001"):
+        open_scene(tmp_path / "none.frag")
+
+
+SCENE = """name = "flat"
+fragment = "flat.frag"
+mapping = "screen"
+start_time = 2.0
+[uniforms]
+u_time = "time"
+u_resolution = "resolution"
+"""
+
+
+def test_a_scene_file_can_be_full_screen(tmp_path: Path) -> None:
+    text = "uniform float u_time;\nuniform vec2 u_resolution;\nout vec4 c;\n"
+    body = "void main() { c = vec4(gl_FragCoord.xy / u_resolution, u_time, 1.0); }\n"
+    (tmp_path / "flat.frag").write_text(f"#version 330\n{text}{body}")
+    (tmp_path / "scene.toml").write_text(SCENE)
+    scene = load_scene(tmp_path)
+    assert scene.vertex is None and scene.mesh is None
+    assert scene_values(scene, 60, (8, 4))["u_time"] == 3.0
+    assert analyse_scene(scene)[1].mapping == "screen"
+    for old, new, code in (
+        ('"screen"', '"air"', "SC505"),
+        ('"screen"', '"surface"', "SC503"),
+        ('"screen"', '"screen"\nmesh = "flat.frag"', "SC504"),
+        ('"screen"', '"user"\nvertex = "flat.frag"', "SC503"),
+    ):
+        (tmp_path / "scene.toml").write_text(SCENE.replace(old, new))
+        with pytest.raises(InputError, match=code):
+            load_scene(tmp_path)

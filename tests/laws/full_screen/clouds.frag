@@ -1,0 +1,38 @@
+// A Shadertoy of our own: clouds that stand still above a sea that moves. Of the clouds nothing
+// depends on iTime, so the value of the same pixel stays right for ever.
+
+const mat2 TURN = mat2(0.8, 0.6, -0.6, 0.8);
+
+float hash(vec2 p) {
+    return fract(sin(dot(p, vec2(127.1, 311.7))) * 43758.5453);
+}
+
+float noise(vec2 p) {
+    vec2 i = floor(p), f = fract(p);
+    f = f * f * (3.0 - 2.0 * f);
+    float low = mix(hash(i), hash(i + vec2(1.0, 0.0)), f.x);
+    return mix(low, mix(hash(i + vec2(0.0, 1.0)), hash(i + 1.0), f.x), f.y);
+}
+
+float fbm(vec2 p) {
+    float sum = 0.0, weight = 0.5;
+    for (int i = 0; i < 4; i++) {
+        sum += weight * noise(p);
+        p = 2.03 * (TURN * p);
+        weight *= 0.5;
+    }
+    return sum;
+}
+
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    vec2 uv = fragCoord / iResolution.xy;
+    float horizon = 0.35 + 0.02 * textureLod(iChannel0, vec2(uv.x, 0.5), 0.0).x;
+    vec3 sky = mix(vec3(0.3, 0.5, 0.8), vec3(1.0), smoothstep(0.35, 0.8, fbm(5.0 * uv)));
+    if (uv.y > horizon) {
+        fragColor = vec4(sky, 1.0);
+        return;
+    }
+    float depth = 1.0 / (horizon + 0.01 - uv.y);
+    float waves = fbm(vec2(uv.x * depth, depth + 2.0 * iTime));
+    fragColor = vec4(mix(vec3(0.0, 0.2, 0.3), sky, 0.5 * waves), 1.0);
+}

@@ -1,0 +1,110 @@
+#version 330
+// shadercache: 1-pass, node mainImage.23-b73a27b8
+
+// A Shadertoy of our own: clouds that stand still above a sea that moves. Of the clouds nothing
+// depends on iTime, so the value of the same pixel stays right for ever.
+
+uniform sampler2D sc_cache;
+uniform int sc_clock;
+uniform int sc_period;
+uniform int sc_block;
+uniform float sc_epsilon;
+float sc_payload;
+layout(location = 1) out vec4 sc_store;
+uniform vec3 iResolution;
+uniform float iTime;
+uniform sampler2D iChannel0;
+layout(location = 0) out vec4 shadertoyColor;
+const mat2 TURN = mat2(0.8, 0.6, -0.6, 0.8);
+
+float hash(vec2 p) {
+    return fract(sin(dot(p, vec2(127.1, 311.7))) * 43758.5453);
+}
+
+float noise(vec2 p) {
+    vec2 i = floor(p);
+    vec2 f = fract(p);
+    f = f * f * (3.0 - 2.0 * f);
+    float low = mix(hash(i), hash(i + vec2(1.0, 0.0)), f.x);
+    return mix(low, mix(hash(i + vec2(0.0, 1.0)), hash(i + 1.0), f.x), f.y);
+}
+
+float fbm(vec2 p) {
+    float sum = 0.0;
+    float weight = 0.5;
+    for (int i = 0; i < 4; i++) {
+        sum += weight * noise(p);
+        p = 2.03 * (TURN * p);
+        weight *= 0.5;
+    }
+    return sum;
+}
+
+void sc_mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    vec2 uv = fragCoord / iResolution.xy;
+    sc_payload = smoothstep(0.35, 0.8, fbm(5.0 * uv));
+}
+
+void sc_mainImage_1(out vec4 fragColor, in vec2 fragCoord) {
+    vec2 uv = fragCoord / iResolution.xy;
+    float horizon = 0.35 + 0.02 * textureLod(iChannel0, vec2(uv.x, 0.5), 0.0).x;
+    vec3 sky = mix(vec3(0.3, 0.5, 0.8), vec3(1.0), sc_payload);
+    if (uv.y > horizon) {
+        fragColor = vec4(sky, 1.0);
+        return;
+    }
+    float depth = 1.0 / (horizon + 0.01 - uv.y);
+    float waves = fbm(vec2(uv.x * depth, depth + 2.0 * iTime));
+    fragColor = vec4(mix(vec3(0.0, 0.2, 0.3), sky, 0.5 * waves), 1.0);
+}
+
+void sc_compute() {
+    sc_mainImage(shadertoyColor, gl_FragCoord.xy);
+}
+
+void sc_shade() {
+    sc_mainImage_1(shadertoyColor, gl_FragCoord.xy);
+}
+
+uint sc_hash(uvec2 block) {
+    uint x = block.x * 1973u + block.y * 9277u + 26699u;
+    x ^= x << 13;
+    x ^= x >> 17;
+    x ^= x << 5;
+    x *= 0x9E3779B9u;
+    return x ^ x >> 15;
+}
+
+bool sc_due() {
+    uvec2 block = uvec2(gl_FragCoord.xy / float(sc_block));
+    int h = int((sc_hash(block) >> 16) * uint(sc_period) >> 16);
+    int phase = h + sc_clock;
+    return phase == 0 || phase == sc_period;
+}
+
+int sc_look_up(out vec4 texel) {
+    ivec2 own = ivec2(gl_FragCoord.xy);
+    texel = texelFetch(sc_cache, own, 0);
+    if (sc_due()) {
+        return 2;
+    }
+    if (!(abs(texel.w - gl_FragCoord.w) <= sc_epsilon * gl_FragCoord.w)) {
+        return 4;
+    }
+    return 1;
+}
+
+vec4 sc_texel() {
+    return vec4(sc_payload, 0.0, 0.0, gl_FragCoord.w);
+}
+
+void main() {
+    vec4 texel;
+    if (sc_look_up(texel) == 1) {
+        sc_payload = texel.x;
+    } else {
+        sc_compute();
+    }
+    sc_shade();
+    sc_store = sc_texel();
+}

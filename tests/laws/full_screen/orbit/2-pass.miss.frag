@@ -1,0 +1,84 @@
+#version 330
+// shadercache: 2-pass.miss, node main.1-185b7c6a
+
+vec4 sc_current;
+float sc_payload;
+layout(location = 1) out vec4 sc_store;
+
+// A ball on a floor; the camera travels round it. What the pixel shows is found by marching, and
+// where the last frame showed it follows from where the camera was then.
+uniform vec2 u_resolution;
+uniform float u_time;
+layout(location = 0) out vec4 o_color;
+const float ZOOM = 1.6;
+const float FAR = 12.0;
+
+struct Camera {
+    vec3 eye;
+    mat3 axes;
+};
+
+Camera camera(float time) {
+    vec3 eye = vec3(4.0 * sin(0.6 * time), 1.8, 4.0 * cos(0.6 * time));
+    vec3 back = normalize(eye - vec3(0.0, 0.6, 0.0));
+    vec3 right = normalize(cross(vec3(0.0, 1.0, 0.0), back));
+    return Camera(eye, mat3(right, cross(back, right), back));
+}
+
+vec3 ray(Camera from) {
+    vec2 at = (2.0 * gl_FragCoord.xy - u_resolution) / u_resolution.y;
+    return from.axes * normalize(vec3(at, -ZOOM));
+}
+
+float away(vec3 p) {
+    return min(length(p - vec3(0.0, 1.0, 0.0)) - 1.0, p.y);
+}
+
+float march(vec3 eye, vec3 along) {
+    float way = 0.0;
+    for (int i = 0; i < 48; i++) {
+        float left = away(eye + way * along);
+        if (left < 1e-4 * way || way > FAR) {
+            break;
+        }
+        way += left;
+    }
+    return min(way, FAR);
+}
+
+vec3 shown() {
+    Camera now = camera(u_time);
+    vec3 along = ray(now);
+    return now.eye + march(now.eye, along) * along;
+}
+
+vec4 clip(vec3 p, Camera by) {
+    vec3 seen = (p - by.eye) * by.axes;
+    return vec4(ZOOM * u_resolution.y / u_resolution.x * seen.x, ZOOM * seen.y, 0.0, -seen.z);
+}
+
+vec4 scCurrentClip() {
+    return clip(shown(), camera(u_time));
+}
+
+float marble(vec3 p) {
+    return sin(7.0 * p.x + 3.0 * sin(5.0 * p.y)) * cos(6.0 * p.z + 2.0 * sin(4.0 * p.x));
+}
+
+void sc_shade() {
+    vec3 p = shown();
+    sc_payload = marble(p) + 0.5 * marble(2.1 * p.zxy);
+    float stone = sc_payload;
+    vec3 up = normalize(vec3(away(p + vec3(1e-2, 0.0, 0.0)), away(p + vec3(0.0, 1e-2, 0.0)), 0.02));
+    o_color = vec4(vec3(0.5 + 0.2 * stone) * (0.6 + 0.4 * up.y), 1.0);
+}
+
+vec4 sc_texel() {
+    return vec4(sc_payload, 0.0, 0.0, 1.0 / sc_current.w);
+}
+
+void main() {
+    sc_current = scCurrentClip();
+    sc_shade();
+    sc_store = sc_texel();
+}

@@ -1,0 +1,128 @@
+#version 330
+// shadercache: 3-pass.reuse, node main.1-185b7c6a
+
+vec4 sc_current;
+uniform sampler2D sc_cache;
+uniform int sc_clock;
+uniform int sc_period;
+uniform int sc_block;
+uniform float sc_epsilon;
+float sc_payload;
+layout(location = 0) out vec4 sc_store;
+
+// A ball on a floor; the camera travels round it. What the pixel shows is found by marching, and
+// where the last frame showed it follows from where the camera was then.
+uniform vec2 u_resolution;
+uniform float u_time;
+uniform float u_time_delta;
+const float ZOOM = 1.6;
+const float FAR = 12.0;
+
+struct Camera {
+    vec3 eye;
+    mat3 axes;
+};
+
+Camera camera(float time) {
+    vec3 eye = vec3(4.0 * sin(0.6 * time), 1.8, 4.0 * cos(0.6 * time));
+    vec3 back = normalize(eye - vec3(0.0, 0.6, 0.0));
+    vec3 right = normalize(cross(vec3(0.0, 1.0, 0.0), back));
+    return Camera(eye, mat3(right, cross(back, right), back));
+}
+
+vec3 ray(Camera from) {
+    vec2 at = (2.0 * gl_FragCoord.xy - u_resolution) / u_resolution.y;
+    return from.axes * normalize(vec3(at, -ZOOM));
+}
+
+float away(vec3 p) {
+    return min(length(p - vec3(0.0, 1.0, 0.0)) - 1.0, p.y);
+}
+
+float march(vec3 eye, vec3 along) {
+    float way = 0.0;
+    for (int i = 0; i < 48; i++) {
+        float left = away(eye + way * along);
+        if (left < 1e-4 * way || way > FAR) {
+            break;
+        }
+        way += left;
+    }
+    return min(way, FAR);
+}
+
+vec3 shown() {
+    Camera now = camera(u_time);
+    vec3 along = ray(now);
+    return now.eye + march(now.eye, along) * along;
+}
+
+vec4 clip(vec3 p, Camera by) {
+    vec3 seen = (p - by.eye) * by.axes;
+    return vec4(ZOOM * u_resolution.y / u_resolution.x * seen.x, ZOOM * seen.y, 0.0, -seen.z);
+}
+
+vec4 scPreviousClip() {
+    return clip(shown(), camera(u_time - u_time_delta));
+}
+
+vec4 scCurrentClip() {
+    return clip(shown(), camera(u_time));
+}
+
+uint sc_hash(uvec2 block) {
+    uint x = block.x * 1973u + block.y * 9277u + 26699u;
+    x ^= x << 13;
+    x ^= x >> 17;
+    x ^= x << 5;
+    x *= 0x9E3779B9u;
+    return x ^ x >> 15;
+}
+
+bool sc_due() {
+    uvec2 block = uvec2(gl_FragCoord.xy / float(sc_block));
+    int h = int((sc_hash(block) >> 16) * uint(sc_period) >> 16);
+    int phase = h + sc_clock;
+    return phase == 0 || phase == sc_period;
+}
+
+int sc_look_up(out vec4 texel) {
+    ivec2 last = textureSize(sc_cache, 0) - 1;
+    sc_current = scCurrentClip();
+    vec4 sc_previous = scPreviousClip();
+    vec2 motion = sc_previous.xy / sc_previous.w - sc_current.xy / sc_current.w;
+    vec2 corner = gl_FragCoord.xy - 0.5 + 0.5 * vec2(last + 1) * motion;
+    vec2 whole = floor(corner);
+    vec2 part = corner - whole;
+    ivec2 near = clamp(ivec2(whole), ivec2(0), last);
+    ivec2 far = min(near + ivec2(ceil(part)), last);
+    vec4 a = texelFetch(sc_cache, near, 0);
+    vec4 b = texelFetch(sc_cache, ivec2(far.x, near.y), 0);
+    vec4 c = texelFetch(sc_cache, ivec2(near.x, far.y), 0);
+    vec4 d = texelFetch(sc_cache, far, 0);
+    texel = mix(mix(a, b, part.x), mix(c, d, part.x), part.y);
+    if (sc_due()) {
+        return 2;
+    }
+    if (!(sc_previous.w > 0.0 && all(greaterThanEqual(corner, vec2(0.0))) && all(lessThanEqual(corner, vec2(last))))) {
+        return 3;
+    }
+    vec4 each = abs(vec4(a.w, b.w, c.w, d.w) * sc_previous.w - 1.0);
+    if (!(abs(texel.w * sc_previous.w - 1.0) <= sc_epsilon && all(lessThanEqual(each, vec4(24.0 * sc_epsilon))))) {
+        return 4;
+    }
+    return 1;
+}
+
+vec4 sc_texel() {
+    return vec4(sc_payload, 0.0, 0.0, 1.0 / sc_current.w);
+}
+
+void main() {
+    vec4 texel;
+    if (sc_look_up(texel) != 1) {
+        discard;
+    }
+    sc_payload = texel.x;
+    sc_store = sc_texel();
+}

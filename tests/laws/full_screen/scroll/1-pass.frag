@@ -1,0 +1,100 @@
+#version 300 es
+// shadercache: 1-pass, node main.20-0b86b19f
+
+precision mediump float;
+uniform highp sampler2D sc_cache;
+uniform highp int sc_clock;
+uniform highp int sc_period;
+uniform highp int sc_block;
+uniform highp float sc_epsilon;
+highp float sc_payload;
+layout(location = 1) out highp vec4 sc_store;
+
+// A flat pattern that scrolls to the left: only where it was is said, not where the pixel is.
+uniform highp vec2 u_resolution;
+uniform highp float u_time;
+uniform highp float u_time_delta;
+layout(location = 0) out vec4 o_color;
+const highp float SPEED = 0.7;
+
+highp vec2 place(highp float time) {
+    return 2.0 * gl_FragCoord.xy / u_resolution - 1.0 + vec2(SPEED * time, 0.0);
+}
+
+highp vec4 scPreviousClip() {
+    return vec4(place(u_time) - vec2(SPEED * (u_time - u_time_delta), 0.0), 0.0, 1.0);
+}
+
+highp float pattern(highp vec2 p) {
+    return sin(9.0 * p.x + 2.0 * sin(5.0 * p.y)) * cos(7.0 * p.y + sin(3.0 * p.x));
+}
+
+void sc_compute() {
+    highp float rings = pattern(place(u_time)) + 0.3 * pattern(2.3 * place(u_time).yx);
+    sc_payload = rings;
+}
+
+void sc_shade() {
+    o_color = vec4(vec3(0.5 + 0.3 * sc_payload), 1.0);
+}
+
+highp uint sc_hash(highp uvec2 block) {
+    highp uint x = block.x * 1973u + block.y * 9277u + 26699u;
+    x ^= x << 13;
+    x ^= x >> 17;
+    x ^= x << 5;
+    x *= 0x9E3779B9u;
+    return x ^ x >> 15;
+}
+
+bool sc_due() {
+    highp uvec2 block = uvec2(gl_FragCoord.xy / float(sc_block));
+    highp int h = int((sc_hash(block) >> 16) * uint(sc_period) >> 16);
+    highp int phase = h + sc_clock;
+    return phase == 0 || phase == sc_period;
+}
+
+highp int sc_look_up(out highp vec4 texel) {
+    highp ivec2 last = textureSize(sc_cache, 0) - 1;
+    highp vec4 sc_previous = scPreviousClip();
+    highp vec2 motion = sc_previous.xy / sc_previous.w - (2.0 * gl_FragCoord.xy / vec2(last + 1) - 1.0);
+    if (all(lessThan(0.5 * vec2(last + 1) * abs(motion), vec2(1.0 / 256.0)))) {
+        motion = vec2(0.0);
+    }
+    highp vec2 corner = gl_FragCoord.xy - 0.5 + 0.5 * vec2(last + 1) * motion;
+    highp vec2 whole = floor(corner);
+    highp vec2 part = corner - whole;
+    highp ivec2 near = clamp(ivec2(whole), ivec2(0), last);
+    highp ivec2 far = min(near + ivec2(ceil(part)), last);
+    highp vec4 a = texelFetch(sc_cache, near, 0);
+    highp vec4 b = texelFetch(sc_cache, ivec2(far.x, near.y), 0);
+    highp vec4 c = texelFetch(sc_cache, ivec2(near.x, far.y), 0);
+    highp vec4 d = texelFetch(sc_cache, far, 0);
+    texel = mix(mix(a, b, part.x), mix(c, d, part.x), part.y);
+    if (sc_due()) {
+        return 2;
+    }
+    if (!(sc_previous.w > 0.0 && all(greaterThanEqual(corner, vec2(0.0))) && all(lessThanEqual(corner, vec2(last))))) {
+        return 3;
+    }
+    highp vec4 each = abs(vec4(a.w, b.w, c.w, d.w) * sc_previous.w - 1.0);
+    if (!(abs(texel.w * sc_previous.w - 1.0) <= sc_epsilon && all(lessThanEqual(each, vec4(24.0 * sc_epsilon))))) {
+        return 4;
+    }
+    return 1;
+}
+
+highp vec4 sc_texel() {
+    return vec4(sc_payload, 0.0, 0.0, gl_FragCoord.w);
+}
+
+void main() {
+    highp vec4 texel;
+    if (sc_look_up(texel) == 1) {
+        sc_payload = texel.x;
+    } else {
+        sc_compute();
+    }
+    sc_shade();
+    sc_store = sc_texel();
+}

@@ -1,0 +1,35 @@
+#version 300 es
+// shadercache: 2-pass.miss, node main.20-0b86b19f
+
+precision mediump float;
+highp float sc_payload;
+layout(location = 1) out highp vec4 sc_store;
+
+// A flat pattern that scrolls to the left: only where it was is said, not where the pixel is.
+uniform highp vec2 u_resolution;
+uniform highp float u_time;
+layout(location = 0) out vec4 o_color;
+const highp float SPEED = 0.7;
+
+highp vec2 place(highp float time) {
+    return 2.0 * gl_FragCoord.xy / u_resolution - 1.0 + vec2(SPEED * time, 0.0);
+}
+
+highp float pattern(highp vec2 p) {
+    return sin(9.0 * p.x + 2.0 * sin(5.0 * p.y)) * cos(7.0 * p.y + sin(3.0 * p.x));
+}
+
+void sc_shade() {
+    highp float rings = pattern(place(u_time)) + 0.3 * pattern(2.3 * place(u_time).yx);
+    sc_payload = rings;
+    o_color = vec4(vec3(0.5 + 0.3 * sc_payload), 1.0);
+}
+
+highp vec4 sc_texel() {
+    return vec4(sc_payload, 0.0, 0.0, gl_FragCoord.w);
+}
+
+void main() {
+    sc_shade();
+    sc_store = sc_texel();
+}

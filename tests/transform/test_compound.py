@@ -1,0 +1,157 @@
+"""Compound assignments: spelled out for the analysis, and as the user wrote them when printed."""
+
+from __future__ import annotations
+
+import pytest
+
+from shadercache.ast import nodes as n
+from shadercache.compiler import analyse, rewrite
+from shadercache.emit.printer import print_node
+from shadercache.front.parse import parse
+from shadercache.sema.check import check
+from shadercache.source import Source
+from shadercache.transform.compound import contract, spell_out
+from tests.shaders import analysed, find, fragment
+
+DECLARATIONS = """
+struct Sum { vec3 light; float parts[3]; };
+float wave(float x) { return sin(x) * cos(x + 1.0) * sin(x * 2.0); }
+float writes(out float x) { x = 1.0; return 0.5; }
+int cheap() { return 1; }
+float g;
+float changes_g() { g = 2.0; return 1.0; }
+"""
+VARIABLES = "float a, b; vec3 v; mat3 m; int i, j; uint u; Sum s; float t[4];"
+
+
+def body_of(module: n.Module) -> list[str]:
+    """The lines of ``main`` but for the last one, which gives the colour."""
+    (main,) = (d for d in module.decls if isinstance(d, n.FunctionDef) and d.name == "main")
+    return [line for stmt in main.body.body[:-1] for line in print_node(stmt).split("\n")]
+
+
+def module_of(statement: str) -> tuple[n.Module, n.Module]:
+    """A module, and the same spelled out."""
+    source = fragment(f"{statement}\no_color = vec4(1.0);", DECLARATIONS + VARIABLES)
+    module = parse(source)
+    made = spell_out(module, check(module, source))
+    check(made, source)
+    return module, made
+
+
+@pytest.mark.parametrize(
+    ("written", "spelled"),
+    [
+        ("a += wave(b);", "a = a + wave(b);"),
+        ("a *= b - 1.0;", "a = a * (b - 1.0);"),
+        ("v.zx /= b;", "v.zx = v.zx / b;"),
+        ("m *= m;", "m = m * m;"),
+        ("v *= m;", "v = v * m;"),
+        ("m[1][2] -= 1.0;", "m[1][2] = m[1][2] - 1.0;"),
+        ("i %= 3;", "i = i % 3;"),
+        ("i <<= j & 3;", "i = i << (j & 3);"),
+        ("u ^= u >> 3u;", "u = u ^ u >> 3u;"),
+        ("a += i;", "a = a + i;"),
+        ("s.parts[i + 1] += b;", "s.parts[i + 1] = s.parts[i + 1] + b;"),
+        ("g += wave(g);", "g = g + wave(g);"),
+        ("if (a > b) v.x += b;", "if (a > b)|    v.x = v.x + b;"),
+        ("a += b, b = a, v *= a;", "a = a + b;|b = a;|v = v * a;"),
+        ("if (a > b) a += 1.0, b += a;", "if (a > b) {|    a = a + 1.0;|    b = b + a;|}"),
+    ],
+)
+def test_spelled_out(written: str, spelled: str) -> None:
+    module, made = module_of(written)
+    assert body_of(made) == spelled.split("|")
+    if "," not in written:
+        assert body_of(contract(made)) == body_of(module)
+
+
+@pytest.mark.parametrize(
+    "statement",
+    [
+        "t[i++] += 1.0;",
+        "t[cheap()] += 1.0;",
+        "t[int(texture(u_map, v_uv).x)] += 1.0;",
+        "a += writes(b);",
+        "a += changes_g();",
+        "a += b *= 2.0;",
+        "a = b += 1.0;",
+        "for (i = 0; i < 3; i += 1) a += 1.0;",
+        "while (a < 1.0) a += 0.5;",
+        "a++;",
+        "a = a + 1.0;",
+    ],
+)
+def test_left_alone(statement: str) -> None:
+    module, made = module_of(statement)
+    assert made is module
+    assert contract(module) is module
+
+
+def test_partial_sums_are_nodes() -> None:
+    analysis = analysed(
+        """
+    float c = wave(v_position.x);
+    c += wave(v_position.y);
+    c += wave(v_position.z);
+    o_color = vec4(c, wave(v_position.x) + wave(v_position.y), 0.0, 1.0);
+    """,
+        DECLARATIONS,
+    )
+    first, second = (find(analysis, f"c += wave(v_position.{x})") for x in "yz")
+    assert first.offered and second.offered
+    assert 1.9 < second.cost / find(analysis, "wave(v_position.x)").cost < 3.5
+    same = find(analysis, "wave(v_position.x) + wave(v_position.y)")
+    assert analysis.groups[first] is analysis.groups[same]
+    assert analysis.groups[second] is not analysis.groups[same]
+    shade = rewrite(analysis, second, algorithms=(3,)).files["3-pass.shade.frag"]
+    assert "c = sc_payload;" in shade and "wave(v_position.z)" not in shade
+    payload = rewrite(analysis, second, algorithms=(3,)).files["3-pass.payload.frag"]
+    assert "c += wave(v_position.y);" in payload, "what is not cut out reads as it was written"
+
+
+def test_numbers_in_ids_are_those_of_the_users_expressions() -> None:
+    analysis = analysed(
+        "v_sum.x += wave(2.0); o_color = v_sum * wave(v_uv.x);", "vec4 v_sum;" + DECLARATIONS
+    )
+    main = [node for node in analysis.nodes if node.path == "main"]
+    numbers = [int(node.id.partition(".")[2].partition("-")[0]) for node in main]
+    assert numbers == list(range(len(main)))
+    assert [node.text for node in main[:4]] == [
+        "v_sum.x += wave(2.0)",
+        "v_sum.x",
+        "v_sum",
+        "wave(2.0)",
+    ]
+
+
+def test_a_precision_is_that_of_the_operands() -> None:
+    text = """#version 300 es
+    precision mediump float;
+    in highp vec3 v_position;
+    out vec4 o_color;
+    void main() {
+        float low = 0.5;
+        low += sin(v_position.x) * cos(v_position.y) * exp(v_position.z) * sin(v_position.y);
+        low *= sin(low) * cos(low) * sin(low * 2.0) * sin(low * 3.0);
+        o_color = vec4(low);
+    }
+    """
+    vertex = """#version 300 es
+    in vec3 a_position;
+    uniform mat4 u_mvp;
+    out highp vec3 v_position;
+    void main() { v_position = a_position; gl_Position = u_mvp * vec4(a_position, 1.0); }
+    """
+    analysis = analyse(Source("es.frag", text), Source("es.vert", vertex))
+    sums = [node for node in analysis.nodes if node.offered and "= " in node.text]
+    assert len(sums) == 2
+    declared = [
+        next(
+            line.strip()
+            for line in rewrite(analysis, node).files["3-pass.shade.frag"].splitlines()
+            if "sc_payload;" in line and "float" in line
+        )
+        for node in sums
+    ]
+    assert declared == ["highp float sc_payload;", "mediump float sc_payload;"]
