@@ -327,7 +327,8 @@ class FragmentEmitter:
             user = guard_loops(user, decided_loops(user, self.payloads), self._own("lacks"))
         module = merge(self.program.module, without_main(user), extra, *parts)
         made = {clone.name for group in clones for _, clone in group.made}
-        module = contract(_shrink(module, locations, made, self.program.memo))
+        memo = self.program.memo
+        module = contract(_shrink(module, locations, made, memo), memo)
         return interface(with_locations(module, locations))
 
 
@@ -350,7 +351,8 @@ def _loops_over_arrays(module: n.Module) -> bool:
 
 def exact_original(program: FragmentProgram) -> Shader:
     """The user's shader with unique names and without what it does not need, for proof mode."""
-    module = contract(remove_dead(program.original, (program.color,), program.memo))
+    needed = remove_dead(program.original, (program.color,), program.memo)
+    module = contract(needed, program.memo)
     return interface(with_locations(module, {program.color: 0}))
 
 

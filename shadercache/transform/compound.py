@@ -20,6 +20,7 @@ from dataclasses import replace
 from shadercache.analysis.cost import FETCH, CostTable
 from shadercache.analysis.effects import EffectTable
 from shadercache.ast import nodes as n
+from shadercache.ast.memo import Memo
 from shadercache.ast.rewrite import Rewriter
 from shadercache.ast.walk import children, walk
 from shadercache.sema.facts import Facts
@@ -39,9 +40,15 @@ def spell_out(module: n.Module, facts: Facts) -> n.Module:
     return _Speller(module, facts).rewrite(module)
 
 
-def contract(module: n.Module) -> n.Module:
+def contract(module: n.Module, memo: Memo) -> n.Module:
     """The module with compound assignments again, where they are whole."""
-    return _Contracter().rewrite(module)
+    kept: dict[n.Decl, n.Decl] = memo.table("contracted")
+    for decl in module.decls:
+        if decl not in kept:
+            kept[decl] = _Contracter().rewrite(decl) if isinstance(decl, n.FunctionDef) else decl
+    decls = tuple(kept[decl] for decl in module.decls)
+    same = all(new is old for new, old in zip(decls, module.decls, strict=True))
+    return module if same else replace(module, decls=decls)
 
 
 class _Statements(Rewriter):

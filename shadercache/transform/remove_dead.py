@@ -26,7 +26,7 @@ from shadercache.analysis.effects import Does, EffectTable, Linked, root_variabl
 from shadercache.analysis.exposure import overwritten_by, reads_of
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
-from shadercache.ast.walk import EXPRESSIONS, children
+from shadercache.ast.walk import EXPRESSIONS, children, walk
 from shadercache.source import NOWHERE
 from shadercache.transform.reachable import keep_reachable, names_in
 
@@ -54,7 +54,7 @@ def _prune_functions(module: n.Module, outputs: Live, memo: Memo) -> n.Module:
     pruned: dict[n.Decl, n.FunctionDef] = {}
     for function in _callers_first(table.functions):
         # What no call leads to is never executed; it goes with the declarations.
-        at_exit = live.get(function.name, frozenset()) | _written_back(function)
+        at_exit = live.get(function.name, frozenset())
         new, after_calls = _pruned(table, table.linked(function.name), at_exit, memo)
         if new is not function:
             pruned[function] = new
@@ -96,10 +96,6 @@ def _pruned(
         new = function if body is function.body else replace(function, body=body)
         found = kept[linked, at_exit] = new, pruner.after_calls
     return found
-
-
-def _written_back(function: n.FunctionDef) -> Live:
-    return frozenset(item.name for item in function.proto.params if item.writes_back and item.name)
 
 
 @dataclass(frozen=True, slots=True)
@@ -201,20 +197,21 @@ class _Pruner:
         return live | reads_of(node, self.table)
 
     def _note_calls(self, node: n.Node, live: Live) -> None:
-        """Note what is live behind the calls inside."""
-        called = names_in(node) & self.table.functions.keys()
-        if not called:
-            return
+        """Note what is live behind the calls inside: globals, and parameters that write back."""
+        functions = self.table.functions
+        calls = [item for item in walk(node) if isinstance(item, n.Call) and item.name in functions]
         last = _last_call(node)
-        if last is not None and last.name in called:
-            self._note(last.name, live)
-            called = {name for arg in last.args for name in names_in(arg)} & called
-        for name in called:
+        for call in calls:
             # Other parts may be evaluated after it.
-            self._note(name, live | reads_of(node, self.table))
-
-    def _note(self, name: str, live: Live) -> None:
-        self.after_calls[name] = self.after_calls.get(name, frozenset()) | live
+            after = live if call is last else live | reads_of(node, self.table)
+            params = functions[call.name].proto.params
+            back = {
+                param.name
+                for param, arg in zip(params, call.args, strict=True)
+                if param.name and param.writes_back and root_variable(arg) in after
+            }
+            known = self.after_calls.get(call.name, frozenset())
+            self.after_calls[call.name] = known | after | back
 
     def _needed(self, expr: n.Expr, live: Live) -> Iterator[n.Expr]:
         """The largest parts of an expression that do something which matters.

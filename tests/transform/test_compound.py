@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from shadercache.ast import nodes as n
+from shadercache.ast.memo import Memo
 from shadercache.compiler import analyse, rewrite
 from shadercache.emit.printer import print_node
 from shadercache.front.parse import parse
@@ -63,7 +64,7 @@ def test_spelled_out(written: str, spelled: str) -> None:
     module, made = module_of(written)
     assert body_of(made) == spelled.split("|")
     if "," not in written:
-        assert body_of(contract(made)) == body_of(module)
+        assert body_of(contract(made, Memo())) == body_of(module)
 
 
 @pytest.mark.parametrize(
@@ -85,7 +86,7 @@ def test_spelled_out(written: str, spelled: str) -> None:
 def test_left_alone(statement: str) -> None:
     module, made = module_of(statement)
     assert made is module
-    assert contract(module) is module
+    assert contract(module, Memo()) is module
 
 
 def test_partial_sums_are_nodes() -> None:
