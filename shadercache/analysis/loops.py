@@ -34,14 +34,16 @@ def decided_loops(module: n.Module, names: Iterable[str]) -> frozenset[n.Node]:
     functions = [decl for decl in module.decls if isinstance(decl, n.FunctionDef)]
     if not any(isinstance(item, LOOPS) for function in functions for item in walk(function)):
         return frozenset()
-    table = EffectTable(module)
-    hanging = _Hanging(table, set(names))
-    size = -1
-    while size < len(hanging.names):
-        size = len(hanging.names)
-        for function in functions:
-            hanging.function(function)
-    return frozenset(loop for loop in hanging.loops if not table.of(loop).does & _SHARED)
+    hanging = _Hanging(EffectTable(module), set(names))
+    hanging.all()
+    return frozenset(loop for loop in hanging.loops if not hanging.table.of(loop).does & _SHARED)
+
+
+def hanging_names(module: n.Module, names: Iterable[str]) -> frozenset[str]:
+    """The variables whose values, and the functions whose results, hang on the named variables."""
+    hanging = _Hanging(EffectTable(module), set(names))
+    hanging.all()
+    return frozenset(hanging.names)
 
 
 class _Hanging:
@@ -53,8 +55,15 @@ class _Hanging:
         self._function = ""
         self._left = False
 
-    def function(self, function: n.FunctionDef) -> None:
-        """Note what hangs on the names in one function."""
+    def all(self) -> None:
+        """Note everything that hangs on the names."""
+        size = -1
+        while size < len(self.names):
+            size = len(self.names)
+            for function in self.table.functions.values():
+                self._note(function)
+
+    def _note(self, function: n.FunctionDef) -> None:
         self._function, self._left = function.name, False
         self._statement(function.body, False)
 

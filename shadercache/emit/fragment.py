@@ -37,6 +37,7 @@ from shadercache.transform.guard_loops import guard_loops
 from shadercache.transform.names import FreshNames
 from shadercache.transform.reachable import names_in
 from shadercache.transform.remove_dead import remove_dead
+from shadercache.transform.rename import rename
 from shadercache.transform.specialise import Clones, Cut, CutKind, insert_clones, specialise
 
 _LATE = ("passes/here_late", "passes/hit_late")
@@ -131,6 +132,9 @@ class FragmentEmitter:
         extra: list[n.Decl] = [keep(ahead, entries) if entries else call_all(ahead, ())]
         compute = "compute_only" if kept else "compute"
         clones.append(self._clone(names, compute, (*cuts, *self._node_cuts("goal"))))
+        if self._only_main_colors():
+            extra.append(variable("vec4", self._own("color"), self._highp))
+            clones = [self._with_own_color(group) for group in clones]
         if kept:
             extra.append(keep(self._own("compute"), [self._own(compute)]))
         clones.append(self._shade("use", names))
@@ -139,6 +143,21 @@ class FragmentEmitter:
         return (
             _at_least(made, _QUERIES) if any(form == "level" for *_, form in self.fetches) else made
         )
+
+    def _only_main_colors(self) -> bool:
+        """Is the colour a matter of ``main`` alone?"""
+        functions = (d for d in self.program.module.decls if isinstance(d, n.FunctionDef))
+        return not any(self.program.color in names_in(d) for d in functions if d.name != "main")
+
+    def _with_own_color(self, group: Clones) -> Clones:
+        """The payload's code with a variable for the colour: it goes, with what only feeds it,
+        where the payload does not need it. The output itself would count as needed."""
+        names = {self.program.color: self._own("color")}
+        return replace(group, made=tuple((old, rename(new, names)) for old, new in group.made))
+
+    @property
+    def _highp(self) -> str | None:
+        return "highp" if self.program.module.profile == "es" else None
 
     def _left_changed(self, made: Shader) -> tuple[Symbol, ...]:
         """The user's globals that the payload's code of a one-pass shader changes."""
@@ -157,9 +176,8 @@ class FragmentEmitter:
             early = self._finish("passes/here", [self._shade("need")], both=True)
         else:
             early = self._finish("passes/hit", [self._shade("use")], both=True)
-        does = EffectTable(early.module, self.program.memo).summary("main").does
         if (
-            not does & (Does.DERIVATIVE | Does.IMPLICIT_LOD)
+            not self._takes_derivatives(early.module)
             and not _loops_over_arrays(early.module)
             and not self._decides_loops
         ):
@@ -168,14 +186,22 @@ class FragmentEmitter:
             return self._finish("passes/here_late", [self._shade("lack")], both=True)
         return self._finish("passes/hit_late", [self._shade("use")], both=True)
 
+    def _takes_derivatives(self, module: n.Module) -> bool:
+        does = EffectTable(module, self.program.memo).summary("main").does
+        return bool(does & (Does.DERIVATIVE | Does.IMPLICIT_LOD))
+
     def miss(self) -> Shader:
         """Two passes, second: the original, keeping the payload."""
         kind: CutKind = "keep" if self.whole else "store"
         return self._finish("passes/miss", [self._shade(kind)], both=True)
 
     def reuse(self) -> Shader:
-        """Three passes, first: carry payloads over."""
-        return self._finish("passes/reuse", [self._shade("use")] if self.whole else [])
+        """Three passes, first: carry payloads over. What the shader discards is discarded, and
+        where it takes derivatives for that, the misses are discarded behind them."""
+        early = self._finish("passes/reuse", [self._shade("use")] if self.whole else [])
+        if not self._takes_derivatives(early.module):
+            return early
+        return self._finish("passes/reuse_late", [self._shade("use")])
 
     def payload_only(self) -> Shader:
         """Three passes, second: compute payloads."""

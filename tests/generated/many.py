@@ -1,17 +1,19 @@
-"""The part of ``./dev stress`` that tries generated shaders: many, on all cores."""
+"""The part of ``./dev stress`` that tries generated shaders: many, in batches of one seed each."""
 
 from __future__ import annotations
 
+import json
 import multiprocessing
-import os
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
+from dataclasses import dataclass
 
 from shadercache.harness.context import open_context
+from shadercache.harness.files import write_bytes
 
 from .dialects import DIALECTS
-from .suite import BrokenError, Coverage, check_shaders
+from .suite import OUTPUT, BrokenError, Coverage, check_shaders
 
 BATCH = 25
 """Shaders of one seed. GLSL 3.30 has three batches for one of each other version."""
@@ -19,25 +21,70 @@ BATCH = 25
 ORDER = ("gl330", "gl330", "gl330", *(name for name in DIALECTS if name != "gl330"))
 
 
-def try_many(count: int, seed: int) -> Iterator[tuple[Coverage, str]]:
-    """What each batch has seen, and what broke in it (or nothing), until all are done."""
-    batches = [(ORDER[i % len(ORDER)], seed + i) for i in range(-(-count // BATCH))]
+@dataclass(frozen=True)
+class Batch:
+    """Shaders of one version and one seed."""
+
+    dialect: str
+    seed: int
+
+    def __str__(self) -> str:
+        return f"{self.dialect}, seed {self.seed}"
+
+
+class Record:
+    """What the batches of one seed have seen, in a file, so that a run can go on later.
+
+    Batches in which something broke are not kept: they are tried again.
+    """
+
+    def __init__(self, seed: int, resume: bool) -> None:
+        self.path = OUTPUT / f"stress-{seed}.json"
+        self._known: dict[str, Coverage] = {}
+        if resume and self.path.exists():
+            stored = json.loads(self.path.read_text(encoding="utf-8"))
+            self._known = {name: Coverage.from_json(item) for name, item in stored.items()}
+
+    def holds(self, batch: Batch) -> bool:
+        """Has the batch been tried?"""
+        return str(batch) in self._known
+
+    def add(self, batch: Batch, seen: Coverage) -> None:
+        """Keep what a batch has seen."""
+        self._known[str(batch)] = seen
+        data = {name: item.to_json() for name, item in self._known.items()}
+        write_bytes(self.path, json.dumps(data).encode())
+
+    def total(self) -> Coverage:
+        """What all batches have seen."""
+        found = Coverage()
+        for seen in self._known.values():
+            found.merge(seen)
+        return found
+
+
+def batches(count: int, seed: int) -> list[Batch]:
+    """The batches with so many shaders."""
+    return [Batch(ORDER[i % len(ORDER)], seed + i) for i in range(-(-count // BATCH))]
+
+
+def try_many(todo: list[Batch], jobs: int) -> Iterator[tuple[Batch, Coverage, str]]:
+    """Each batch with what it has seen, and what broke in it (or nothing), as they are done."""
     context = multiprocessing.get_context("spawn")
-    workers = os.cpu_count() or 1
-    with ProcessPoolExecutor(workers, context, max_tasks_per_child=4) as pool:
-        futures = {pool.submit(_batch, *batch): batch for batch in batches}
+    with ProcessPoolExecutor(jobs, context, max_tasks_per_child=4) as pool:
+        futures = {pool.submit(_try, batch): batch for batch in todo}
         for future in as_completed(futures):
             try:
-                yield future.result()
+                yield futures[future], *future.result()
             except BrokenProcessPool:
-                yield Coverage(), f"a process died, near batch {futures[future]}"
+                yield futures[future], Coverage(), f"a process died, near batch {futures[future]}"
 
 
-def _batch(dialect: str, seed: int) -> tuple[Coverage, str]:
+def _try(batch: Batch) -> tuple[Coverage, str]:
     coverage = Coverage()
     with open_context() as gpu:
         try:
-            check_shaders(gpu, dialect, BATCH, seed, coverage)
+            check_shaders(gpu, batch.dialect, BATCH, batch.seed, coverage)
         except BrokenError as error:
             return coverage, str(error)
     return coverage, ""

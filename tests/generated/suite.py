@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import random
 from collections import Counter
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, fields
 from pathlib import Path
+from typing import Any
 
 from hypothesis import HealthCheck, Phase, given, seed, settings
 from hypothesis import strategies as st
@@ -35,6 +36,10 @@ class Coverage:
     algorithms: Counter[str] = field(default_factory=Counter)
     nodes: int = 0
     not_finite: int = 0
+    plain: int = 0
+    """Variants in plain mode that were drawn."""
+    plain_changed: int = 0
+    """Those in which any pixel differs from the original by any bit."""
 
     def add(self, shader: Shader, report: Report) -> None:
         """Count one shader in."""
@@ -44,6 +49,8 @@ class Coverage:
         self.algorithms += report.algorithms
         self.nodes += report.nodes
         self.not_finite += not report.finite
+        self.plain += len(report.plain)
+        self.plain_changed += sum(share > 0.0 for share in report.plain)
 
     def merge(self, other: Coverage) -> None:
         """Count in what another run has seen."""
@@ -56,11 +63,28 @@ class Coverage:
             mine.update(theirs)
         self.nodes += other.nodes
         self.not_finite += other.not_finite
+        self.plain += other.plain
+        self.plain_changed += other.plain_changed
+
+    def to_json(self) -> dict[str, Any]:
+        """The counts as plain data, the most frequent first."""
+        return {
+            item.name: dict(value.most_common()) if isinstance(value, Counter) else value
+            for item in fields(self)
+            for value in [getattr(self, item.name)]
+        }
+
+    @classmethod
+    def from_json(cls, data: Mapping[str, Any]) -> Coverage:
+        """The counts that ``to_json`` wrote."""
+        counted = {name: Counter(v) if isinstance(v, dict) else v for name, v in data.items()}
+        return cls(**counted)
 
     def table(self) -> str:
         """The counts as text, the most frequent first."""
         lines = [f"{self.shaders.total()} shaders, {self.nodes} nodes checked"]
         lines.append(f"{self.not_finite} shaders with values that are not finite")
+        lines.append(f"plain mode changes bits of {self.plain_changed} of {self.plain} variants")
         for title in ("shaders", "constructs", "codes", "algorithms"):
             lines.append(f"{title}:")
             counts: Counter[str] = getattr(self, title)

@@ -2,19 +2,24 @@
 
 First every written case, then real shaders that are damaged at random until the time is up. Real
 ones are those of the tests, and the public ones where ``./dev corpus`` has fetched them. Last,
-shaders that are generated: the laws on nodes of each. Exit status 1 if anything is wrong;
+shaders that are generated: the laws on nodes of each, in batches that can be gone on with
+(``--resume`` with the same ``--seed``); what occurred is written to
+``bench/results/<machine>/generated.json`` when all are done. Exit status 1 if anything is wrong;
 ``out/stress`` and ``out/generated`` then have the texts.
 """
 
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 import time
 from collections.abc import Sequence
 from pathlib import Path
 
-from tests.generated.many import try_many
+from shadercache.harness.context import open_context
+from shadercache.harness.results import SCHEMA_VERSION, environment, machine_name, write_json
+from tests.generated.many import Record, batches, try_many
 from tests.generated.suite import Coverage
 
 from .cases import written_cases
@@ -27,10 +32,22 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="./dev stress", description=__doc__)
     parser.add_argument("--seconds", type=float, default=300.0, help="for the random cases")
     parser.add_argument("--seed", type=int, default=int(time.time()), help="of the random cases")
-    parser.add_argument("--generated", type=int, default=2000, help="shaders to generate")
     parser.add_argument("--only", metavar="TEXT", help="the written cases with TEXT in their name")
+    parser.add_argument("--generated", type=int, default=2000, metavar="N", help="shaders to make")
+    parser.add_argument("--only-generated", action="store_true", help="nothing but these")
+    parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count() or 1, metavar="N")
+    parser.add_argument("--resume", action="store_true", help="go on with --seed where it ended")
+    parser.add_argument("--limit", type=int, metavar="N", help="at most so many batches now")
     parser.add_argument("-o", "--output", type=Path, default=ROOT / "out" / "stress")
+    parser.add_argument("--results", type=Path, metavar="DIR", help="for generated.json")
     options = parser.parse_args(arguments)
+    wrong = [] if options.only_generated else _cases(options)
+    broken = 0 if options.only is not None else _generated(options)
+    return int(bool(wrong or broken))
+
+
+def _cases(options: argparse.Namespace) -> list[Result]:
+    """Try the written cases and the random ones; what went wrong."""
     wrong: list[Result] = []
     count = 0
     for case in written_cases():
@@ -43,21 +60,39 @@ def main(arguments: Sequence[str] | None = None) -> int:
             wrong += _told(run_apart(cases))
     _save(wrong, options.output)
     print(f"{count} cases, {len(wrong)} went wrong (seed {options.seed})")
-    broken = 0 if options.only is not None else _generated(options.generated, options.seed)
-    return int(bool(wrong or broken))
+    return wrong
 
 
-def _generated(count: int, seed: int) -> int:
-    """Try generated shaders, print what occurred; how many seeds found something broken."""
-    coverage, broken = Coverage(), 0
-    for seen, problem in try_many(count, seed):
-        coverage.merge(seen)
+def _generated(options: argparse.Namespace) -> int:
+    """Try generated shaders, print what occurred; how many batches found something broken."""
+    record = Record(options.seed, options.resume)
+    every = batches(options.generated, options.seed)
+    todo = [batch for batch in every if not record.holds(batch)][: options.limit]
+    print(f"generated shaders: {len(todo)} batches, seed {options.seed}", flush=True)
+    broken = 0
+    for number, (batch, seen, problem) in enumerate(try_many(todo, options.jobs), start=1):
+        about = f"{seen.shaders.total()} shaders, {seen.nodes} nodes"
+        print(f"{number} of {len(todo)} ({batch}): {about}", flush=True)
         if problem:
             broken += 1
             print(problem, flush=True)
-    print(coverage.table())
-    print(f"{broken} batches broke a law (seed {seed})")
+        else:
+            record.add(batch, seen)
+    total = record.total()
+    print(total.table())
+    print(f"{broken} batches broke a law (seed {options.seed})")
+    if all(record.holds(batch) for batch in every):
+        _keep(total, options)
     return broken
+
+
+def _keep(total: Coverage, options: argparse.Namespace) -> None:
+    """Write what all batches have seen."""
+    with open_context() as gpu:
+        about = environment(gpu)
+    folder = options.results or ROOT / "bench" / "results" / machine_name(about)
+    head = {"schema_version": SCHEMA_VERSION, "environment": about, "seed": options.seed}
+    write_json(folder / "generated.json", head | total.to_json())
 
 
 def _told(results: Sequence[Result]) -> list[Result]:

@@ -1,0 +1,102 @@
+"""Law 8 on a text: derivatives that not all fragments of a quad take together.
+
+Independent of what the compiler itself knows about that: a walk over the calls from ``main``, in
+order, which remembers whether the fragments may have parted (by a condition, a loop or a jump that
+hangs on what differs between fragments) or some may have been discarded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from shadercache.analysis.effects import Does, EffectTable, needs_derivative
+from shadercache.analysis.loops import LOOPS, hanging_names
+from shadercache.ast import nodes as n
+from shadercache.ast.walk import children, walk
+from shadercache.emit.printer import print_node
+
+JUMPS = Does.JUMP | Does.RETURN | Does.DISCARD
+
+
+def apart_derivatives(module: n.Module) -> list[str]:
+    """The derivatives and fetches with implicit level of detail that some fragments may not take."""
+    walker = _Walker(module)
+    walker.function("main", False)
+    return walker.found
+
+
+class _Walker:
+    """``under`` tells that some fragments are elsewhere; ``gone``, that some were discarded."""
+
+    def __init__(self, module: n.Module) -> None:
+        self.table = EffectTable(module)
+        self.differing = hanging_names(module, _varying(module))
+        self.found: list[str] = []
+        self.gone = False
+
+    def function(self, name: str, under: bool) -> None:
+        body = self.table.functions[name].body
+        self.block(body.body, under, Does.RETURN)
+
+    def block(self, stmts: tuple[n.Stmt, ...], under: bool, jumps: Does) -> None:
+        """Statements in a row; behind one with a jump that some fragments take, they are apart."""
+        for stmt in stmts:
+            self.statement(stmt, under, jumps)
+            under = under or (self.parts(stmt) and bool(self.table.of(stmt).does & jumps))
+
+    def parts(self, stmt: n.Stmt) -> bool:
+        """Is there anything in it that some fragments execute and others do not?"""
+        heads = (item for item in walk(stmt) for item in _heads(item))
+        return any(self.differs(head) for head in heads)
+
+    def statement(self, stmt: n.Stmt, under: bool, jumps: Does) -> None:
+        heads = list(_heads(stmt))
+        if isinstance(stmt, n.Block):
+            self.block(stmt.body, under, jumps)
+            return
+        if not heads and not isinstance(stmt, LOOPS):
+            self.expression(stmt, under)
+            return
+        inner = under or any(self.differs(head) for head in heads)
+        if isinstance(stmt, LOOPS):
+            inner = inner or (self.parts(stmt.body) and bool(self.table.of(stmt.body).does & JUMPS))
+        for part in children(stmt):
+            if part in heads and not isinstance(stmt, LOOPS):
+                self.expression(part, under)
+            elif isinstance(part, n.Block):
+                self.block(part.body, inner, JUMPS if isinstance(stmt, LOOPS) else jumps)
+            else:
+                self.statement(part, inner, jumps)  # type: ignore[arg-type]
+
+    def expression(self, node: n.Node, under: bool) -> None:
+        for item in walk(node):
+            if isinstance(item, n.Call) and item.name in self.table.functions:
+                self.function(item.name, under)
+            elif isinstance(item, n.Call) and needs_derivative(item, self.table):
+                if under or self.gone:
+                    self.found.append(print_node(item))
+            elif isinstance(item, n.Jump) and item.word == "discard":
+                self.gone = self.gone or under
+
+    def differs(self, node: n.Node) -> bool:
+        return any(
+            item.name in self.differing for item in walk(node) if isinstance(item, n.Name | n.Call)
+        )
+
+
+def _heads(stmt: n.Node) -> Iterator[n.Node]:
+    match stmt:
+        case n.If(condition=head) | n.Switch(selector=head):
+            yield head
+        case n.For() | n.While() | n.DoWhile():
+            if stmt.condition is not None:
+                yield stmt.condition
+
+
+def _varying(module: n.Module) -> set[str]:
+    """What differs between fragments from the start."""
+    found = {"gl_FragCoord", "gl_FrontFacing", "gl_PointCoord"}
+    for decl in module.decls:
+        if isinstance(decl, n.VarDecl) and decl.qualifiers.has("in", "varying"):
+            found |= {item.name for item in decl.declarators}
+    return found
