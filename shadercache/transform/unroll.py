@@ -177,7 +177,7 @@ class _Unroller:
             kind = self._facts.declared[item].type
             value = _literal(own[item.name], kind.base or "")
             made = replace(item, init=value)
-            yield n.DeclStmt(NOWHERE, replace(_copy(decl), span=NOWHERE, declarators=(made,)))
+            yield n.DeclStmt(NOWHERE, replace(_copy(decl), declarators=(made,)))
 
 
 class _Statements(Rewriter):

@@ -203,3 +203,26 @@ def test_the_reference_is_the_shader_as_it_was() -> None:
     hidden = variants["2-pass.miss.frag"]
     assert "for (" not in hidden
     assert "int i = 0 - int(gl_FragCoord.x < 0.0);" in hidden
+
+
+def test_counters_keep_their_precision() -> None:
+    text = """#version 300 es
+    precision mediump float;
+    in highp vec3 v_position;
+    out vec4 o_color;
+    void main() {
+        highp float a = 0.0;
+        for (float t = 0.5; t < 2.0; t += 1.0) a += sin(v_position.x * t) * cos(a) * exp(a);
+        for (lowp int i = 0; i < 2; i++) a *= sin(v_position.y + float(i)) * cos(a) * exp(a);
+        o_color = vec4(a);
+    }
+    """
+    vertex = """#version 300 es
+    in vec3 a;
+    out highp vec3 v_position;
+    void main() { v_position = a; gl_Position = vec4(a, 1.0); }
+    """
+    analysis = analyse(Source("es.frag", text), Source("es.vert", vertex), ReadOptions(unroll=True))
+    shade = rewrite(analysis, find(analysis, "vec4(a)"), algorithms=(2,)).files["2-pass.miss.frag"]
+    lines = [line.strip() for line in shade.splitlines()]
+    assert "float t = 0.5;" in lines and "lowp int i = 0;" in lines
