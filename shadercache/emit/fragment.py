@@ -63,6 +63,7 @@ class FragmentEmitter:
         self.whole = node.unsure or bool(discards)
         """Do fragments do without the payload, so that each pass goes through the shader?"""
         found = program.candidates.slices.value(node.instance, node.place)
+        self._clones: dict[str, Clones] = {}
         self.fetches = program.candidates.derivatives.inside(node.instance, node.place, found)
 
     def one(self) -> Shader:
@@ -200,11 +201,20 @@ class FragmentEmitter:
 
     def _shade(self, kind: CutKind, names: FreshNames | None = None) -> Clones:
         """The whole shader with the node cut out in one way."""
-        return self._clone(names or self._names(), "shade", (self._node_cut(kind),))
+        if names is not None:
+            return self._clone(names, "shade", (self._node_cut(kind),))
+        return self._alone("shade", kind)
 
     def _compute(self) -> Clones:
         """The payload alone."""
-        return self._clone(self._names(), "compute", (self._node_cut("goal"),))
+        return self._alone("compute", "goal")
+
+    def _alone(self, entry: str, kind: CutKind) -> Clones:
+        """The only clones of a pass. Other passes have the same, and then share what is found out
+        about them."""
+        if kind not in self._clones:
+            self._clones[kind] = self._clone(self._names(), entry, (self._node_cut(kind),))
+        return self._clones[kind]
 
     def _node_cut(self, kind: CutKind) -> Cut:
         assert self.node.instance is not None
