@@ -45,6 +45,9 @@ def command(
     unprofitable: Annotated[
         bool, typer.Option("--unprofitable", help="Also nodes cheaper than a fetch.")
     ] = False,
+    every_node: Annotated[
+        bool, typer.Option("--every-node", help="Every node, not one of those of the same value.")
+    ] = False,
     plain: Annotated[
         bool, typer.Option("--plain/--proof-only", help="Also measure what plain mode changes.")
     ] = True,
@@ -63,26 +66,32 @@ def command(
         Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write the JSON there.")
     ] = None,
 ) -> None:
-    """Check laws 1 to 4 for every offered node by rendering it on this machine's driver.
+    """Check laws 1 to 4 for every offered value by rendering it on this machine's driver.
 
     1: the printed shader renders the same bits. 2: refreshed in every frame, a variant is the
     original. 3: at rest it stays so. 4: the algorithms agree. Laws 2 to 4 are decided in proof
     mode, bit by bit; for plain mode the difference is reported. Exit status 1 if a law is broken.
+    Of nodes that have the same value one is checked; the others are counted, and --every-node
+    checks them too.
     """
+    from shadercache.analysis.groups import one_of_each
     from shadercache.harness.context import open_context
     from shadercache.harness.parallel import verify_in_parallel
     from shadercache.harness.results import environment, write_json
     from shadercache.harness.shaders import open_scene
     from shadercache.harness.verify import Verifier
 
+    equal = 0
     options = read_options(define, undefine, include, dialect, max_tokens, unroll)
     path = find_scene(target)
     scene, analysis = open_scene(path, options, mapping)
     if node:
         chosen = [found for _, found in choose_nodes(scene, analysis, node)]
     else:
-        legal = [item for item in analysis.nodes if item.offered or (unprofitable and item.legal)]
-        chosen = [(item,) for item in legal]
+        every = [item for item in analysis.nodes if item.offered or (unprofitable and item.legal)]
+        kept = every if every_node else list(one_of_each(every, analysis.groups))
+        equal = len(every) - len(kept)
+        chosen = [(item,) for item in kept]
     for nodes in chosen:
         analysis.require_all(nodes, unprofitable)
     with open_context() as gpu:
@@ -100,10 +109,10 @@ def command(
             options,
             mapping,
         )
-    report = _report(scene.name, about, round_trip, ties, verdicts)
+    report = _report(scene.name, about, round_trip, ties, verdicts, equal)
     if output is not None:
         write_json(output, report)
-    print(json.dumps(report, indent=1) if as_json else _text(verdicts, round_trip, ties))
+    print(json.dumps(report, indent=1) if as_json else _text(verdicts, round_trip, ties, equal))
     if report["broken"]:
         raise typer.Exit(1)
 
@@ -114,6 +123,7 @@ def _report(
     round_trip: Difference | None,
     ties: float,
     verdicts: Sequence[Verdict],
+    equal: int,
 ) -> dict[str, Any]:
     broken = [verdict.node for verdict in verdicts if verdict.broken]
     return {
@@ -123,6 +133,7 @@ def _report(
         "round_trip_exact": None if round_trip is None else round_trip.exact,
         "depth_ties": ties,
         "checked": len(verdicts),
+        "equal_to_checked": equal,
         "broken": broken + ([] if round_trip is None or round_trip.exact else ["law 1"]),
         "nodes": [verdict.to_json() for verdict in verdicts],
     }
@@ -134,7 +145,9 @@ def _law_1(round_trip: Difference | None) -> str:
     return "holds" if round_trip.exact else "BROKEN"
 
 
-def _text(verdicts: Sequence[Verdict], round_trip: Difference | None, ties: float) -> str:
+def _text(
+    verdicts: Sequence[Verdict], round_trip: Difference | None, ties: float, equal: int
+) -> str:
     from shadercache.harness.verify import MAX_TIES
 
     rows = [_row(verdict) for verdict in verdicts]
@@ -149,6 +162,8 @@ def _text(verdicts: Sequence[Verdict], round_trip: Difference | None, ties: floa
         f"laws 2-4: {len(verdicts) - broken} of {len(verdicts)} nodes exact in proof mode",
         f"plain mode changes bits for {plain} of {len(verdicts)} nodes",
     ]
+    if equal:
+        lines.append(f"{equal} more nodes have the value of one of these (--every-node checks all)")
     if ties > MAX_TIES:
         lines.append(f"{ties:.2%} of the pixels are depth ties, which are left out")
     return "\n".join(lines)

@@ -103,6 +103,7 @@ class FragmentEmitter:
         discards = EffectTable(program.module, program.memo).summary("main").does & Does.DISCARD
         self.whole = any(node.unsure for node in nodes) or bool(discards)
         """Do fragments do without a payload, so that each pass goes through the shader?"""
+        self._clones: dict[str, Clones] = {}
         types = program.facts.types
         self.fetches = [
             (use, self._own(f"fetch_{i}"), form_of(use.place.expr, fetches, types))
@@ -300,11 +301,20 @@ class FragmentEmitter:
 
     def _shade(self, kind: CutKind, names: FreshNames | None = None) -> Clones:
         """The whole shader with the nodes cut out in one way."""
-        return self._clone(names or self._names(), "shade", self._node_cuts(kind))
+        if names is not None:
+            return self._clone(names, "shade", self._node_cuts(kind))
+        return self._alone("shade", kind)
 
     def _compute(self) -> Clones:
         """The payloads alone."""
-        return self._clone(self._names(), "compute", self._node_cuts("goal"))
+        return self._alone("compute", "goal")
+
+    def _alone(self, entry: str, kind: CutKind) -> Clones:
+        """The only clones of a pass. Other passes have the same, and then share what is found out
+        about them."""
+        if kind not in self._clones:
+            self._clones[kind] = self._clone(self._names(), entry, self._node_cuts(kind))
+        return self._clones[kind]
 
     def _node_cuts(self, kind: CutKind) -> tuple[Cut, ...]:
         flags = self.layout.variables(self._own("valid"))

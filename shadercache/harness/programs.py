@@ -25,8 +25,13 @@ _SAMPLERS = {
 _SAMPLER_RANGES = (range(0x8B5D, 0x8B64), range(0x8DC0, 0x8DD9), range(0x9108, 0x910E))
 _FORMATS = {code: np.dtype(code) for code in "fiId"}
 
-MOST_IDLE = 16
-"""Unused programs that are kept: a node in proof and plain mode has twelve."""
+MOST_IDLE = 32
+"""Unused programs that are kept: a node in proof and plain mode has twelve, and what look-ups alone
+do is the same for all payloads of a type."""
+
+# Our own comment names the pass and the node. Programs that differ in nothing else are one, and so
+# are shaders to the driver's cache of compiled code, which goes by the text.
+_HEADING = re.compile(r"^// shadercache: [^\\\n]*$", re.MULTILINE)
 
 # "0:12(5): error: ..." (Mesa), "0(12) : error ..." (NVIDIA), "ERROR: 0:12: ..." (others).
 _LOG_LINE = re.compile(r"^(?:ERROR: )?0[:(](\d+)(?:\((\d+)\))?[):]*\s*(.*)$", re.MULTILINE)
@@ -111,10 +116,10 @@ class Programs:
         Raises:
             InputError: SC602 with the driver's log, SC524 for inputs the harness cannot give.
         """
-        key = (vertex.text, fragment.text)
+        key = (_HEADING.sub("//", vertex.text), _HEADING.sub("//", fragment.text))
         program = self._by_text.get(key)
         if program is None:
-            program = self._by_text[key] = _link(self._gpu.ctx, vertex, fragment)
+            program = self._by_text[key] = _link(self._gpu.ctx, vertex, fragment, key)
         program.users += 1
         self._by_text.move_to_end(key)
         return program
@@ -133,9 +138,11 @@ class Programs:
         self._by_text.clear()
 
 
-def _link(ctx: moderngl.Context, vertex: Source, fragment: Source) -> Program:
+def _link(
+    ctx: moderngl.Context, vertex: Source, fragment: Source, texts: tuple[str, str]
+) -> Program:
     try:
-        gl = ctx.program(vertex_shader=vertex.text, fragment_shader=fragment.text)
+        gl = ctx.program(vertex_shader=texts[0], fragment_shader=texts[1])
     except moderngl.Error as error:
         raise _refused(str(error), vertex, fragment) from None
     uniforms: dict[str, Uniform] = {}

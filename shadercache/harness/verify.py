@@ -206,13 +206,13 @@ class Verifier:
         if plain:
             shipped = self._rewritten(nodes, "plain")
             for name in shipped.algorithms:
-                verdict.plain[name] = self._always(shipped, name, "plain")
+                verdict.plain[name] = self._changed(shipped, name)
 
     def check_bundle(self, bundle: Bundle, verdict: Verdict) -> None:
         """Laws 2 to 4 for a proof-mode bundle, into ``verdict``."""
         first: list[tuple[Image, Image]] = []
         for name in bundle.algorithms:
-            verdict.always[name] = self._always(bundle, name, "proof")
+            verdict.always[name] = self._always(bundle, name)
             verdict.resting[name] = self._resting(bundle, name)
             run = self._reusing(bundle, name)
             first = first or run
@@ -235,13 +235,25 @@ class Verifier:
         emission = rewrite(self.analysis, nodes, options, unprofitable=True)
         return Bundle(emission.manifest, emission.files)
 
-    def _always(self, bundle: Bundle, name: str, mode: Mode) -> Difference:
+    def _always(self, bundle: Bundle, name: str) -> Difference:
         """Law 2: with everything refreshed in every frame a variant is the original."""
         found = Difference()
         with VariantRunner(self.stage, bundle, name, RunOptions(period=1)) as runner:
             for frame in ALWAYS:
                 image = runner.image(frame)
-                reference = self._moving[mode][frame]
+                reference = self._moving["proof"][frame]
+                found = found.worst(difference(image, reference, self.covered[frame]))
+        return found
+
+    def _changed(self, bundle: Bundle, name: str) -> Difference:
+        """What plain mode changes: a reset in every frame draws the passes that compute, and not
+        those that would find nothing to reuse (compiling these takes a third of the time)."""
+        found = Difference()
+        with VariantRunner(self.stage, bundle, name, RunOptions(period=1)) as runner:
+            for frame in ALWAYS:
+                runner.reset()
+                image = runner.image(frame)
+                reference = self._moving["plain"][frame]
                 found = found.worst(difference(image, reference, self.covered[frame]))
         return found
 

@@ -1,0 +1,276 @@
+"""``./dev bench-emit``: how fast variants are written, nodes found and laws checked.
+
+* Emission: milliseconds of processor time for one program (a fragment and a vertex shader) of a
+  variant, in plain and in proof mode, over nodes spread evenly over a shader. The shader is
+  ``shaders/weathered.frag`` of 300 lines; the dragon and public ones (where ``./dev corpus`` has
+  fetched them) stand beside it. Each round begins with a new analysis, so what is kept from node
+  to node counts from its beginning.
+* Analysis: ``analyse`` and the groups of equal nodes on made shaders of n, 2n, 4n and 8n nodes.
+  Time for a node should stay as it is.
+* Verification: ``shadercache verify`` of ``shaders/lantern.frag`` (100 lines), every offered value,
+  with an empty cache of compiled shaders. Beside the wall clock stands the processor time: on a
+  machine that does other work the wall tells little.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import resource
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+from shadercache.ast.large import allow_deep_trees
+from shadercache.cli.tables import format_table
+from shadercache.compiler import Analysis, analyse, rewrite
+from shadercache.harness.context import open_context
+from shadercache.harness.results import environment, machine_name, write_json
+from shadercache.options import Mode, Options
+from shadercache.source import Source
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent
+PUBLIC = ROOT / "out" / "public" / "shaders" / "three" / "ShaderLib"
+OWN = (HERE / "shaders" / "weathered.frag", ROOT / "corpus" / "dragon" / "dragon.frag")
+VERIFIED = HERE / "shaders" / "lantern.toml"
+
+PUBLIC_NAMES = ("standard.shadowed", "phong.textured", "phong.mirroring")
+MODES: tuple[Mode, ...] = ("plain", "proof")
+STAGES = 8, 16, 32, 64
+"""Copies of :data:`PIECE` in the made shaders."""
+
+PIECE = """\
+float wave_NUMBER(vec3 p) {
+    float bent = sin(p.x * 3.NUMBER + p.y) * cos(p.z - 0.5 * p.x);
+    if (p.y > 0.2) {
+        bent += dot(p, vec3(0.3, 0.NUMBER, 0.7)) * 0.25;
+    }
+    return bent * bent + 0.1;
+}
+"""
+HEAD = "#version 330\nin vec3 v_position;\nuniform float u_scale;\nout vec4 f_color;\n"
+
+Sample = dict[str, Any]
+
+
+# --- emission -------------------------------------------------------------------------------------
+
+
+def shaders() -> Iterator[tuple[str, Source, Source]]:
+    """Name, fragment shader and vertex shader of what is rewritten."""
+    found = [*OWN, *(PUBLIC / f"{name}.frag" for name in PUBLIC_NAMES)]
+    for path in found:
+        if path.exists():
+            fragment, vertex = (_source(path.with_suffix(end)) for end in (".frag", ".vert"))
+            yield path.stem, fragment, vertex
+
+
+def _source(path: Path) -> Source:
+    return Source(path.name, path.read_text(encoding="utf-8"))
+
+
+def emission(nodes: int, rounds: int) -> list[Sample]:
+    """Seconds for a program, by shader and mode: one figure for each node, the least of its
+    rounds."""
+    rows = []
+    for name, fragment, vertex in shaders():
+        for mode in MODES:
+            times = [_emit(analyse(fragment, vertex), mode, nodes) for _ in range(rounds)]
+            seconds = [min(of_node) for of_node in zip(*times, strict=True)]
+            lines = fragment.text.count("\n")
+            rows.append({"shader": name, "lines": lines, "mode": mode, "seconds": seconds})
+    return rows
+
+
+def _emit(analysis: Analysis, mode: Mode, count: int) -> list[float]:
+    offered = [node for node in analysis.nodes if node.offered]
+    chosen = offered[:: max(1, len(offered) // count)][:count]
+    options = Options(mode)
+    times = []
+    for node in chosen:
+        begin = time.process_time()
+        made = rewrite(analysis, node, options)
+        times.append((time.process_time() - begin) * 2 / len(made.files))
+    return times
+
+
+def emission_table(rows: Sequence[Sample]) -> str:
+    """Milliseconds for a program."""
+    head = ("shader", "lines", "mode", "nodes", "median", "largest", "first")
+    lines = []
+    for row in rows:
+        times = [f"{1e3 * value:.1f}" for value in _three(row["seconds"])]
+        lines.append(
+            (row["shader"], str(row["lines"]), row["mode"], str(len(row["seconds"])), *times)
+        )
+    return format_table(head, lines, right=" ".join(head[1:]))
+
+
+def _three(seconds: Sequence[float]) -> tuple[float, float, float]:
+    """Median and largest; and the first, for which nothing is kept yet."""
+    return statistics.median(seconds), max(seconds), seconds[0]
+
+
+# --- analysis -------------------------------------------------------------------------------------
+
+
+def made_shader(pieces: int) -> Source:
+    """A shader with as many functions, each called twice, one result used by the next."""
+    functions = "".join(PIECE.replace("NUMBER", str(number)) for number in range(pieces))
+    calls = "".join(
+        f"    p += vec3(wave_{number}(p), wave_{number}(p.yzx) * u_scale, 0.5);\n"
+        for number in range(pieces)
+    )
+    main = f"void main() {{\n    vec3 p = v_position;\n{calls}    f_color = vec4(p, 1.0);\n}}\n"
+    return Source(f"made of {pieces}", HEAD + functions + main)
+
+
+def growth(rounds: int) -> list[Sample]:
+    """Seconds for the analysis and for the groups of made shaders: the least of some rounds."""
+    rows = []
+    for pieces in STAGES:
+        found = [_analysed(made_shader(pieces)) for _ in range(rounds)]
+        nodes = found[0][0]
+        analysing, grouping = (min(item[place] for item in found) for place in (1, 2))
+        rows.append({"nodes": nodes, "analyse": analysing, "groups": grouping})
+    return rows
+
+
+def _analysed(source: Source) -> tuple[int, float, float]:
+    """How many nodes there are, and the seconds for finding them and for grouping them."""
+    begin = time.process_time()
+    analysis = analyse(source)
+    found = time.process_time()
+    _ = analysis.groups
+    return len(analysis.nodes), found - begin, time.process_time() - found
+
+
+def growth_table(rows: Sequence[Sample]) -> str:
+    """Milliseconds; microseconds for a node: constant where time grows with the number of nodes."""
+    head = ("nodes", "analyse", "us/node", "groups", "us/node")
+    lines = []
+    for row in rows:
+        cells = [str(row["nodes"])]
+        for name in ("analyse", "groups"):
+            cells += [f"{1e3 * row[name]:.0f}", f"{1e6 * row[name] / row['nodes']:.1f}"]
+        lines.append(cells)
+    return format_table(head, lines, right=" ".join(head))
+
+
+# --- verification ---------------------------------------------------------------------------------
+
+
+def verification(scene: Path) -> Sample:
+    """A whole ``shadercache verify``, as a user runs it for the first time."""
+    with tempfile.TemporaryDirectory() as folder:
+        output = Path(folder) / "verdicts.json"
+        command = [sys.executable, "-m", "shadercache", "verify", str(scene), "-o", str(output)]
+        # Mesa and NVIDIA keep compiled shaders from run to run, in these places.
+        caches = {"MESA_SHADER_CACHE_DIR": folder, "__GL_SHADER_DISK_CACHE_PATH": folder}
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        begin = time.perf_counter()
+        done = subprocess.run(
+            command, cwd=ROOT, env=os.environ | caches, capture_output=True, text=True
+        )
+        wall = time.perf_counter() - begin
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        if not output.exists():
+            raise RuntimeError(done.stderr)
+        report = json.loads(output.read_text(encoding="utf-8"))
+    used = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return {
+        "scene": report["scene"],
+        "nodes": report["checked"] + report["equal_to_checked"],
+        "checked": report["checked"],
+        "broken": len(report["broken"]),
+        "cores": os.cpu_count(),
+        "wall seconds": wall,
+        "processor seconds": used,
+        "load before": os.getloadavg()[0],
+    }
+
+
+def verification_text(found: Sample) -> str:
+    """One sentence."""
+    return (
+        f"verify {found['scene']}: {found['checked']} values of {found['nodes']} nodes, "
+        f"{found['broken']} broken, {found['wall seconds']:.0f} s on {found['cores']} cores "
+        f"(load {found['load before']:.1f} before), {found['processor seconds']:.0f} s of "
+        "processor time"
+    )
+
+
+def targets(
+    emitted: Sequence[Sample], grown: Sequence[Sample], verified: Sample | None
+) -> list[dict[str, Any]]:
+    """What was aimed at and what is reached. Only the shader of 300 lines has a target; that of
+    verifying is counted in processor time, shared fairly among the cores."""
+    own = {row["mode"]: row["seconds"] for row in emitted if row["shader"] == OWN[0].stem}
+    found = [
+        (f"emission, {mode}, ms a program", 1e3 * statistics.median(own[mode]), 15.0)
+        for mode in MODES
+    ]
+    for name in ("analyse", "groups"):
+        first, last = (row[name] / row["nodes"] for row in (grown[0], grown[-1]))
+        found.append((f"{name}: time for a node, 8n nodes / n nodes", last / first, 1.5))
+    if verified is not None:
+        share = verified["processor seconds"] / verified["cores"]
+        found.append(("verify, 100 lines, processor s / cores", share, 60.0))
+    return [
+        {"name": name, "value": value, "target": f"<= {limit:g}", "met": value <= limit}
+        for name, value, limit in found
+    ]
+
+
+def targets_table(found: Sequence[dict[str, Any]]) -> str:
+    """One line for each target."""
+    lines = [
+        (item["name"], f"{item['value']:.3g}", item["target"], "met" if item["met"] else "MISSED")
+        for item in found
+    ]
+    return format_table(("target", "value", "wanted", ""), lines, right="value wanted")
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run; returns the exit status."""
+    parser = argparse.ArgumentParser(prog="./dev bench-emit", description=__doc__)
+    parser.add_argument("--rounds", type=int, default=3, metavar="N")
+    parser.add_argument("--nodes", type=int, default=24, metavar="N", help="nodes of each shader")
+    parser.add_argument("--no-verify", action="store_true", help="without the verification")
+    parser.add_argument("-o", "--output", type=Path, metavar="FILE", help="the result as JSON")
+    options = parser.parse_args(arguments)
+    allow_deep_trees()
+    with open_context() as gpu:
+        about = environment(gpu)
+    emitted = emission(options.nodes, options.rounds)
+    print(f"{emission_table(emitted)}\n\nprocessor time in ms for a fragment and a vertex shader\n")
+    grown = growth(options.rounds)
+    print(f"{growth_table(grown)}\n")
+    verified = None if options.no_verify else verification(VERIFIED)
+    if verified is not None:
+        print(f"{verification_text(verified)}\n")
+    reached = targets(emitted, grown, verified)
+    print(targets_table(reached))
+    result = {
+        "schema_version": 1,
+        "environment": about,
+        "emission": emitted,
+        "growth": grown,
+        "verification": verified,
+        "targets": reached,
+    }
+    default = HERE / "results" / machine_name(about) / "emit-speed.json"
+    write_json(options.output or default, result)
+    print(f"\nresult: {options.output or default}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
