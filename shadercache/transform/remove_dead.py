@@ -21,7 +21,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from shadercache.analysis.effects import Does, EffectTable
+from shadercache.analysis.effects import Does, EffectTable, root_variable
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import children, walk
 from shadercache.transform.reachable import keep_reachable, names_in
@@ -137,6 +137,8 @@ class _Pruner:
     def expression(self, stmt: n.ExprStmt, live: Live) -> tuple[n.Stmt | None, Live]:
         if stmt.expr is None or not self._matters(stmt.expr, live):
             return None, live
+        if isinstance(stmt.expr, n.Assign) and self._is_unread(stmt.expr.target, live):
+            return self.expression(replace(stmt, expr=stmt.expr.value), live)
         effects = self.table.of(stmt.expr)
         return stmt, (live - _killed(stmt.expr)) | effects.reads
 
@@ -212,6 +214,11 @@ class _Pruner:
             return None, live
         # A return inside leads to the exit, a ``continue`` to the next round of the loop outside.
         return stmt, live | effects.reads | self.at_exit | jumps.after_continue
+
+    def _is_unread(self, target: n.Expr, live: Live) -> bool:
+        """Is what is assigned to of no use, and nothing else done by naming it?"""
+        root = root_variable(target)
+        return root is not None and root not in live and not self.table.of(target).writes
 
     def _matters(self, expr: n.Expr, live: Live) -> bool:
         effects = self.table.of(expr)
