@@ -10,6 +10,7 @@ from shadercache.sema.check import check
 from shadercache.sema.verify_tree import verify_module
 from shadercache.source import Source
 from shadercache.transform.drop_parameters import drop_parameters
+from shadercache.transform.drop_results import drop_results
 from shadercache.transform.make_precise import make_precise
 from shadercache.transform.names import FreshNames, fresh_prefix
 from shadercache.transform.rename import rename
@@ -227,3 +228,76 @@ def test_make_precise_leaves_conditional_arguments_where_they_are() -> None:
         "sc_",
     )
     assert "f(1.0 / u_a)" in print_module(module)
+
+
+def test_results_that_nobody_uses_are_dropped() -> None:
+    module = module_of(
+        """float kept;
+        float g(float x) { return x * 2.0; }
+        float sc_a(float x) { kept = x; if (x > 1.0) return g(x); return 2.0 * x; }
+        float sc_b(float x) { return g(sc_a(x)) + sc_a(x + 1.0); }
+        float sc_c(float x) { kept += x; return x; }
+        void main() {
+            sc_b(v_a.x) * g(v_a.y); float y = sc_c(v_a.z); v_a.x > 0.0 && y > sc_c(y);
+        }"""
+    )
+    made = {"sc_a", "sc_b", "sc_c"}
+    once = drop_results(module, made)
+    text = lines(once)
+    assert "sc_b(v_a.x);" in text
+    start = text.index("void sc_b(float x) {")
+    assert text[start + 1 : start + 3] == ["sc_a(x);", "sc_a(x + 1.0);"]
+    assert "float sc_a(float x) {" in text, "sc_b used it until now"
+    twice = lines(drop_results(once, made))
+    start = twice.index("void sc_a(float x) {")
+    assert twice[start + 1 : start + 5] == ["kept = x;", "if (x > 1.0)", "return;", "}"]
+    assert "float sc_c(float x) {" in twice, "its value is used"
+    assert "v_a.x > 0.0 && y > sc_c(y);" in twice, "what may not be evaluated stays as it is"
+    assert drop_results(module, ()) is module
+
+
+def goals(text: str, *wanted: str) -> list[str]:
+    """The lines of the clones with these goals: names of the calls on the path, an expression."""
+    module = module_of(text)
+    functions = {d.name: d for d in module.decls if isinstance(d, n.FunctionDef)}
+    cuts: list[Cut] = []
+    for number, (*names, shown) in enumerate(item.split(" > ") for item in wanted):
+        path: list[n.Call] = []
+        for name in names:
+            body = functions[path[-1].name if path else "main"].body
+            path += [c for c in walk(body) if isinstance(c, n.Call) and c.name == name][:1]
+        body = functions[path[-1].name if path else "main"].body
+        found = (e for e in walk(body) if isinstance(e, n.Binary) and print_node(e) == shown)
+        cuts.append(Cut(tuple(path), next(found), f"sc_{number}", "goal"))
+    clones = specialise(module, tuple(cuts), "sc_main", FreshNames(()), "sc_")
+    made = (line.strip() for _, clone in clones.made for line in print_node(clone).splitlines())
+    return [line for line in made if line != "}"]
+
+
+TWO = """
+float f(float x) { float a = x * 3.0; return a + 1.0; }
+float g(float x) { float b = x * 4.0; return b - 1.0; }
+void main() { float c = u_a * 2.0; c += f(c) + g(c); color = vec4(c * 5.0, g(f(c + 7.0)), c, 1.0); }
+"""
+
+
+def test_what_follows_the_last_goal_is_cut_off() -> None:
+    made = goals(TWO, "u_a * 2.0", "g > x * 4.0")
+    assert made[:2] == ["void sc_g(float x) {", "sc_1 = x * 4.0;"]
+    assert made[2:] == ["void sc_main() {", "sc_0 = u_a * 2.0;", "float c = sc_0;", "sc_g(c);"]
+
+
+def test_calls_to_the_last_goals_stand_alone() -> None:
+    made = goals(TWO, "f > x * 3.0", "g > x * 4.0")
+    assert made[-3:] == ["float c = u_a * 2.0;", "sc_f(c);", "sc_g(c);"]
+    made = goals(TWO, "g > x * 4.0", "c * 5.0")
+    assert "float sc_g(float x) {" in made, "what comes later needs its value"
+    assert made[-2:] == ["c += f(c) + sc_g(c);", "sc_1 = c * 5.0;"]
+
+
+def test_a_goal_in_an_argument_comes_first() -> None:
+    text = TWO.replace("c += f(c) + g(c); ", "")
+    assert goals(text, "g > x * 4.0", "c + 7.0")[-2:] == ["sc_1 = c + 7.0;", "sc_g(f(sc_1));"]
+    made = goals(text, "g > x * 4.0", "f > x * 3.0")
+    assert "float sc_f(float x) {" in made, "the other call needs its value"
+    assert made[-1] == "sc_g(sc_f(c + 7.0));"
