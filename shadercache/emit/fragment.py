@@ -291,7 +291,8 @@ def _cut(use: SharedUse, name: str, kind: CutKind) -> Cut:
 
 
 def _shrink(module: n.Module, wanted: dict[str, int], clones: set[str]) -> n.Module:
-    """Remove what is dead; parameters and results that nobody reads keep it alive, so in turns."""
+    """Remove what is dead; a parameter that nobody reads keeps its argument alive, and a result
+    that nobody uses what it is made of: so in turns."""
     while True:
         module = remove_dead(module, wanted)
         smaller = drop_parameters(drop_results(module, clones), clones)

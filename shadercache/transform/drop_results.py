@@ -1,136 +1,83 @@
-"""Drop the results of cloned functions where nobody uses them any more.
+"""Drop the results of cloned functions that no caller uses any more.
 
-A clone that computes a payload on its way returns what the shader goes on with. In a pass that
-wants the payload alone, nothing goes on::
+A result computed for nobody would keep the code behind it alive, and the function's own work::
 
-    float sc_fbm(vec3 p) {                            void sc_fbm(vec3 p) {
-        sc_payload = noise(p);                            sc_payload = noise(p);
-        return sc_payload + noise(p * 2.0);     =>    }
-    }                                                 ...
-    tint(2.0 * sc_fbm(q) + noise(q));                 sc_fbm(q);
+    float sc_wave(vec3 p) {                     void sc_wave(vec3 p) {
+        sc_payload = p.z * 4.7;         =>          sc_payload = p.z * 4.7;
+        return sin(sc_payload) * p.x;           }
+    }
 
-What only fed such a result is dead code afterwards.
+Only functions that this compiler made are touched (their names are not overloaded).
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import replace
-from typing import cast
 
-from shadercache.analysis.effects import Does, EffectTable, out_arguments
+from shadercache.analysis.effects import EffectTable
 from shadercache.ast import nodes as n
 from shadercache.ast.rewrite import Rewriter
-from shadercache.ast.walk import EXPRESSIONS, children, walk
+from shadercache.ast.walk import walk
 from shadercache.source import NOWHERE
 
 
 def drop_results(module: n.Module, functions: Collection[str]) -> n.Module:
-    """The module where those of the ``functions`` return nothing whose results are not used.
-
-    The same one if there are none. They are this compiler's own: no name of theirs is overloaded.
-    """
-    returning = {
-        decl.name
-        for decl in module.decls
-        if isinstance(decl, n.FunctionDef) and decl.name in functions and not _is_void(decl.proto)
-    }
-    if not returning:
+    """The module without unused results of the given functions (the same one if none)."""
+    unused = _returning(module, functions) - _used(module)
+    if not unused:
         return module
     table = EffectTable(module)
-    trimmed = _Trimmed(table, returning).rewrite(module)
-    unused = returning - _used(trimmed)
-    if not unused:
-        return trimmed
-    decls = (_without_result(decl, unused, table) for decl in trimmed.decls)
-    return replace(trimmed, decls=tuple(decls))
+    return replace(module, decls=tuple(_without(decl, unused, table) for decl in module.decls))
 
 
-def _is_void(proto: n.FunctionProto) -> bool:
-    return proto.type.name == "void"
+def _returning(module: n.Module, functions: Collection[str]) -> set[str]:
+    return {
+        decl.name
+        for decl in module.decls
+        if isinstance(decl, n.FunctionDef)
+        and decl.name in functions
+        and decl.proto.type.name != "void"
+    }
 
 
 def _used(module: n.Module) -> set[str]:
-    """The functions of which some call is not a statement by itself."""
-    alone = {item.expr for item in walk(module) if isinstance(item, n.ExprStmt)}
-    calls = (item for item in walk(module) if isinstance(item, n.Call))
-    return {call.name for call in calls if call not in alone}
+    """Functions with a call that is not a statement of its own."""
+    alone = {
+        item.expr
+        for item in walk(module)
+        if isinstance(item, n.ExprStmt) and isinstance(item.expr, n.Call)
+    }
+    return {item.name for item in walk(module) if isinstance(item, n.Call) and item not in alone}
 
 
-class _Trimmed(Rewriter):
-    """Of a statement that only evaluates, keeps the calls that do something."""
-
-    def __init__(self, table: EffectTable, functions: set[str]) -> None:
-        self.table, self.functions = table, functions
-
-    def enter(self, node: n.Node) -> n.Node | None:
-        return node if isinstance(node, EXPRESSIONS) else None
-
-    def statement(self, node: n.Stmt, original: n.Stmt) -> n.Stmt | Sequence[n.Stmt]:
-        if not isinstance(node, n.ExprStmt) or isinstance(node.expr, n.Assign | n.Call | None):
-            return node
-        named = (item.name for item in walk(node) if isinstance(item, n.Call))
-        if self.functions.isdisjoint(named):
-            return node
-        return _effects_alone(node.expr, self.table)
+def _without(decl: n.Decl, unused: set[str], table: EffectTable) -> n.Decl:
+    if isinstance(decl, n.FunctionProto) and decl.name in unused:
+        return _nothing(decl)
+    if not isinstance(decl, n.FunctionDef) or decl.name not in unused:
+        return decl
+    body = _Returns(table).rewrite(decl.body)
+    match body.body:
+        case (*rest, n.Return(value=None)):
+            body = replace(body, body=tuple(rest))
+    return replace(decl, proto=_nothing(decl.proto), body=body)
 
 
-class _Ended(Rewriter):
-    """Returns without a value; what its evaluation does beside is still done."""
+def _nothing(proto: n.FunctionProto) -> n.FunctionProto:
+    return replace(proto, type=n.TypeSpec(NOWHERE, "void"), qualifiers=n.NO_QUALIFIERS)
+
+
+class _Returns(Rewriter):
+    """``return f(x);`` becomes ``f(x); return;`` where that has a side effect, else ``return;``."""
 
     def __init__(self, table: EffectTable) -> None:
-        self.table = table
-
-    def enter(self, node: n.Node) -> n.Node | None:
-        return node if isinstance(node, EXPRESSIONS) else None
+        self._table = table
 
     def statement(self, node: n.Stmt, original: n.Stmt) -> n.Stmt | Sequence[n.Stmt]:
         if not isinstance(node, n.Return) or node.value is None:
             return node
-        return (*_effects_alone(node.value, self.table), n.Return(node.span, None))
-
-
-def _without_result(decl: n.Decl, unused: Collection[str], table: EffectTable) -> n.Decl:
-    if isinstance(decl, n.FunctionProto) and decl.name in unused:
-        return _without_type(decl)
-    if not isinstance(decl, n.FunctionDef) or decl.name not in unused:
-        return decl
-    body = _Ended(table).rewrite(decl.body)
-    if body.body and isinstance(body.body[-1], n.Return):
-        body = replace(body, body=body.body[:-1])
-    return replace(decl, proto=_without_type(decl.proto), body=body)
-
-
-def _without_type(proto: n.FunctionProto) -> n.FunctionProto:
-    return replace(proto, type=n.TypeSpec(NOWHERE, "void"), qualifiers=n.NO_QUALIFIERS)
-
-
-def _effects_alone(expr: n.Expr, table: EffectTable) -> list[n.Stmt]:
-    """Statements that do what evaluating the expression does, without its value."""
-    kept: list[n.Stmt] = []
-    stack = [expr]
-    while stack:
-        item = stack.pop()
-        effects = table.of(item)
-        if not effects.writes and not effects.does & Does.DISCARD:
-            continue
-        if _only_combines(item, table):
-            parts = (cast("n.Expr", part) for part in children(item)[::-1])
-            stack += [part for part in parts if isinstance(part, EXPRESSIONS)]
-        else:
-            kept.append(n.ExprStmt(item.span, item))
-    return kept
-
-
-def _only_combines(expr: n.Expr, table: EffectTable) -> bool:
-    """Does it do nothing itself, and evaluate all of its operands?"""
-    match expr:
-        case n.Binary(op=op):
-            return op not in ("&&", "||")
-        case n.Unary(op=op):
-            return op not in ("++", "--")
-        case n.Call():
-            summary = table.summary(expr.name) if expr.name in table.functions else None
-            acts = summary is not None and (summary.writes or summary.does & Does.DISCARD)
-            return not acts and not any(out_arguments(expr, table))
-    return isinstance(expr, n.Member | n.Index | n.Construct | n.Comma)
+        effects = self._table.of(node.value)
+        bare = replace(node, value=None)
+        if not effects.writes and not effects.does:
+            return bare
+        return n.ExprStmt(node.span, node.value), bare

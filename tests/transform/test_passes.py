@@ -160,6 +160,31 @@ def test_drop_parameters_that_are_only_handed_down() -> None:
     assert "g(3.0)" in text and "return g(2.0);" in text
 
 
+def test_drop_parameters_that_only_pass_through() -> None:
+    module = module_of(
+        """void f(inout float x, out float y) {}
+        void main() { float a = u_a; float b; f(a, b); color = vec4(a + b); }"""
+    )
+    text = print_module(drop_parameters(module, {"f"}))
+    assert "void f(out float y)" in text and "f(b);" in text
+
+
+def test_drop_results() -> None:
+    module = module_of(
+        """float g;
+        float f(float x) { if (x > 1.0) { g = x; return x * 2.0; } return g++; }
+        vec3 used(float x) { g = x; return vec3(x); }
+        float kept(float x) { g = x; return x; }
+        void main() { f(u_a); f(2.0); float y = used(u_a).x; kept(y); color = vec4(g); }"""
+    )
+    text = print_module(drop_results(module, {"f", "used"}))
+    assert "void f(float x)" in text and "x * 2.0" not in text
+    assert "    }\n    g++;\n}" in text
+    assert "        return;\n" in text and "vec3 used(float x)" in text
+    assert "float kept(float x)" in text  # not one of those that were asked for
+    assert drop_results(module, {"used"}) is module
+
+
 def test_make_precise() -> None:
     module = make_precise(
         module_of(
@@ -228,32 +253,6 @@ def test_make_precise_leaves_conditional_arguments_where_they_are() -> None:
         "sc_",
     )
     assert "f(1.0 / u_a)" in print_module(module)
-
-
-def test_results_that_nobody_uses_are_dropped() -> None:
-    module = module_of(
-        """float kept;
-        float g(float x) { return x * 2.0; }
-        float sc_a(float x) { kept = x; if (x > 1.0) return g(x); return 2.0 * x; }
-        float sc_b(float x) { return g(sc_a(x)) + sc_a(x + 1.0); }
-        float sc_c(float x) { kept += x; return x; }
-        void main() {
-            sc_b(v_a.x) * g(v_a.y); float y = sc_c(v_a.z); v_a.x > 0.0 && y > sc_c(y);
-        }"""
-    )
-    made = {"sc_a", "sc_b", "sc_c"}
-    once = drop_results(module, made)
-    text = lines(once)
-    assert "sc_b(v_a.x);" in text
-    start = text.index("void sc_b(float x) {")
-    assert text[start + 1 : start + 3] == ["sc_a(x);", "sc_a(x + 1.0);"]
-    assert "float sc_a(float x) {" in text, "sc_b used it until now"
-    twice = lines(drop_results(once, made))
-    start = twice.index("void sc_a(float x) {")
-    assert twice[start + 1 : start + 5] == ["kept = x;", "if (x > 1.0)", "return;", "}"]
-    assert "float sc_c(float x) {" in twice, "its value is used"
-    assert "v_a.x > 0.0 && y > sc_c(y);" in twice, "what may not be evaluated stays as it is"
-    assert drop_results(module, ()) is module
 
 
 def goals(text: str, *wanted: str) -> list[str]:
