@@ -67,11 +67,11 @@ def test_no_pass_of_the_corpus_costs_more_than_is_told(scene: str) -> None:
         _compare(analysis, node)
 
 
-def _compare(analysis: Analysis, node: Candidate) -> None:
+def _compare(analysis: Analysis, *nodes: Candidate) -> None:
     """No pass costs more than the original and its look-ups; one pass also what is done twice."""
-    parts, prefix = analysis.parts(node), analysis.program.prefix
+    parts, prefix = analysis.parts(*nodes), analysis.program.prefix
     assert parts.payload <= parts.whole and parts.remainder <= parts.whole
-    emitter = FragmentEmitter(analysis.program, (node,))
+    emitter = FragmentEmitter(analysis.program, nodes)
     assert _cost(emitter.payload_only(), prefix) <= parts.payload + PADDING
     assert _cost(emitter.shade(), prefix) <= parts.remainder + 2 * FETCH + PADDING
     assert _cost(emitter.hit(), prefix) <= parts.remainder + PADDING

@@ -15,7 +15,8 @@ from payloads import DESKTOP, ES, PAYLOADS, analysed_payload
 from shaders import analysed, find
 
 import shadercache
-from shadercache.compiler import rewrite
+from shadercache.analysis.candidates import Candidate
+from shadercache.compiler import Analysis, rewrite
 from shadercache.emit.layout import Layout
 from shadercache.lang.types import (
     BOOL,
@@ -125,6 +126,35 @@ def test_golden_programs(name: str, golden: Golden) -> None:
     golden(f"tests/emit/goldens/{name}/manifest.json", json.dumps(parts, indent=2) + "\n")
 
 
+def test_several_payloads_lie_one_behind_the_other() -> None:
+    layout = Layout((vector("float", 2), BOOL, vector("int", 3)), precisions=("highp",) * 3)
+    macros = layout.macros("sc_", whole=True)
+    assert layout.places == (("xy", ""), ("z", ""), ("", "xyz"))
+    assert layout.formats("rgba16f") == ("rgba32ui", "rgba32ui")
+    assert macros["DECLARE_PAYLOADS"] == (
+        "highp vec2 sc_payload_1; bool sc_payload_2; highp ivec3 sc_payload_3"
+    )
+    assert macros["PACKED_1"] == (
+        "sc_valid_1 ? floatBitsToUint(sc_payload_1) : uvec2(0u), "
+        "sc_valid_2 ? uint(sc_payload_2) : 0u"
+    )
+    assert macros["UNPACK"] == (
+        "sc_payload_1 = uintBitsToFloat(texel.xy); sc_payload_2 = bool(texel.z); "
+        "sc_payload_3 = ivec3(texel_2.xyz)"
+    )
+    assert macros["VALID"] == "sc_valid_1 && sc_valid_2 && sc_valid_3"
+    assert Layout(layout.types).macros("sc_")["PACKED_2"] == "uvec3(sc_payload_3), 0u"
+    wide = Layout((vector("float", 2), vector("float", 4)))
+    assert wide.places == (("xy", ""), ("z", "xyz"))
+    assert wide.macros("sc_")["PACKED_1"] == "sc_payload_1, sc_payload_2.x"
+
+
+def beside(analysis: Analysis, node: Candidate) -> list[Candidate]:
+    """Another node that goes into one cache with this one, if there is room for it."""
+    light = find(analysis, "normalize(v_normal).z")
+    return [light] if Layout((node.type, light.type)).used <= 7 else []
+
+
 @pytest.mark.skipif(shutil.which("glslangValidator") is None, reason="needs glslang-tools")
 @pytest.mark.parametrize("head", [DESKTOP, ES], ids=["330", "es"])
 def test_glslang_accepts_every_program_without_a_warning(head: str, tmp_path: Path) -> None:
@@ -132,7 +162,9 @@ def test_glslang_accepts_every_program_without_a_warning(head: str, tmp_path: Pa
     modes: tuple[Mode, ...] = ("plain", "proof")
     for number, name in enumerate(PAYLOADS):
         for mode in modes:
-            emission = rewrite(*analysed_payload(name, head), Options(mode), unprofitable=True)
+            analysis, node = analysed_payload(name, head)
+            nodes = [node, *beside(analysis, node)] if number % 2 else [node]
+            emission = rewrite(analysis, nodes, Options(mode), unprofitable=True)
             for file, text in emission.files.items():
                 path = tmp_path / f"{number}-{mode}-{file}"
                 path.write_text(text)

@@ -66,6 +66,25 @@ def test_golden_proof_mode(analysis: Analysis, golden: Golden) -> None:
         golden(f"tests/emit/goldens/proof/{file}", emission.files[file])
 
 
+SET = ("noise(p) + 0.5 * noise(p * 2.0)", "grain.rgb", "albedo * light")
+"""A value in a function, what stands behind it there, and one that needs both."""
+
+
+def test_golden_programs_of_a_set(analysis: Analysis, golden: Golden) -> None:
+    emission = rewrite(analysis, [find(analysis, text) for text in SET[:2]])
+    for file in ("1-pass.frag", "2-pass.miss.frag", "3-pass.payload.frag", "3-pass.shade.frag"):
+        golden(f"tests/emit/goldens/set/{file}", emission.files[file])
+    parts = {key: emission.manifest[key] for key in ("nodes", "cache")}
+    golden("tests/emit/goldens/set/manifest.json", json.dumps(parts, indent=2) + "\n")
+    check_programs(emission)
+
+
+def test_what_only_feeds_others_of_a_set_is_refused(analysis: Analysis) -> None:
+    with pytest.raises(InputError, match=r"'grain.rgb' .* is not needed") as caught:
+        rewrite(analysis, [find(analysis, text) for text in SET])
+    assert [item.code for item in caught.value.diagnostics] == ["SC417", "SC417"]
+
+
 @pytest.mark.parametrize("mode", ["plain", "proof"])
 def test_every_manifest_follows_the_schema(mode: Mode, analysis: Analysis) -> None:
     path = Path(shadercache.__file__).with_name("manifest.schema.json")

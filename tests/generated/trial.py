@@ -8,8 +8,9 @@ import tempfile
 import traceback
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import closing, contextmanager
+from contextlib import closing, contextmanager, suppress
 from dataclasses import dataclass, field
+from itertools import combinations
 from pathlib import Path
 
 import numpy as np
@@ -30,6 +31,9 @@ from shadercache.source import Source
 
 from .dialects import Dialect
 from .stage import SIZE, ring, scene
+
+Nodes = tuple[Candidate, ...]
+"""What is cached together."""
 
 Chooser = Callable[[Sequence[Candidate]], Sequence[Candidate]]
 
@@ -76,7 +80,8 @@ def _try(gpu: Gpu, text: str, dialect: Dialect, chooser: Chooser, report: Report
         report.codes[node.refusal.code.code if node.refusal else "offered"] += 1
     chosen = chooser([node for node in analysis.nodes if node.legal])
     report.nodes = len(chosen)
-    made = [(node, _rewritten(analysis, node)) for node in chosen]
+    sets = [*((node,) for node in chosen), *_together(analysis, chosen)]
+    made = [(nodes, _rewritten(analysis, nodes)) for nodes in sets]
     plain = [rewrite(analysis, chosen[0], SHIPPED, unprofitable=True)] if chosen else []
     report.problems += _drawn(gpu, analysis, made, plain, report, dialect.es)
     texts = {"user.frag": text, "user.vert": dialect.vertex}
@@ -92,14 +97,23 @@ def _try(gpu: Gpu, text: str, dialect: Dialect, chooser: Chooser, report: Report
     report.problems += _compiled(texts)
 
 
-def _rewritten(analysis: Analysis, node: Candidate) -> Emission:
-    return rewrite(analysis, node, Options("proof", "rgba32f"), unprofitable=True)
+def _together(analysis: Analysis, nodes: Sequence[Candidate]) -> Iterator[Nodes]:
+    """Two of the nodes that may be cached together, if there are any."""
+    for pair in combinations(nodes, 2):
+        with suppress(InputError):
+            analysis.require_all(pair, unprofitable=True)
+            yield pair
+            return
+
+
+def _rewritten(analysis: Analysis, nodes: Nodes) -> Emission:
+    return rewrite(analysis, nodes, Options("proof", "rgba32f"), unprofitable=True)
 
 
 def _drawn(
     gpu: Gpu,
     analysis: Analysis,
-    made: Sequence[tuple[Candidate, Emission]],
+    made: Sequence[tuple[Nodes, Emission]],
     plain: Sequence[Emission],
     report: Report,
     es: bool,
@@ -123,19 +137,20 @@ def _drawn(
             yield f"the original in proof mode differs from the plain one in {share:.0%} of pixels"
         image = verifier.stage.targets.image()[verifier.covered[-1]]
         report.finite = bool(np.isfinite(image).all())
-        for node, emission in made:
+        for nodes, emission in made:
             bundle = Bundle(emission.manifest, emission.files)
-            verdict = Verdict(node.id, node.path, node.text, node.offered)
+            verdict = Verdict(*(bundle.node(key) for key in ("id", "path", "text")), True)
             try:
                 verifier.check_bundle(bundle, verdict)
             except InputError as error:
                 verdict.failure = str(error)
             report.algorithms.update(list(verdict.always))
+            report.algorithms["of a set"] += len(nodes) > 1
             refused = [entry["algorithm"] for entry in bundle.manifest["refused"]]
             report.algorithms.update(f"{name} refused" for name in refused)
             if verdict.broken:
                 what = ", ".join(verdict.broken)
-                yield f"'{node.text}' in {node.path}: {what} {verdict.failure}".rstrip()
+                yield f"'{verdict.text}' in {verdict.path}: {what} {verdict.failure}".rstrip()
 
 
 def _apart(verifier: Verifier) -> float:

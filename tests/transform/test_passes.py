@@ -253,3 +253,50 @@ def test_make_precise_leaves_conditional_arguments_where_they_are() -> None:
         "sc_",
     )
     assert "f(1.0 / u_a)" in print_module(module)
+
+
+def goals(text: str, *wanted: str) -> list[str]:
+    """The lines of the clones with these goals: names of the calls on the path, an expression."""
+    module = module_of(text)
+    functions = {d.name: d for d in module.decls if isinstance(d, n.FunctionDef)}
+    cuts: list[Cut] = []
+    for number, (*names, shown) in enumerate(item.split(" > ") for item in wanted):
+        path: list[n.Call] = []
+        for name in names:
+            body = functions[path[-1].name if path else "main"].body
+            path += [c for c in walk(body) if isinstance(c, n.Call) and c.name == name][:1]
+        body = functions[path[-1].name if path else "main"].body
+        found = (e for e in walk(body) if isinstance(e, n.Binary) and print_node(e) == shown)
+        cuts.append(Cut(tuple(path), next(found), f"sc_{number}", "goal"))
+    clones = specialise(module, tuple(cuts), "sc_main", FreshNames(()), "sc_")
+    made = (line.strip() for _, clone in clones.made for line in print_node(clone).splitlines())
+    return [line for line in made if line != "}"]
+
+
+TWO = """
+float f(float x) { float a = x * 3.0; return a + 1.0; }
+float g(float x) { float b = x * 4.0; return b - 1.0; }
+void main() { float c = u_a * 2.0; c += f(c) + g(c); color = vec4(c * 5.0, g(f(c + 7.0)), c, 1.0); }
+"""
+
+
+def test_what_follows_the_last_goal_is_cut_off() -> None:
+    made = goals(TWO, "u_a * 2.0", "g > x * 4.0")
+    assert made[:2] == ["void sc_g(float x) {", "sc_1 = x * 4.0;"]
+    assert made[2:] == ["void sc_main() {", "sc_0 = u_a * 2.0;", "float c = sc_0;", "sc_g(c);"]
+
+
+def test_calls_to_the_last_goals_stand_alone() -> None:
+    made = goals(TWO, "f > x * 3.0", "g > x * 4.0")
+    assert made[-3:] == ["float c = u_a * 2.0;", "sc_f(c);", "sc_g(c);"]
+    made = goals(TWO, "g > x * 4.0", "c * 5.0")
+    assert "float sc_g(float x) {" in made, "what comes later needs its value"
+    assert made[-2:] == ["c += f(c) + sc_g(c);", "sc_1 = c * 5.0;"]
+
+
+def test_a_goal_in_an_argument_comes_first() -> None:
+    text = TWO.replace("c += f(c) + g(c); ", "")
+    assert goals(text, "g > x * 4.0", "c + 7.0")[-2:] == ["sc_1 = c + 7.0;", "sc_g(f(sc_1));"]
+    made = goals(text, "g > x * 4.0", "f > x * 3.0")
+    assert "float sc_f(float x) {" in made, "the other call needs its value"
+    assert made[-1] == "sc_g(sc_f(c + 7.0));"

@@ -1,0 +1,130 @@
+#version 330
+// shadercache: 1-pass, node stone.1-ae098caa, node stone.27-f6bd6cd8
+
+vec4 sc_fetch_0;
+in vec4 sc_current;
+in vec4 sc_previous;
+uniform sampler2D sc_cache;
+uniform sampler2D sc_cache_2;
+uniform int sc_clock;
+uniform int sc_period;
+uniform int sc_block;
+uniform float sc_epsilon;
+float sc_payload_1;
+vec3 sc_payload_2;
+layout(location = 1) out vec4 sc_store;
+layout(location = 2) out vec4 sc_store_2;
+uniform sampler2D u_map;
+uniform vec3 u_tint;
+in vec3 v_position;
+in vec3 v_normal;
+in vec2 v_uv;
+layout(location = 0) out vec4 o_color;
+
+float noise(vec3 p) {
+    return sin(p.x * 12.9) * sin(p.y * 78.2) * sin(p.z * 37.7);
+}
+
+void sc_stone(vec3 p) {
+    sc_fetch_0 = texture(u_map, p.xy);
+}
+
+void sc_stone_1(vec3 p) {
+    sc_payload_1 = noise(p) + 0.5 * noise(p * 2.0);
+    vec4 grain = sc_fetch_0;
+    sc_payload_2 = grain.rgb;
+}
+
+vec3 sc_stone_2(vec3 p) {
+    float octaves = sc_payload_1 + 0.25 * noise(p * 4.0);
+    return mix(vec3(0.2), vec3(0.9), octaves) * sc_payload_2;
+}
+
+void sc_fetch_0_ahead() {
+    sc_stone(v_position);
+}
+
+void sc_compute() {
+    sc_stone_1(v_position);
+}
+
+void sc_shade() {
+    vec3 normal = normalize(v_normal);
+    vec3 albedo = sc_stone_2(v_position);
+    float light = max(dot(normal, u_tint), 0.0);
+    o_color = vec4(albedo * light + texture(u_map, v_uv).rgb, 1.0);
+}
+
+void sc_fetch_ahead() {
+    sc_fetch_0_ahead();
+}
+
+uint sc_hash(uvec2 block) {
+    uint x = block.x * 1973u + block.y * 9277u + 26699u;
+    x ^= x << 13;
+    x ^= x >> 17;
+    x ^= x << 5;
+    x *= 0x9E3779B9u;
+    return x ^ x >> 15;
+}
+
+bool sc_due() {
+    uvec2 block = uvec2(gl_FragCoord.xy / float(sc_block));
+    int h = int((sc_hash(block) >> 16) * uint(sc_period) >> 16);
+    int phase = h + sc_clock;
+    return phase == 0 || phase == sc_period;
+}
+
+int sc_look_up(out vec4 texel, out vec4 texel_2) {
+    ivec2 last = textureSize(sc_cache, 0) - 1;
+    vec2 motion = sc_previous.xy / sc_previous.w - sc_current.xy / sc_current.w;
+    vec2 corner = gl_FragCoord.xy - 0.5 + 0.5 * vec2(last + 1) * motion;
+    vec2 whole = floor(corner);
+    vec2 part = corner - whole;
+    ivec2 near = clamp(ivec2(whole), ivec2(0), last);
+    ivec2 far = min(near + ivec2(ceil(part)), last);
+    vec4 a = texelFetch(sc_cache, near, 0);
+    vec4 b = texelFetch(sc_cache, ivec2(far.x, near.y), 0);
+    vec4 c = texelFetch(sc_cache, ivec2(near.x, far.y), 0);
+    vec4 d = texelFetch(sc_cache, far, 0);
+    vec4 a_2 = texelFetch(sc_cache_2, near, 0);
+    vec4 b_2 = texelFetch(sc_cache_2, ivec2(far.x, near.y), 0);
+    vec4 c_2 = texelFetch(sc_cache_2, ivec2(near.x, far.y), 0);
+    vec4 d_2 = texelFetch(sc_cache_2, far, 0);
+    texel = mix(mix(a, b, part.x), mix(c, d, part.x), part.y);
+    texel_2 = mix(mix(a_2, b_2, part.x), mix(c_2, d_2, part.x), part.y);
+    if (sc_due()) {
+        return 2;
+    }
+    if (!(sc_previous.w > 0.0 && all(greaterThanEqual(corner, vec2(0.0))) && all(lessThanEqual(corner, vec2(last))))) {
+        return 3;
+    }
+    vec4 each = abs(vec4(a.w, b.w, c.w, d.w) * sc_previous.w - 1.0);
+    if (!(abs(texel.w * sc_previous.w - 1.0) <= sc_epsilon && all(lessThanEqual(each, vec4(24.0 * sc_epsilon))))) {
+        return 4;
+    }
+    return 1;
+}
+
+vec4 sc_texel() {
+    return vec4(sc_payload_1, sc_payload_2.xy, 1.0 / sc_current.w);
+}
+
+vec4 sc_texel_2() {
+    return vec4(sc_payload_2.z, 0.0, 0.0, 0.0);
+}
+
+void main() {
+    sc_fetch_ahead();
+    vec4 texel;
+    vec4 texel_2;
+    if (sc_look_up(texel, texel_2) == 1) {
+        sc_payload_1 = texel.x;
+        sc_payload_2 = vec3(texel.yz, texel_2.x);
+    } else {
+        sc_compute();
+    }
+    sc_shade();
+    sc_store = sc_texel();
+    sc_store_2 = sc_texel_2();
+}
