@@ -97,9 +97,11 @@ def command(
             mapping,
         )
     report = _report(scene.name, about, round_trip, ties, verdicts)
+    report["mapping"] = analysis.mapping
     if output is not None:
         write_json(output, report)
-    print(json.dumps(report, indent=1) if as_json else _text(verdicts, round_trip, ties))
+    text = _text(verdicts, round_trip, ties)
+    print(json.dumps(report, indent=1) if as_json else f"{text}\nmapping: {analysis.mapping}")
     if report["broken"]:
         raise typer.Exit(1)
 
