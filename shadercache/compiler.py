@@ -122,8 +122,8 @@ class Analysis:
         """The vertex shader's text: the user's, or that of a full-screen pass."""
         return self.vertex or full_screen_vertex(self.program.module)[0]
 
-    def unchanged_for(self, node: Candidate) -> tuple[str, ...] | None:
-        """While which uniforms, textures and attributes do not change is reuse of a value exact?
+    def unchanged_for(self, *nodes: Candidate) -> tuple[str, ...] | None:
+        """While which uniforms, textures and attributes do not change is reuse of values exact?
 
         ``None`` where this cannot be said: with another mapping than ``screen`` a value is found
         between the texels of a cache.
@@ -131,7 +131,7 @@ class Analysis:
         if self.mapping != "screen":
             return None
         kinds = ("uniforms", "textures", "varyings")
-        named = (name for name in node.inputs if not name.startswith("gl_"))
+        named = {name for node in nodes for name in node.inputs if not name.startswith("gl_")}
         inputs = {name for name in named if self.input_kinds.get(name) in kinds}
         passed = inputs & varyings(self.program.module)
         if self.vertex is None:
@@ -257,7 +257,7 @@ def analyse(
 
     ``reading`` holds for both shaders, but the dialect is the fragment shader's. Without a
     ``mapping`` it is ``surface``, or ``screen`` for a shader without varyings that comes without a
-    vertex shader.
+    vertex shader or is a Shadertoy.
 
     Raises :class:`InputError` with every diagnostic of the first stage that finds any.
     """
@@ -275,7 +275,8 @@ def analyse(
     printed = _printed(trees[0].module, module)
     table = EffectTable(module)
     if mapping is None:
-        mapping = "surface" if vertex is not None or varyings(module) else "screen"
+        solid = vertex is not None and reading.dialect != "shadertoy"
+        mapping = "surface" if solid or varyings(module) else "screen"
     if mapping == "user":
         check_user_mapping(module, fragment, table)
     candidates = find_candidates(module, facts, fragment, printed, table, mapping)

@@ -60,6 +60,9 @@ def test_the_mapping_that_is_taken() -> None:
     assert made(flat, None, "in vec3 v_position;\n").mapping == "surface"
     assert made(flat, None, "in vec4 gl_FragCoord;\n").mapping == "screen", "no varying of its own"
     assert made(flat, "screen", vertex=VERTEX).mapping == "screen"
+    toy = Source("toy.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(p.x); }\n")
+    shadertoy = ReadOptions(dialect="shadertoy")
+    assert analyse(toy, Source("toy.vert", VERTEX), shadertoy).mapping == "screen"
     assert made(flat, "surface").mapping == "surface"
 
 
