@@ -90,7 +90,7 @@ void main() { c = vec4(sin(gl_FragCoord.x) * sin(gl_FragCoord.y)); }
     ("args", "status", "code"),
     [
         (("nodes", *CLOUDS, "--mapping", "air"), 2, "SC003"),
-        (("nodes", *CLOUDS, "--mapping", "user"), 1, "SC414"),
+        (("nodes", *CLOUDS, "--mapping", "user"), 1, "SC420"),
         (("verify", *CLOUDS, "--mapping", "surface"), 2, "SC006"),
         (("bench", *CLOUDS, "--mapping", "surface"), 2, "SC006"),
         (("run", *CLOUDS, "--mapping", "surface", "--node", "x"), 2, "SC006"),
@@ -105,8 +105,8 @@ void main() { c = vec4(sin(gl_FragCoord.x) * sin(gl_FragCoord.y)); }
             "SC406",
         ),
         (("rewrite", *CLOUDS, "--mapping", "surface", "--node", "x", "-o", "out"), 2, "SC005"),
-        (("nodes", "{deriving}", "--mapping", "user"), 1, "SC415"),
-        (("verify", "{deriving}", "--mapping", "user"), 1, "SC415"),
+        (("nodes", "{deriving}", "--mapping", "user"), 1, "SC421"),
+        (("verify", "{deriving}", "--mapping", "user"), 1, "SC421"),
     ],
 )
 def test_bad_requests(
