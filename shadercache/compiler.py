@@ -143,8 +143,7 @@ class Analysis:
         if self.mapping != "screen":
             return None
         kinds = ("uniforms", "textures", "varyings")
-        found = frozenset[str]().union(*(node.inputs for node in nodes))
-        named = (name for name in found if not name.startswith("gl_"))
+        named = {name for node in nodes for name in node.inputs if not name.startswith("gl_")}
         inputs = {name for name in named if self.input_kinds.get(name) in kinds}
         passed = inputs & varyings(self.program.module)
         if self.vertex is None:
@@ -291,7 +290,7 @@ def analyse(
 
     ``reading`` holds for both shaders, but the dialect is the fragment shader's. Without a
     ``mapping`` it is ``surface``, or ``screen`` for a shader without varyings that comes without a
-    vertex shader.
+    vertex shader or is a Shadertoy.
 
     Raises :class:`InputError` with every diagnostic of the first stage that finds any.
     """
@@ -317,7 +316,8 @@ def analyse(
     printed = _printed(trees[0].module, module)
     table = EffectTable(module)
     if mapping is None:
-        mapping = "surface" if vertex is not None or varyings(module) else "screen"
+        solid = vertex is not None and reading.dialect != "shadertoy"
+        mapping = "surface" if solid or varyings(module) else "screen"
     if mapping == "user":
         check_user_mapping(module, fragment, table)
     candidates = find_candidates(module, facts, fragment, printed, table, mapping)
@@ -347,7 +347,7 @@ def rewrite(
     A node that is refused only as cheaper than a fetch is rewritten where ``unprofitable`` is set.
     Raises :class:`InputError` with the refusal's code for any other refused node, SC402 without a
     vertex shader, SC407 where an algorithm that was asked for alone cannot be used for the node,
-    SC408 where a name that has to stay is a keyword in proof mode, SC422 where levels of detail
+    SC408 where a name that has to stay is a keyword in proof mode, SC419 where levels of detail
     cannot be asked for, SC415 to SC417 for nodes that
     cannot be cached together.
     """
@@ -387,7 +387,7 @@ def _check_names(analysis: Analysis, mode: Mode, queries: bool = False) -> None:
     fragment = analysis.program.module
     if queries and fragment.profile == "es":
         message = "--fetches level needs textureQueryLod, which GLSL ES has not"
-        raise input_error("SC422", message, "take --fetches whole")
+        raise input_error("SC419", message, "take --fetches whole")
     stages: list[tuple[n.Module, Source]] = []
     if mode == "proof" or queries:
         stages.append((fragment, analysis.fragment))

@@ -62,7 +62,7 @@ def find_color(module: n.Module, source: Source) -> str:
     Raises :class:`InputError` where it has none or several (SC403), writes a built-in output
     (SC404), asks for early fragment tests (SC405: the first pass must not write depth for a
     fragment that it discards), uses memory that others write (SC413), or counts pixels in another
-    way (SC420).
+    way (SC422).
     """
     problems = list(_unsupported(module, source))
     outputs = [
@@ -127,7 +127,7 @@ def _unsupported(module: n.Module, source: Source) -> Iterator[Diagnostic]:
         elif isinstance(node, n.LayoutItem) and node.name in _OTHER_PLACES:
             message = f"a shader with {node.name} cannot be cached: variants find texels by"
             message += " gl_FragCoord as it is without"
-            yield Diagnostic("SC420", message, source, node.span)
+            yield Diagnostic("SC422", message, source, node.span)
 
 
 def _uses_memory(node: n.Node, own: set[str]) -> bool:

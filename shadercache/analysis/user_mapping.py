@@ -20,7 +20,7 @@ from shadercache.source import Source
 def check_user_mapping(module: n.Module, source: Source, table: EffectTable) -> None:
     """Can the look-up call the functions? Works on a module with unique names.
 
-    Raises :class:`InputError`: SC414 for a function that is missing or of another type, SC419 for
+    Raises :class:`InputError`: SC420 for a function that is missing or of another type, SC421 for
     one that does what it must not.
     """
     found = {d.name: d for d in module.decls if isinstance(d, n.FunctionDef)}
@@ -28,7 +28,7 @@ def check_user_mapping(module: n.Module, source: Source, table: EffectTable) -> 
     if PREVIOUS_CLIP not in found:
         message = f"the mapping 'user' needs a function 'vec4 {PREVIOUS_CLIP}()' in the shader"
         hint = "it returns the clip-space position, in the last frame, of what the pixel shows now"
-        problems.append(Diagnostic("SC414", message, source, hint=hint))
+        problems.append(Diagnostic("SC420", message, source, hint=hint))
     written = written_anywhere(module, table)
     for name in (PREVIOUS_CLIP, CURRENT_CLIP):
         if name in found:
@@ -44,20 +44,20 @@ def _problems(
     span, name = proto.span, proto.name
     if proto.params or proto.type.name != "vec4" or proto.type.dims:
         message = f"'{name}' has to be declared as 'vec4 {name}()', and only once"
-        yield Diagnostic("SC414", message, source, span)
+        yield Diagnostic("SC420", message, source, span)
         return
     effects = table.summary(name)
     changed = sorted(effects.reads & written)
     if changed:
         message = f"'{name}' reads what the shader changes: {', '.join(changed)}"
         hint = "it is called before 'main' has run: let it compute what it needs"
-        yield Diagnostic("SC419", message, source, span, hint)
+        yield Diagnostic("SC421", message, source, span, hint)
     if effects.writes:
         message = f"'{name}' changes global variables: {', '.join(sorted(effects.writes))}"
-        yield Diagnostic("SC419", message, source, span)
+        yield Diagnostic("SC421", message, source, span)
     if effects.does & (Does.DERIVATIVE | Does.IMPLICIT_LOD):
         message = f"'{name}' takes a derivative, or fetches a texture with implicit level of detail"
         hint = "'textureLod' and 'texelFetch' need none"
-        yield Diagnostic("SC419", message, source, span, hint)
+        yield Diagnostic("SC421", message, source, span, hint)
     if effects.does & Does.DISCARD:
-        yield Diagnostic("SC419", f"'{name}' discards the fragment", source, span)
+        yield Diagnostic("SC421", f"'{name}' discards the fragment", source, span)

@@ -132,6 +132,7 @@ def command(
             _store(out, found, report)
             reports.append(report)
             if not as_json:
+                print(f"mapping: {analysis.mapping}")
                 print(f"{summary(found)}\n\n{result_table(found, _label)}\n")
     if as_json:
         print(json.dumps(reports, indent=1))

@@ -86,7 +86,9 @@ def command(
     )
     _write(emission, out)
     context.obj.show((*analysis.notes, *emission.notes))
-    print(f"wrote {len(emission.files)} shaders and {MANIFEST} to {out}")
+    print(
+        f"wrote {len(emission.files)} shaders and {MANIFEST} to {out} (mapping: {analysis.mapping})"
+    )
 
 
 def _write(emission: Emission, out: Path) -> None:

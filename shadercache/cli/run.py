@@ -94,6 +94,7 @@ def command(
     replacement = replacement_mesh(scene, mesh)
     with open_context() as gpu, step_progress(f"running {label}") as tell:
         found = measure(gpu, scene, [entry], how, tell, replacement)
+    print(f"mapping: {analysis.mapping}")
     print(f"{summary(found)}\n\n{result_table(found, lambda item: item.label)}\n")
     for shot in found.shots:
         for path in write_pictures(out, shot):

@@ -110,9 +110,11 @@ def command(
             mapping,
         )
     report = _report(scene.name, about, round_trip, ties, verdicts, equal)
+    report["mapping"] = analysis.mapping
     if output is not None:
         write_json(output, report)
-    print(json.dumps(report, indent=1) if as_json else _text(verdicts, round_trip, ties, equal))
+    text = _text(verdicts, round_trip, ties, equal)
+    print(json.dumps(report, indent=1) if as_json else f"{text}\nmapping: {analysis.mapping}")
     if report["broken"]:
         raise typer.Exit(1)
 

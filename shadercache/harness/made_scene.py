@@ -4,13 +4,14 @@ What the host of a Shadertoy gives, and what others commonly call the same, is r
 (``iTime``, ``u_time``, ``time``): see :data:`SEMANTIC` and :data:`CONSTANT`. Every other uniform
 has a value by its type: 0.5 for a number, 0.8, 0.6, 0.4 and 1.0 for the components of a vector, the
 unit matrix, 1 for an integer, ``true``. A sampler gets a generated texture. A uniform with an
-initialiser keeps that.
+initialiser keeps that. The attributes of a vertex shader are the triangle's corners, or texture
+coordinates or a normal if they are called so.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
 from shadercache.ast import nodes as n
@@ -23,6 +24,7 @@ from shadercache.harness.scene import (
     causes,
 )
 from shadercache.lang.types import Type
+from shadercache.transform.raise_version import Raised
 
 START = 4.0
 """Seconds that the clock shows in frame 0: at zero many a shader is still dark."""
@@ -56,12 +58,13 @@ _VECTOR = (0.8, 0.6, 0.4, 1.0)
 _PREFIX = re.compile(r"(?:[ug]_|[iu](?=[A-Z]))")
 
 
-def made_scene(fragment: Path, analysis: Analysis) -> Scene:
-    """The scene of a full-screen shader."""
+def made_scene(fragment: Path, analysis: Analysis, vertex: Path | None = None) -> Scene:
+    """The scene of a full-screen shader, with the vertex shader it was analysed with, if any."""
     constants: dict[str, tuple[float, ...]] = {}
     semantics: dict[str, str] = {}
     textures: dict[str, TextureSpec] = {}
-    for name, kind in _uniforms(analysis):
+    old = {new: name for name, new in analysis.renamed.items()}
+    for name, kind in _declared(analysis.raised, "uniform", old):
         word = _PREFIX.sub("", name, count=1).replace("_", "").lower()
         texture = MADE_TEXTURES.get(kind.name)
         if texture is not None:
@@ -76,10 +79,10 @@ def made_scene(fragment: Path, analysis: Analysis) -> Scene:
         name=fragment.stem,
         title=fragment.stem,
         fragment=fragment,
-        vertex=None,
+        vertex=vertex,
         mesh=None,
         verify_mesh=None,
-        attributes={},
+        attributes={name: _array(name) for name, _ in _declared(analysis.raised[1:], "in", old)},
         camera=RESTING_CAMERA,
         motion=RESTING_MOTION,
         constants=constants,
@@ -94,19 +97,28 @@ def made_scene(fragment: Path, analysis: Analysis) -> Scene:
     )
 
 
-def _uniforms(analysis: Analysis) -> Iterator[tuple[str, Type]]:
-    """Name and type of each uniform without an initialiser, by its old name as well."""
-    old = {new: name for name, new in analysis.renamed.items()}
-    program = analysis.program
-    for decl in program.module.decls:
-        if not isinstance(decl, n.VarDecl) or not decl.qualifiers.has("uniform"):
-            continue
-        for item in decl.declarators:
-            kind = program.facts.declared[item].type
-            if item.init is None:
-                yield item.name, kind
-                if item.name in old:
-                    yield old[item.name], kind
+def _declared(
+    stages: Iterable[Raised], word: str, old: Mapping[str, str]
+) -> Iterator[tuple[str, Type]]:
+    """Name and type of each uniform or attribute without an initialiser, by its old name too."""
+    for stage in stages:
+        for decl in stage.module.decls:
+            if not isinstance(decl, n.VarDecl) or not decl.qualifiers.has(word):
+                continue
+            for item in decl.declarators:
+                kind = stage.facts.declared[item].type
+                if item.init is None:
+                    yield item.name, kind
+                    if item.name in old:
+                        yield old[item.name], kind
+
+
+def _array(attribute: str) -> str:
+    """The array of the triangle that an attribute is, by its name."""
+    word = attribute.lower()
+    if "uv" in word or "tex" in word:
+        return "uv"
+    return "normal" if "normal" in word else "position"
 
 
 def _fits(semantic: str, kind: Type) -> bool:

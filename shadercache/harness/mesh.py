@@ -54,8 +54,17 @@ def load_mesh(path: Path) -> Mesh:
     return Mesh(str(path), arrays, _index(path, raw, count))
 
 
-FULL_SCREEN = Mesh("full-screen triangle", {}, np.array([[0, 1, 2]], np.uint32))
-"""Three vertices without attributes; the vertex shader makes their positions."""
+FULL_SCREEN = Mesh(
+    "full-screen triangle",
+    {
+        "position": np.array([[-1, -1, 0], [3, -1, 0], [-1, 3, 0]], np.float32),
+        "uv": np.array([[0, 0], [2, 0], [0, 2]], np.float32),
+        "normal": np.array([[0, 0, 1]] * 3, np.float32),
+    },
+    np.array([[0, 1, 2]], np.uint32),
+)
+"""Covers the picture: with the arrays as clip-space positions, or with a vertex shader that needs
+none of them."""
 
 
 def scene_mesh(scene: Scene, small: bool = False) -> Mesh:

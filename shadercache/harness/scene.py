@@ -91,9 +91,9 @@ class Scene:
     the columns of a matrix, the elements of an array. ``changes`` says why a uniform or a texture
     changes, by its name: one of :data:`CAUSES`. ``nodes`` are names for node ids.
 
-    Without a vertex shader the scene is a triangle that covers the picture, and has no mesh.
-    ``mapping`` is how its payloads are found, if the scene says it; ``start_time`` are the seconds
-    that its clock shows in frame 0.
+    Without a mesh the scene is a triangle that covers the picture, ``mesh.FULL_SCREEN``, and may do
+    without a vertex shader. ``mapping`` is how its payloads are found, if the scene says it;
+    ``start_time`` are the seconds that its clock shows in frame 0.
     """
 
     path: Path
@@ -130,13 +130,13 @@ def load_scene(path: Path) -> Scene:
     top = Table(source, values)
     constants, semantics = _uniforms(top.table("uniforms"))
     mapping = _mapping(top)
-    flat = mapping not in (None, "surface") and not top.has("vertex")
+    flat = mapping not in (None, "surface") and not top.has("mesh")
     scene = Scene(
         path=path,
         name=top.text("name"),
         title=top.text("title", path.parent.name or "scene"),
         fragment=top.file("fragment"),
-        vertex=None if flat else top.file("vertex"),
+        vertex=None if flat and not top.has("vertex") else top.file("vertex"),
         mesh=None if flat else top.file("mesh"),
         verify_mesh=top.file("verify_mesh") if top.has("verify_mesh") else None,
         attributes=_strings(top.table("attributes")),

@@ -25,17 +25,23 @@ def open_scene(
 ) -> tuple[Scene, Analysis]:
     """The scene of a scene file, or a made one for a full-screen shader; and its shaders.
 
+    With ``mapping`` screen or user a full-screen shader may have a vertex shader beside it.
+
     Raises as ``load_scene`` and ``analyse_scene``, and :class:`UsageError` SC006 for a shader that
     needs geometry.
     """
     if path.suffix == ".toml":
         return analyse_scene(load_scene(path), reading, mapping)
-    analysis = analyse(read_shader(path), None, reading, mapping)
-    if not analysis.full_screen:
+    beside = path.with_suffix(".vert")
+    flat = mapping in ("screen", "user")
+    vertex = beside if flat and beside.is_file() else None
+    sources = read_shader(path), None if vertex is None else read_shader(vertex)
+    analysis = analyse(*sources, reading, mapping)
+    if analysis.mapping == "surface":
         message = f"the shader {path} has no scene, and its values lie on surfaces"
         hint = f"put a scene.toml that names it beside it, or draw it full-screen: {FULL_SCREEN}"
         raise usage_error("SC006", message, hint)
-    return made_scene(path, analysis), analysis
+    return made_scene(path, analysis, vertex), analysis
 
 
 def analyse_scene(

@@ -58,7 +58,7 @@ def unroll_loops(module: n.Module, facts: Facts, source: Source) -> Unrolled:
     made = unroller.module()
     if made is not module and unroller.sizes.of_call("main") > MAX_EXPRESSIONS:
         message = f"no loop is unrolled: the shader would have over {MAX_EXPRESSIONS} expressions"
-        return Unrolled(module, (Diagnostic("SC421", message, source, severity=Severity.NOTE),))
+        return Unrolled(module, (Diagnostic("SC414", message, source, severity=Severity.NOTE),))
     notes = (_note(loop, reason, source) for loop, reason in unroller.kept.items())
     return Unrolled(made, tuple(notes))
 
@@ -66,7 +66,7 @@ def unroll_loops(module: n.Module, facts: Facts, source: Source) -> Unrolled:
 def _note(loop: n.For, reason: str, source: Source) -> Diagnostic:
     head = Span(loop.span.start, max(loop.span.start, loop.body.span.start))
     message = f"this loop is not unrolled: {reason}"
-    return Diagnostic("SC421", message, source, head, severity=Severity.NOTE)
+    return Diagnostic("SC414", message, source, head, severity=Severity.NOTE)
 
 
 class _TooMuchError(Exception):

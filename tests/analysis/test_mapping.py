@@ -60,6 +60,9 @@ def test_the_mapping_that_is_taken() -> None:
     assert made(flat, None, "in vec3 v_position;\n").mapping == "surface"
     assert made(flat, None, "in vec4 gl_FragCoord;\n").mapping == "screen", "no varying of its own"
     assert made(flat, "screen", vertex=VERTEX).mapping == "screen"
+    toy = Source("toy.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(p.x); }\n")
+    shadertoy = ReadOptions(dialect="shadertoy")
+    assert analyse(toy, Source("toy.vert", VERTEX), shadertoy).mapping == "screen"
     assert made(flat, "surface").mapping == "surface"
 
 
@@ -119,26 +122,26 @@ def test_while_what_does_not_change_reuse_is_exact() -> None:
 
 
 WRONG = {
-    "missing": ("", "SC414", "needs a function 'vec4 scPreviousClip()'"),
-    "declared only": ("vec4 scPreviousClip();\n", "SC414", "needs a function"),
-    "another type": ("vec3 scPreviousClip() { return vec3(0.0); }\n", "SC414", "declared as 'vec4"),
-    "an array": ("vec4[2] scPreviousClip() { return vec4[2](vec4(0.0), vec4(1.0)); }\n", "SC414",
+    "missing": ("", "SC420", "needs a function 'vec4 scPreviousClip()'"),
+    "declared only": ("vec4 scPreviousClip();\n", "SC420", "needs a function"),
+    "another type": ("vec3 scPreviousClip() { return vec3(0.0); }\n", "SC420", "declared as 'vec4"),
+    "an array": ("vec4[2] scPreviousClip() { return vec4[2](vec4(0.0), vec4(1.0)); }\n", "SC420",
                  "declared as 'vec4"),
-    "parameters": ("vec4 scPreviousClip(vec4 p) { return p; }\n", "SC414", "declared as 'vec4"),
-    "the other one": (PREVIOUS + "float scCurrentClip() { return 1.0; }\n", "SC414",
+    "parameters": ("vec4 scPreviousClip(vec4 p) { return p; }\n", "SC420", "declared as 'vec4"),
+    "the other one": (PREVIOUS + "float scCurrentClip() { return 1.0; }\n", "SC420",
                       "'scCurrentClip' has to be declared as 'vec4 scCurrentClip()'"),
-    "reads what changes": ("vec4 scPreviousClip() { return shown; }\n", "SC419",
+    "reads what changes": ("vec4 scPreviousClip() { return shown; }\n", "SC421",
                            "reads what the shader changes: shown"),
-    "reads the colour": ("vec4 scPreviousClip() { return o_color; }\n", "SC419", "o_color"),
-    "changes": ("vec4 scPreviousClip() { kept = vec4(1.0); return vec4(1.0); }\n", "SC419",
+    "reads the colour": ("vec4 scPreviousClip() { return o_color; }\n", "SC421", "o_color"),
+    "changes": ("vec4 scPreviousClip() { kept = vec4(1.0); return vec4(1.0); }\n", "SC421",
                 "changes global variables: kept"),
-    "in a call": ("vec4 f() { return shown; }\nvec4 scPreviousClip() { return f(); }\n", "SC419",
+    "in a call": ("vec4 f() { return shown; }\nvec4 scPreviousClip() { return f(); }\n", "SC421",
                   "reads what the shader changes: shown"),
-    "derivative": ("vec4 scPreviousClip() { return dFdx(gl_FragCoord); }\n", "SC419",
+    "derivative": ("vec4 scPreviousClip() { return dFdx(gl_FragCoord); }\n", "SC421",
                    "takes a derivative"),
-    "level of detail": ("vec4 scPreviousClip() { return texture(u_map, u_size); }\n", "SC419",
+    "level of detail": ("vec4 scPreviousClip() { return texture(u_map, u_size); }\n", "SC421",
                         "implicit level of detail"),
-    "discard": ("vec4 scPreviousClip() { if (u_time > 1.0) discard; return vec4(1.0); }\n", "SC419",
+    "discard": ("vec4 scPreviousClip() { if (u_time > 1.0) discard; return vec4(1.0); }\n", "SC421",
                 "discards the fragment"),
 }  # fmt: skip
 
@@ -200,5 +203,5 @@ def test_the_functions_survive_every_pass_that_renames(mode: Mode) -> None:
 def test_pixels_that_are_counted_in_another_way() -> None:
     for word in ("origin_upper_left", "pixel_center_integer"):
         head = f"layout({word}) in vec4 gl_FragCoord;\n"
-        with pytest.raises(InputError, match="SC420"):
+        with pytest.raises(InputError, match="SC422"):
             made("o_color = vec4(wave(gl_FragCoord.xy));", None, head)

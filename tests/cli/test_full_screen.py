@@ -39,6 +39,7 @@ def test_nodes_say_which_mapping_is_taken(shell: Shell, static: str) -> None:
 def test_rewrite_without_a_vertex_shader(shell: Shell, static: str, tmp_path: Path) -> None:
     outcome = shell("rewrite", *CLOUDS, "--node", static, "-o", tmp_path)
     assert (outcome.status, outcome.err) == (0, "")
+    assert outcome.out.endswith("(mapping: screen)\n")
     manifest = json.loads((tmp_path / "manifest.json").read_text())
     assert manifest["mapping"] == {"kind": "screen", "exact_while_unchanged": ["iResolution"]}
     assert manifest["draw"]["vertices"] == 3
@@ -59,7 +60,7 @@ def test_rewrite_for_the_users_mapping(shell: Shell, tmp_path: Path) -> None:
 def test_verify_without_a_scene(shell: Shell, static: str) -> None:
     outcome = shell("verify", *CLOUDS, "--node", static, "--proof-only", "-j", 1)
     assert outcome.status == 0, outcome.out
-    assert "law 1: holds" in outcome.out
+    assert "law 1: holds" in outcome.out and outcome.out.endswith("mapping: screen\n")
     assert "laws 2-4: 1 of 1 nodes exact in proof mode" in outcome.out
 
 
@@ -68,7 +69,7 @@ def test_run_and_bench_without_a_scene(shell: Shell, static: str, tmp_path: Path
     small = ("--size", "48x32", "-o", tmp_path)
     outcome = shell("run", *CLOUDS, "--node", static, "--frame", 3, *small)
     assert outcome.status == 0, outcome.err
-    assert list(tmp_path.glob("*.png"))
+    assert list(tmp_path.glob("*.png")) and outcome.out.startswith("mapping: screen\n")
     options = ("--nodes", static, "--passes", "2", "--frames", 3)
     outcome = shell("bench", *CLOUDS, *options, *small, "--json")
     assert outcome.status == 0, outcome.err
@@ -89,7 +90,7 @@ void main() { c = vec4(sin(gl_FragCoord.x) * sin(gl_FragCoord.y)); }
     ("args", "status", "code"),
     [
         (("nodes", *CLOUDS, "--mapping", "air"), 2, "SC003"),
-        (("nodes", *CLOUDS, "--mapping", "user"), 1, "SC414"),
+        (("nodes", *CLOUDS, "--mapping", "user"), 1, "SC420"),
         (("verify", *CLOUDS, "--mapping", "surface"), 2, "SC006"),
         (("bench", *CLOUDS, "--mapping", "surface"), 2, "SC006"),
         (("run", *CLOUDS, "--mapping", "surface", "--node", "x"), 2, "SC006"),
@@ -104,8 +105,8 @@ void main() { c = vec4(sin(gl_FragCoord.x) * sin(gl_FragCoord.y)); }
             "SC406",
         ),
         (("rewrite", *CLOUDS, "--mapping", "surface", "--node", "x", "-o", "out"), 2, "SC005"),
-        (("nodes", "{deriving}", "--mapping", "user"), 1, "SC419"),
-        (("verify", "{deriving}", "--mapping", "user"), 1, "SC419"),
+        (("nodes", "{deriving}", "--mapping", "user"), 1, "SC421"),
+        (("verify", "{deriving}", "--mapping", "user"), 1, "SC421"),
     ],
 )
 def test_bad_requests(

@@ -107,6 +107,30 @@ def test_a_shader_of_surfaces_needs_a_scene(tmp_path: Path) -> None:
         open_scene(tmp_path / "none.frag")
 
 
+QUAD = """#version 330
+in vec2 a_corner;
+in vec2 a_texCoord;
+uniform mat4 u_matrix;
+out vec2 v_uv;
+void main() { v_uv = a_texCoord; gl_Position = u_matrix * vec4(a_corner, 0.0, 1.0); }
+"""
+
+
+def test_a_vertex_shader_beside_it_is_drawn(gpu: Gpu, tmp_path: Path) -> None:
+    path = tmp_path / "quad.frag"
+    path.write_text("#version 330\nin vec2 v_uv;\nout vec4 c;\nvoid main() { c = v_uv.xyxy; }\n")
+    path.with_suffix(".vert").write_text(QUAD)
+    scene, analysis = open_scene(path, mapping="screen")
+    assert scene.attributes == {"a_corner": "position", "a_texCoord": "uv"}
+    emission = emit_original(analysis)
+    with Stage(gpu, scene, (8, 4), "rgba32f") as stage:
+        (image,) = render_original(stage, Bundle(emission.manifest, emission.files), (0,))
+    assert np.allclose(image[0, :, 0], (np.arange(8) + 0.5) / 8, atol=1e-6)
+    assert np.allclose(image[:, 0, 1], (np.arange(4) + 0.5) / 4, atol=1e-6)
+    with pytest.raises(UsageError, match="SC006"):
+        open_scene(path)
+
+
 SCENE = """name = "flat"
 fragment = "flat.frag"
 mapping = "screen"
@@ -129,8 +153,8 @@ def test_a_scene_file_can_be_full_screen(tmp_path: Path) -> None:
     for old, new, code in (
         ('"screen"', '"air"', "SC505"),
         ('"screen"', '"surface"', "SC503"),
-        ('"screen"', '"screen"\nmesh = "flat.frag"', "SC504"),
-        ('"screen"', '"user"\nvertex = "flat.frag"', "SC503"),
+        ('"screen"', '"screen"\nmesh = "flat.frag"', "SC503"),
+        ('"screen"', '"user"\nvertex = "none.vert"', "SC507"),
     ):
         (tmp_path / "scene.toml").write_text(SCENE.replace(old, new))
         with pytest.raises(InputError, match=code):

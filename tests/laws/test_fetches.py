@@ -120,7 +120,7 @@ void main() { o_color = vec4(sin(texture(u_map, v_uv).r * sample)); }
 
 
 @pytest.mark.parametrize(
-    ("text", "code"), [(ES, "SC422"), (LATER, "SC408")], ids=["no query", "a later keyword"]
+    ("text", "code"), [(ES, "SC419"), (LATER, "SC408")], ids=["no query", "a later keyword"]
 )
 def test_where_levels_cannot_be_asked_for(text: str, code: str) -> None:
     version, _ = text.split("\n", 1)

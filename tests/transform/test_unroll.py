@@ -108,7 +108,7 @@ def test_loops_that_stay_and_why(loop: str, reason: str) -> None:
     analysis = unrolled(loop, "void advance(inout int i) { i++; }\n")
     assert time.process_time() - started < 5.0
     (note,) = analysis.kept_loops
-    assert note.code == "SC421" and reason in note.message
+    assert note.code == "SC414" and reason in note.message
     assert note.span is not None and note.source is not None
     assert note.source.excerpt(note.span).startswith("for (")
     assert not analysis.program.unrolled
