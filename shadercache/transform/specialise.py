@@ -140,7 +140,9 @@ class _Maker:
                 body.moved.append(_Moved(call, None))
         for cut in tree.cuts:
             body.used[cut.expr] = cut.variable
-            if cut.kind != "use":
+            if cut.kind == "use":
+                body.given[cut.expr] = cut.variable
+            else:
                 body.moved.append(_Moved(cut.expr, cut))
         name = name or self.names.make(self.prefix + function.name)
         proto = replace(function.proto, name=name)
@@ -200,6 +202,7 @@ class _Body:
     last: n.Stmt | None
     renamed: dict[n.Expr, str] = field(default_factory=dict)
     used: dict[n.Expr, str] = field(default_factory=dict)
+    given: dict[n.Expr, str] = field(default_factory=dict)
     moved: list[_Moved] = field(default_factory=list)
 
     def block(self, block: n.Block) -> tuple[n.Block, bool]:
@@ -257,6 +260,9 @@ class _Body:
     def _rewritten(self, original: n.Expr, rebuilt: n.Expr) -> n.Expr:
         if original in self.used:
             return n.Name(original.span, self.used[original])
+        return self._to_clone(original, rebuilt)
+
+    def _to_clone(self, original: n.Expr, rebuilt: n.Expr) -> n.Expr:
         if original in self.renamed and isinstance(rebuilt, n.Call):
             return replace(rebuilt, name=self.renamed[original])
         return rebuilt
@@ -278,8 +284,11 @@ class _Body:
         return [self._computed(item.cut)]
 
     def _computed(self, cut: Cut) -> n.Stmt:
+        if cut.expr in self.given:  # a fetch that was made ahead is the value itself
+            return _assign(cut.variable, n.Name(cut.expr.span, self.given[cut.expr]))
         value = replace_expressions(
-            cut.expr, lambda old, new: new if old is cut.expr else self._rewritten(old, new)
+            cut.expr,
+            lambda old, new: (self._to_clone if old is cut.expr else self._rewritten)(old, new),
         )
         return _assign(cut.variable, value)
 
