@@ -144,7 +144,9 @@ class _Maker:
                 body.moved.append(_Moved(call, None))
         for cut in tree.cuts:
             body.used[cut.expr] = cut
-            if cut.kind != "use":
+            if cut.kind == "use":
+                body.given[cut.expr] = cut
+            else:
                 body.moved.append(_Moved(cut.expr, cut))
         name = name or self.names.make(self.prefix + function.name)
         proto = replace(function.proto, name=name)
@@ -204,6 +206,7 @@ class _Body:
     last: n.Stmt | None
     renamed: dict[n.Expr, str] = field(default_factory=dict)
     used: dict[n.Expr, Cut] = field(default_factory=dict)
+    given: dict[n.Expr, Cut] = field(default_factory=dict)
     moved: list[_Moved] = field(default_factory=list)
 
     def block(self, block: n.Block) -> tuple[n.Block, bool]:
@@ -262,6 +265,9 @@ class _Body:
         cut = self.used.get(original)
         if cut is not None:
             return left_over(rebuilt, cut.form, cut.variable)
+        return self._to_clone(original, rebuilt)
+
+    def _to_clone(self, original: n.Expr, rebuilt: n.Expr) -> n.Expr:
         if original in self.renamed and isinstance(rebuilt, n.Call):
             return replace(rebuilt, name=self.renamed[original])
         return rebuilt
@@ -284,8 +290,12 @@ class _Body:
 
     def _computed(self, cut: Cut) -> list[n.Stmt]:
         value = replace_expressions(
-            cut.expr, lambda old, new: new if old is cut.expr else self._rewritten(old, new)
+            cut.expr,
+            lambda old, new: (self._to_clone if old is cut.expr else self._rewritten)(old, new),
         )
+        given = self.given.get(cut.expr)
+        if given is not None:  # a fetch that was made ahead, in whole or in part
+            value = left_over(value, given.form, given.variable)
         ahead = done_ahead(value, cut.form, cut.variable)
         return [_assign(name, part) for name, part in ahead.items()]
 

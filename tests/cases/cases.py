@@ -10,12 +10,16 @@ import re
 from functools import cache
 from pathlib import Path
 
+from shadercache.analysis.candidates import Candidate
 from shadercache.compiler import Analysis, analyse
+from shadercache.diagnostics import shortened
 from shadercache.front.options import ReadOptions
 from shadercache.source import Source
 
 FOLDER = Path(__file__).parent
 NAMES = sorted(path.stem for path in FOLDER.glob("*.frag"))
+
+WIDTH = 90
 
 _VERSION = re.compile(r"#version (\d+)")
 
@@ -40,3 +44,19 @@ def vertex(name: str) -> Path:
 def analysed(name: str) -> Analysis:
     """What the compiler makes of a case. Raises :class:`InputError` where it refuses it whole."""
     return analyse(*sources(name), ReadOptions(unroll=name.startswith("unrolled_")))
+
+
+def told(name: str, analysis: Analysis) -> list[Candidate]:
+    """The nodes of a case, but not those inside of ``wave``, which is the same in most of them."""
+    if name == "called_twice":
+        return list(analysis.nodes)
+    return [node for node in analysis.nodes if not node.path.split(" > ")[-1].startswith("wave")]
+
+
+def golden_text(name: str, analysis: Analysis) -> str:
+    """A line for every node: offered or refused, where, what."""
+    lines = []
+    for node in told(name, analysis):
+        verdict = node.refusal.code.code if node.refusal else "offered"
+        lines.append(f"{verdict:8}{node.path}: {shortened(node.text, WIDTH)}\n")
+    return "".join(lines)

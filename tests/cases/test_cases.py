@@ -15,33 +15,24 @@ from laws.slices import VARIABLE, day_slice, seed
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.compiler import emit_original, rewrite
-from shadercache.diagnostics import InputError, shortened
+from shadercache.diagnostics import InputError
 from shadercache.harness.context import Gpu
 from shadercache.harness.verify import Verifier
 from shadercache.options import Mode, Options
 from tests.conftest import Golden
 
-from .cases import FOLDER, NAMES, analysed, sources
+from .cases import FOLDER, NAMES, analysed, golden_text, sources, told
 from .scenery import scene_of
 
 SIZE = (40, 40)
 NODES = 3
 """Of each case every day; the slices of successive days cover all of them."""
 
-WIDTH = 90
 MODES: tuple[Mode, ...] = ("plain", "proof")
 
 
-def told(name: str) -> list[Candidate]:
-    """The nodes of a case, but not those inside of ``wave``, which is the same in most of them."""
-    nodes = analysed(name).nodes
-    if name == "called_twice":
-        return list(nodes)
-    return [node for node in nodes if not node.path.split(" > ")[-1].startswith("wave")]
-
-
 def legal(name: str) -> list[Candidate]:
-    return [node for node in told(name) if node.legal]
+    return [node for node in told(name, analysed(name)) if node.legal]
 
 
 def of_the_day(name: str) -> list[tuple[Candidate, ...]]:
@@ -65,15 +56,10 @@ CACHEABLE = [name for name in NAMES if cacheable(name)]
 @pytest.mark.parametrize("name", NAMES)
 def test_golden_nodes(name: str, golden: Golden) -> None:
     try:
-        lines = [_line(node) for node in told(name)]
+        text = golden_text(name, analysed(name))
     except InputError as error:
-        lines = [item.render() for item in error.diagnostics]
-    golden(FOLDER / f"{name}.txt", "".join(f"{line}\n" for line in lines))
-
-
-def _line(node: Candidate) -> str:
-    verdict = node.refusal.code.code if node.refusal else "offered"
-    return f"{verdict:8}{node.path}: {shortened(node.text, WIDTH)}"
+        text = "".join(f"{item.render()}\n" for item in error.diagnostics)
+    golden(FOLDER / f"{name}.txt", text)
 
 
 @pytest.mark.xdist_group("gl")

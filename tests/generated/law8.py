@@ -19,7 +19,7 @@ JUMPS = Does.JUMP | Does.RETURN | Does.DISCARD
 
 
 def apart_derivatives(module: n.Module) -> list[str]:
-    """Derivatives and fetches with implicit level of detail that some fragments may not take."""
+    """The derivatives, also for a level of detail, that some fragments may not take."""
     walker = _Walker(module)
     walker.function("main", False)
     return walker.found

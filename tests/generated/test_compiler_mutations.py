@@ -1,22 +1,44 @@
-"""The compiler broken on purpose, a pass at a time: generated shaders must notice each."""
+"""The compiler broken on purpose, a pass at a time: each must be noticed.
+
+By generated shaders, or where those take long for it by a small shader of ``mutations``. What the
+analyses get wrong is mostly safe, since the programs are made from the text anew: it shows in the
+goldens of the cases. Other breaks are in ``laws/test_mutations.py`` (the text of the look-up) and
+``cases/test_loops.py`` (loops that wait for a payload).
+"""
 
 from __future__ import annotations
 
 import random
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
 
 import pytest
 
 from shadercache import compiler
-from shadercache.analysis import candidates
-from shadercache.emit import fragment, program_set
+from shadercache.analysis import candidates, effects, inside, neighbours, slices
+from shadercache.ast import nodes as n
+from shadercache.emit import fragment, program_set, runtime
 from shadercache.harness.context import Gpu
-from shadercache.transform import drop_parameters
+from shadercache.transform import (
+    drop_parameters,
+    fixed_function,
+    lower_choices,
+    raise_version,
+    remove_dead,
+    specialise,
+)
+from tests.cases.cases import FOLDER as CASES
+from tests.cases.cases import golden_text, sources
 
+from .dialects import DIALECTS
 from .suite import pick_nodes, quick_shader
 from .trial import try_shader
 
 pytestmark = pytest.mark.xdist_group("generated")
+
+MUTATIONS = Path(__file__).with_name("mutations")
 
 MOST = 25
 """Shaders that may be tried until one notices."""
@@ -79,3 +101,158 @@ def test_a_broken_pass_is_noticed(
 ) -> None:
     change(monkeypatch)
     assert noticed(gpu, dialect), f"{MOST} shaders passed"
+
+
+def choices_are_swapped(patch: pytest.MonkeyPatch) -> None:
+    chosen = lower_choices._Lowerer._chosen
+
+    def swapped(self: lower_choices._Lowerer, choice: n.Expr, name: str) -> Iterator[n.Stmt]:
+        for stmt in chosen(self, choice, name):
+            if isinstance(stmt, n.If) and stmt.other is not None:
+                yield replace(stmt, then=stmt.other, other=stmt.then)
+            else:
+                yield stmt
+
+    patch.setattr(lower_choices._Lowerer, "_chosen", swapped)
+
+
+def nothing_is_stored(patch: pytest.MonkeyPatch) -> None:
+    own = specialise._Body._own_statements
+    patch.setattr(
+        specialise._Body,
+        "_own_statements",
+        lambda self, item: [] if item.kind in ("store", "keep") else own(self, item),
+    )
+
+
+def a_bias_is_dropped(patch: pytest.MonkeyPatch) -> None:
+    modern = raise_version.modern_call
+
+    def without(*args: Any) -> n.Expr | None:
+        made = modern(*args)
+        return replace(made, args=made.args[:2]) if isinstance(made, n.Call) else made
+
+    patch.setattr(raise_version, "modern_call", without)
+
+
+def the_second_texel_is_empty(patch: pytest.MonkeyPatch) -> None:
+    text = runtime._text
+    runtime.load_part.cache_clear()
+    patch.setattr(
+        runtime, "_text", lambda name: text(name).replace("SC_TEXEL(SC_PACKED_2)", "SC_TEXEL(0)")
+    )
+
+
+def calls_are_dead(patch: pytest.MonkeyPatch) -> None:
+    """In the original of proof mode too: only what the user wrote can tell."""
+    matters = remove_dead._Pruner._matters
+    patch.setattr(
+        remove_dead._Pruner,
+        "_matters",
+        lambda self, expr, live: not isinstance(expr, n.Call) and matters(self, expr, live),
+    )
+
+
+def nothing(*_: object) -> tuple[()]:
+    return ()
+
+
+NOTICED: dict[str, tuple[str, Break]] = {
+    "split: nothing": (
+        "gl330-declarators",
+        lambda patch: patch.setattr(compiler, "split_declarations", lambda module: module),
+    ),
+    "lower_choices: swapped": ("gl330-choice", choices_are_swapped),
+    "specialise: nothing stored": ("gl330-choice", nothing_is_stored),
+    "remove_dead: calls": ("gl330-written_out", calls_are_dead),
+    "make_precise: nothing": (
+        "gl330-folded",
+        lambda patch: patch.setattr(
+            program_set, "make_precise", lambda module, *_: replace(module, version=400)
+        ),
+    ),
+    "legacy_calls: no bias": ("gl120-bias", a_bias_is_dropped),
+    "fixed_function: nothing declared": (
+        "gl120-bias",
+        lambda patch: patch.setattr(fixed_function.FixedFunction, "declarations", nothing),
+    ),
+    "store: the second texel": ("gl330-wide", the_second_texel_is_empty),
+    "effects: out arguments": (
+        "gl330-written_out",
+        lambda patch: patch.setattr(
+            effects, "out_arguments", lambda call, table: tuple(False for _ in call.args)
+        ),
+    ),
+    "neighbours: no fetch ahead": (
+        "gl330-fetched",
+        lambda patch: patch.setattr(neighbours.SharedUses, "inside", lambda *_: []),
+    ),
+    "emission: discards too early": (
+        "gl330-discarded",
+        lambda patch: patch.setattr(
+            fragment.FragmentEmitter, "_takes_derivatives", lambda self, module: False
+        ),
+    ),
+}
+"""The small shader that notices, and how the compiler is broken."""
+
+TOLD: dict[str, tuple[str, Break]] = {
+    "slices: arguments": (
+        "called_twice",
+        lambda patch: patch.setattr(slices.SliceTable, "_hand_down", nothing),
+    ),
+    "slices: writes": (
+        "derivative_of_value",
+        lambda patch: patch.setattr(
+            slices.SliceTable, "_written", lambda *_: (slices.NOTHING, True)
+        ),
+    ),
+    "inside: nothing flows": (
+        "implicit_lod_conditional",
+        lambda patch: patch.setattr(
+            inside.Inside, "_closure", lambda *_: inside.Flow(frozenset(), ())
+        ),
+    ),
+    "neighbours: feeds nothing": (
+        "derivative_of_value",
+        lambda patch: patch.setattr(neighbours.Dependents, "fed_by", lambda *_: False),
+    ),
+    "effects: functions write nothing": (
+        "writes_globals",
+        lambda patch: patch.setattr(effects, "_written", lambda target: effects.NO_EFFECTS),
+    ),
+}
+"""The case whose golden changes, and how the analysis is broken."""
+
+
+def small_shader(gpu: Gpu, name: str) -> list[str]:
+    """The problems of one of the small shaders, with some of its legal nodes."""
+    text = (MUTATIONS / f"{name}.frag").read_text(encoding="utf-8")
+    dialect = DIALECTS[name.partition("-")[0]]
+    return try_shader(gpu, text, dialect, lambda legal: legal[:: -(-len(legal) // 5)]).problems
+
+
+@pytest.mark.parametrize(("name", "change"), NOTICED.values(), ids=NOTICED.keys())
+def test_a_small_shader_notices(
+    gpu: Gpu, monkeypatch: pytest.MonkeyPatch, name: str, change: Break
+) -> None:
+    with monkeypatch.context() as patch:
+        change(patch)
+        problems = small_shader(gpu, name)
+    runtime.load_part.cache_clear()
+    assert problems
+    print(problems[0].partition("\n")[0])
+
+
+def test_unbroken_they_have_no_problems(gpu: Gpu) -> None:
+    for name in sorted({name for name, _ in NOTICED.values()}):
+        assert not small_shader(gpu, name), name
+
+
+@pytest.mark.parametrize(("name", "change"), TOLD.values(), ids=TOLD.keys())
+def test_a_golden_notices(monkeypatch: pytest.MonkeyPatch, name: str, change: Break) -> None:
+    expected = (CASES / f"{name}.txt").read_text(encoding="utf-8")
+    assert golden_text(name, compiler.analyse(*sources(name))) == expected
+    with monkeypatch.context() as patch:
+        change(patch)
+        assert golden_text(name, compiler.analyse(*sources(name))) != expected

@@ -28,8 +28,10 @@ from shadercache.harness.verify import Difference, Image, Verdict, Verifier
 from shadercache.options import Options
 from shadercache.sema.read import read
 from shadercache.source import Source
+from shadercache.transform.unique_names import make_names_unique
 
 from .dialects import Dialect
+from .law8 import apart_derivatives
 from .stage import SIZE, ring, scene
 
 Nodes = tuple[Candidate, ...]
@@ -94,6 +96,7 @@ def _try(gpu: Gpu, text: str, dialect: Dialect, chooser: Chooser, report: Report
         for content, name in {content: name for name, content in reversed(texts.items())}.items()
     }
     report.problems += _read(texts)
+    report.problems += _law_8(texts)
     report.problems += _compiled(texts)
 
 
@@ -214,6 +217,20 @@ def _read(texts: dict[str, str]) -> Iterator[str]:
             read(Source(name, text), stage, ReadOptions(), needs_main=True)
         except InputError as error:
             yield f"our own checker, {name}: {error}\n{text}"
+
+
+def _law_8(texts: dict[str, str]) -> Iterator[str]:
+    """Derivatives that fragments take apart, where those of the original are taken together."""
+    if _apart_derivatives("user.frag", texts["user.frag"]):
+        return
+    for name, text in texts.items():
+        for found in _apart_derivatives(name, text) if name.endswith(".frag") else ():
+            yield f"law 8, {name}: '{found}' is not taken by all\n{text}"
+
+
+def _apart_derivatives(name: str, text: str) -> list[str]:
+    module, facts = read(Source(name, text), "fragment", ReadOptions())
+    return apart_derivatives(make_names_unique(module, facts))
 
 
 def _compiled(texts: dict[str, str]) -> Iterator[str]:
