@@ -22,7 +22,13 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import cast
 
-from shadercache.analysis.effects import Does, EffectTable, Linked, root_variable
+from shadercache.analysis.effects import (
+    Does,
+    EffectTable,
+    Linked,
+    out_arguments,
+    root_variable,
+)
 from shadercache.analysis.exposure import overwritten_by, reads_of
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
@@ -225,7 +231,14 @@ class _Pruner:
             case n.Assign(target=target, value=value) if self._is_dead(target, live):
                 yield from self._needed(value, live)
             case n.Binary(op="&&" | "||") | n.Conditional():
-                yield expr
+                first, *others = cast("tuple[n.Expr, ...]", children(expr))
+                if any(self._matters(other, live) for other in others):
+                    yield expr
+                else:
+                    yield from self._needed(first, live)
+            case n.Call(args=args) if not self._acts(expr, live):
+                for arg in args:
+                    yield from self._needed(arg, live)
             case n.Binary() | n.Unary(op="+" | "-" | "!" | "~") | n.Construct() | n.Comma():
                 for part in children(expr):
                     if isinstance(part, EXPRESSIONS):
@@ -234,6 +247,15 @@ class _Pruner:
                 yield from self._needed(inner, live)
             case _:
                 yield expr
+
+    def _acts(self, call: n.Call, live: Live) -> bool:
+        """Does the called function do something which matters?"""
+        if call.name in self.table.functions:
+            summary = self.table.summary(call.name)
+            if summary.writes & live or summary.does & Does.DISCARD:
+                return True
+        outs = zip(call.args, out_arguments(call, self.table), strict=True)
+        return any(out and not self._is_dead(arg, live) for arg, out in outs)
 
     def declaration(self, stmt: n.DeclStmt, live: Live) -> tuple[n.Stmt | None, Live]:
         """Declarators are one to a statement (:mod:`shadercache.transform.split`)."""

@@ -19,6 +19,7 @@ from laws.test_mutations import Replace, broken
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.compiler import Analysis, analyse, rewrite
+from shadercache.diagnostics import InputError
 from shadercache.harness.bundle import Bundle, load_bundle
 from shadercache.harness.context import Gpu
 from shadercache.harness.runner import RunOptions, VariantRunner
@@ -217,3 +218,35 @@ def test_an_engine_needs_only_the_manifest(name: str, gpu: Gpu, tmp_path: Path) 
     with Stage(gpu, scene, SIZE, "rgba32f") as stage:
         for algorithm in bundle.algorithms:
             assert agree(stage, bundle, tmp_path, algorithm, None)
+
+
+def test_a_fetch_under_a_condition_takes_one_pass_away_from_a_set() -> None:
+    analysis = load("textures")[1]
+    wanted = ("texture(picture, uv * 3.0).rgb", "noise(floor(p * 8.0)) * n")
+    nodes = pick(analysis, [f"main: {text}" for text in wanted])
+    found = rewrite(analysis, nodes, unprofitable=True).manifest
+    assert [item["algorithm"] for item in found["refused"]] == ["1-pass"]
+    with pytest.raises(InputError, match=r"' and 'noise.*in one pass.*SC407"):
+        rewrite(analysis, nodes, algorithms=(1,), unprofitable=True)
+
+
+def test_what_few_fragments_compute_costs_the_others_their_hits(gpu: Gpu) -> None:
+    """As SC418 says: a texel that lacks one value has none for the next frame."""
+    scene, analysis = load("branch")
+    always, sometimes = pick(
+        analysis, ("main: sin(p.y * 9.0 + frame * 0.7)", "main: noise(floor(p * 6.0))")
+    )
+    shares = []
+    for nodes in ([always], [always, sometimes]):
+        emission = rewrite(analysis, nodes, PROOF, unprofitable=True)
+        bundle = Bundle(emission.manifest, emission.files)
+        assert [item.code for item in emission.notes] == ["SC418"] * (len(nodes) - 1)
+        with (
+            Stage(gpu, scene, SIZE, "rgba32f") as stage,
+            VariantRunner(stage, bundle, "2-pass", RunOptions(period=64)) as runner,
+        ):
+            for frame in range(3):
+                runner.draw(frame)
+            mask = runner.hit_mask(3)
+        shares.append((mask == bundle.mask_values["hit"]).sum() / (mask > 0).sum())
+    assert shares[0] > 0.8 and 0.1 < shares[1] < 0.6 * shares[0]

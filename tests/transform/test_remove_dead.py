@@ -315,3 +315,25 @@ def test_a_continue_inside_a_switch_leads_to_the_next_round() -> None:
         " color = vec4(x + s);"
     )
     assert "x = u_b;" in found and "switch (i) {" in found and "continue;" in found
+
+
+def test_of_a_call_for_nothing_its_arguments_are_left_that_do_something() -> None:
+    text = pruned(
+        """float g;
+        float f(float x) { g += x; return x; }
+        float pure(float x, float y) { return x * y; }
+        void give(out float x, float y) { x = y; }
+        void main() {
+            pure(u_a, max(f(u_b), 0.0)); float a; give(a, f(2.0)); float b; give(b, f(3.0));
+            f(4.0) > 0.0 ? u_a : u_b; f(5.0) > 0.0 && f(6.0) > 0.0; color = vec4(g + b);
+        }"""
+    )
+    assert "pure" not in text and "max" not in text and "give(a" not in text
+    for kept in (
+        "f(u_b);",
+        "f(2.0);",
+        "give(b, f(3.0));",
+        "f(4.0);",
+        "f(5.0) > 0.0 && f(6.0) > 0.0;",
+    ):
+        assert f"    {kept}\n" in text
