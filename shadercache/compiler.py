@@ -30,10 +30,12 @@ from functools import cached_property
 from typing import Any
 
 from shadercache.analysis.candidates import Candidate, Candidates, find_candidates
+from shadercache.analysis.cost import CostTable
 from shadercache.analysis.definitions import Definitions
 from shadercache.analysis.effects import EffectTable
 from shadercache.analysis.groups import Group, find_groups
 from shadercache.analysis.inputs import input_kinds
+from shadercache.analysis.overlap import OverlapTable, Parts
 from shadercache.analysis.refusals import Code
 from shadercache.analysis.restrictions import check_depth, check_size, check_stages, find_color
 from shadercache.ast import nodes as n
@@ -120,6 +122,10 @@ class Analysis:
         found = self._definitions.closed(node.instance, node.place.step, node.expr)
         return None if found is None else print_node(found)
 
+    def parts(self, *nodes: Candidate) -> Parts:
+        """What the payload pass and the shading pass cost where the nodes are cached together."""
+        return self._overlaps.parts(nodes)
+
     @cached_property
     def input_kinds(self) -> dict[str, str]:
         """What the inputs of nodes are, by their names: see :mod:`analysis.inputs`."""
@@ -129,6 +135,12 @@ class Analysis:
     def _definitions(self) -> Definitions:
         program = self.program
         return Definitions(program.facts, EffectTable(program.module), self.candidates.instances)
+
+    @cached_property
+    def _overlaps(self) -> OverlapTable:
+        program = self.program
+        costs, table = CostTable(program.facts), EffectTable(program.module)
+        return OverlapTable(self.candidates.instances, table, costs, program.color)
 
     @cached_property
     def _by_id(self) -> dict[str, Candidate]:

@@ -89,8 +89,8 @@ class Linked:
     """
 
     function: n.FunctionDef
-    inside: Effects
-    """Of its body: locals and parameters count."""
+    names: frozenset[str]
+    """What it declares or writes: variables of other names are the same before and behind it."""
     head: Head
 
 
@@ -144,7 +144,7 @@ class EffectTable:
         params = tuple((item.writes_back, item.type, item.dims) for item in function.proto.params)
         heads: dict[object, Head] = self._memo.table("heads of functions")
         key = (effects.reads, effects.writes, does.value, params)
-        return Linked(function, inside, heads.setdefault(key, Head(effects, params)))
+        return Linked(function, own | inside.writes, heads.setdefault(key, Head(effects, params)))
 
     def _callees(self, function: n.FunctionDef) -> tuple[str, ...]:
         """The names of all functions that a function calls, built-in ones too."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
@@ -25,9 +26,8 @@ from shadercache.front.options import MAX_TOKENS
 if TYPE_CHECKING:
     from shadercache.analysis.candidates import Candidate
     from shadercache.compiler import Analysis
-    from shadercache.source import Source
 
-HEADER = ("id", "path", "at", "type", "cost", "P/T", "verdict", "inputs", "text")
+HEADER = ("id", "path", "at", "type", "cost", "P/T", "twice", "verdict", "inputs", "text")
 CHANGES = "changes with"
 INPUTS_WIDTH = 24
 TEXT_WIDTH = 60
@@ -58,10 +58,12 @@ def command(
     """List every value of a shader, its cost, and whether it may be cached.
 
     A node is one evaluation of one expression, on one path of calls. P/T is the static cost of
-    the value over that of the whole shader. The verdict is "offered" or the code of the reason
-    why the value may not be cached. With --scene a column says which inputs change from frame
-    to frame: with the view, the light or the time. --json leaves nothing out: nodes that have the
-    same value share a "group", and values of uniforms only come with the GLSL to compute "on_cpu".
+    the value over that of the whole shader; "twice" is the share of the shader's cost that the
+    payload and the shading that is left both compute. The verdict is "offered" or the code of the
+    reason why the value may not be cached. With --scene a column says which inputs change from
+    frame to frame: with the view, the light or the time. --json leaves nothing out: nodes that
+    have the same value share a "group", and values of uniforms only come with the GLSL to compute
+    "on_cpu".
     """
     from shadercache.compiler import analyse
     from shadercache.harness.scene import load_scene
@@ -78,9 +80,9 @@ def command(
         found = [_as_json(analysis, node, changes) for node in shown]
         print(json.dumps({"nodes": found}, indent=1))
         return
-    rows = [_row(source, node, changes) for node in shown]
+    rows = [_row(analysis, node, changes) for node in shown]
     header = HEADER if changes is None else (*HEADER[:-1], CHANGES, HEADER[-1])
-    print(format_table(header, rows, right="at cost P/T", width=terminal_width()))
+    print(format_table(header, rows, right="at cost P/T twice", width=terminal_width()))
     print(f"\n{_summary(nodes)}")
 
 
@@ -92,8 +94,9 @@ def _changes(node: Candidate, changes: Mapping[str, str]) -> dict[str, list[str]
     return found
 
 
-def _row(source: Source, node: Candidate, changes: Mapping[str, str] | None) -> tuple[str, ...]:
-    line, column = source.position(node.expr.span.start)
+def _row(analysis: Analysis, node: Candidate, changes: Mapping[str, str] | None) -> tuple[str, ...]:
+    line, column = analysis.fragment.position(node.expr.span.start)
+    parts = analysis.parts(node) if node.legal else None
     causes = {} if changes is None else _changes(node, changes)
     told = "; ".join(f"{cause}: {' '.join(names)}" for cause, names in causes.items())
     return (
@@ -103,6 +106,7 @@ def _row(source: Source, node: Candidate, changes: Mapping[str, str] | None) -> 
         str(node.type),
         f"{node.cost:.0f}",
         f"{node.ratio:.3f}",
+        f"{parts.overlap / (parts.whole or 1.0):.3f}" if parts else "",
         node.refusal.code.code if node.refusal else "offered",
         shorten(" ".join(sorted(node.inputs)), INPUTS_WIDTH),
         *(() if changes is None else (shorten(told, INPUTS_WIDTH),)),
@@ -129,6 +133,7 @@ def _as_json(
         "type": str(node.type),
         "cost": node.cost,
         "ratio": node.ratio,
+        "passes": asdict(analysis.parts(node)) if node.legal else None,
         "inputs": sorted(node.inputs),
         "depends_on": by_kind(node.inputs, analysis.input_kinds),
         **({} if changes is None else {"changes_with": _changes(node, changes)}),

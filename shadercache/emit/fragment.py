@@ -27,6 +27,7 @@ from shadercache.emit.layout import Layout
 from shadercache.emit.runtime import load_part, runtime_names
 from shadercache.sema.facts import Facts, Symbol
 from shadercache.transform.drop_parameters import drop_parameters
+from shadercache.transform.drop_results import drop_results
 from shadercache.transform.names import FreshNames
 from shadercache.transform.remove_dead import remove_dead
 from shadercache.transform.specialise import Clones, Cut, CutKind, insert_clones, specialise
@@ -271,10 +272,11 @@ def _cut(use: SharedUse, name: str, kind: CutKind) -> Cut:
 
 
 def _shrink(module: n.Module, wanted: dict[str, int], clones: set[str], memo: Memo) -> n.Module:
-    """Remove what is dead; a parameter that nobody reads keeps its argument alive, so in turns."""
+    """Remove what is dead; a parameter that nobody reads keeps its argument alive, and a result
+    that nobody uses what it is made of: so in turns."""
     while True:
         module = remove_dead(module, wanted, memo)
-        smaller = drop_parameters(module, clones, memo)
+        smaller = drop_parameters(drop_results(module, clones, memo), clones, memo)
         if smaller is module:
             return module
         module = smaller

@@ -6,7 +6,8 @@ An argument computed for nobody would keep the code behind it alive::
     color = sc_marble(v_position * u_scale);          =>   color = sc_marble();
 
 Only functions that this compiler made are touched (their names are not overloaded), and only
-``in`` parameters whose arguments have no side effects.
+parameters whose arguments have no side effects. An ``inout`` parameter that is not used gives back
+what it got; an ``out`` parameter stays.
 """
 
 from __future__ import annotations
@@ -81,7 +82,7 @@ def _unread(function: n.FunctionDef, memo: Memo) -> set[int]:
     return {
         place
         for place, param in enumerate(function.proto.params)
-        if param.name not in used and not param.writes_back
+        if param.name not in used and (not param.writes_back or param.qualifiers.has("inout"))
     }
 
 

@@ -12,20 +12,22 @@ declarations, until nothing changes any more::
     }
 
 Works by name, on a module in which every identifier means one thing
-(:mod:`shadercache.transform.unique_names`). It never removes a ``discard``, and what it cannot
-follow (``switch``) it keeps or drops as a whole.
+(:mod:`shadercache.transform.unique_names`). It never removes a ``discard``.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import operator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
+from typing import cast
 
-from shadercache.analysis.effects import Does, EffectTable, Linked
+from shadercache.analysis.effects import Does, EffectTable, Linked, root_variable
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
-from shadercache.ast.walk import children, walk
-from shadercache.transform.reachable import keep_reachable, names_in
+from shadercache.ast.walk import EXPRESSIONS, children
+from shadercache.source import NOWHERE
+from shadercache.transform.reachable import keep_reachable, kept_names, names_in
 
 Live = frozenset[str]
 
@@ -45,34 +47,61 @@ def remove_dead(module: n.Module, wanted: Iterable[str], memo: Memo | None = Non
 
 
 def _prune_functions(module: n.Module, outputs: Live, memo: Memo) -> n.Module:
+    """Callers come first: what is live after their calls is live where the callee returns."""
     table = EffectTable(module, memo)
-    read = frozenset[str]().union(*(table.summary(name).reads for name in table.functions))
-    decls: list[n.Decl] = []
-    for decl in module.decls:
-        if isinstance(decl, n.FunctionDef):
-            # The caller may need what other functions leave in out parameters and in any global
-            # that is read anywhere.
-            at_exit = outputs if decl.name == "main" else outputs | read | _written_back(decl)
-            decl = _pruned(table, table.linked(decl.name), at_exit, memo)
-        decls.append(decl)
-    if all(new is old for new, old in zip(decls, module.decls, strict=True)):
+    live: dict[str, Live] = {"main": outputs}
+    pruned: dict[n.Decl, n.FunctionDef] = {}
+    for function in _callers_first(table.functions, memo):
+        # What no call leads to is never executed; it goes with the declarations.
+        at_exit = live.get(function.name, frozenset()) | _written_back(function)
+        linked = table.linked(function.name)
+        found = _pruned(table, linked, at_exit & linked.names, memo)
+        if found.function is not function:
+            pruned[function] = found.function
+        # What it has no say in is live throughout.
+        through = at_exit - linked.names
+        for name, after in found.after_calls.items():
+            live[name] = live.get(name, frozenset()) | after | through
+    if not pruned:
         return module
-    return replace(module, decls=tuple(decls))
+    return replace(module, decls=tuple(pruned.get(decl, decl) for decl in module.decls))
 
 
-def _pruned(table: EffectTable, linked: Linked, at_exit: Live, memo: Memo) -> n.FunctionDef:
-    """One function without what is dead in it, where ``at_exit`` is live when it returns."""
-    kept: dict[tuple[Linked, Live], n.FunctionDef] = memo.table("pruned functions")
-    # What it does not write itself is live throughout, or not at all, and decides nothing.
-    at_exit &= linked.inside.writes
+@dataclass(frozen=True, slots=True)
+class _Pruned:
+    """A function without what is dead in it, and what is live behind its calls."""
+
+    function: n.FunctionDef
+    after_calls: dict[str, Live]
+
+
+def _pruned(table: EffectTable, linked: Linked, at_exit: Live, memo: Memo) -> _Pruned:
+    """One function pruned, where ``at_exit`` is live when it returns: of its own names."""
+    kept: dict[tuple[Linked, Live], _Pruned] = memo.table("pruned functions")
     found = kept.get((linked, at_exit))
     if found is None:
-        found = linked.function
-        body, _ = _Pruner(table, at_exit).block(found.body, at_exit)
-        if body is not found.body:
-            found = replace(found, body=body)
-        kept[linked, at_exit] = found
+        function, after_calls = linked.function, dict[str, Live]()
+        body, _ = _Pruner(table, at_exit, after_calls).block(function.body, at_exit)
+        if body is not function.body:
+            function = replace(function, body=body)
+        found = kept[linked, at_exit] = _Pruned(function, after_calls)
     return found
+
+
+def _callers_first(functions: dict[str, n.FunctionDef], memo: Memo) -> list[n.FunctionDef]:
+    order: dict[str, n.FunctionDef] = {}
+    stack = [*functions.values()]
+    open_: set[str] = set()
+    while stack:
+        function = stack[-1]
+        if function.name not in open_:
+            open_.add(function.name)
+            called = kept_names(function.body, memo) & functions.keys()
+            stack += [functions[name] for name in called if name not in open_]
+            continue
+        stack.pop()
+        order.setdefault(function.name, function)
+    return [*order.values()][::-1]
 
 
 def _written_back(function: n.FunctionDef) -> Live:
@@ -91,13 +120,19 @@ _NO_JUMPS = _Jumps()
 
 
 class _Pruner:
-    """Prunes one function; ``at_exit`` is live where it returns."""
+    """Prunes one function; ``at_exit`` is live where it returns.
 
-    def __init__(self, table: EffectTable, at_exit: Live) -> None:
+    ``after_calls`` collects what is live behind the calls of each function.
+    """
+
+    def __init__(self, table: EffectTable, at_exit: Live, after_calls: dict[str, Live]) -> None:
         self.table = table
         self.at_exit = at_exit
+        self.after_calls = after_calls
         self.mentioned: set[str] = set()
         """Names that kept statements use; later in the text than the statement at hand."""
+        self.at_end = True
+        """Is nothing executed behind the statement at hand?"""
 
     # --- statement lists ---
 
@@ -111,6 +146,7 @@ class _Pruner:
             if new is not None:
                 kept.append(new)
                 self.mentioned |= names_in(new)
+                self.at_end = False
         if same:
             return block, live
         return replace(block, body=tuple(reversed(kept))), live
@@ -137,10 +173,11 @@ class _Pruner:
             case n.For() | n.While() | n.DoWhile():
                 return self.loop(stmt, live)
             case n.Switch():
-                return self.whole(stmt, live, jumps)
+                return self.switch(stmt, live, jumps)
+            case n.Return(value=None) if self.at_end:
+                return None, self.at_exit
             case n.Return():
-                reads = self.table.of(stmt.value).reads if stmt.value else frozenset[str]()
-                return stmt, self.at_exit | reads
+                return stmt, self.evaluated(stmt, self.at_exit)
             case n.Jump(word="break"):
                 return stmt, jumps.after_break
             case n.Jump(word="continue"):
@@ -151,27 +188,77 @@ class _Pruner:
     # --- statements ---
 
     def expression(self, stmt: n.ExprStmt, live: Live) -> tuple[n.Stmt | None, Live]:
-        if stmt.expr is None or not self._matters(stmt.expr, live):
+        if stmt.expr is None:
             return None, live
-        effects = self.table.of(stmt.expr)
-        return stmt, (live - _killed(stmt.expr)) | effects.reads
+        parts = list(self._needed(stmt.expr, live))
+        if not parts:
+            return None, live
+        if parts == [stmt.expr]:
+            self._note_calls(stmt, live)
+            return stmt, (live - _killed(stmt.expr)) | self.table.of(stmt.expr).reads
+        kept = [n.ExprStmt(part.span, part) for part in parts]
+        for item in kept:
+            live = self.evaluated(item, live)
+        return kept[0] if len(kept) == 1 else n.Block(stmt.span, tuple(kept)), live
+
+    def evaluated(self, node: n.Node, live: Live) -> Live:
+        """What is live before something that is kept as it is, and overwrites nothing wholly."""
+        self._note_calls(node, live)
+        return live | self.table.of(node).reads
+
+    def _note_calls(self, node: n.Node, live: Live) -> None:
+        """Note what is live behind the calls inside."""
+        called = names_in(node) & self.table.functions.keys()
+        if not called:
+            return
+        last = _last_call(node)
+        if last is not None and last.name in called:
+            self._note(last.name, live)
+            called = {name for arg in last.args for name in names_in(arg)} & called
+        for name in called:
+            # Other parts may be evaluated after it.
+            self._note(name, live | self.table.of(node).reads)
+
+    def _note(self, name: str, live: Live) -> None:
+        self.after_calls[name] = self.after_calls.get(name, frozenset()) | live
+
+    def _needed(self, expr: n.Expr, live: Live) -> Iterator[n.Expr]:
+        """The largest parts of an expression that do something which matters.
+
+        The value of the whole is wanted by nobody: ``x = 2.0 * f(y)`` with a dead ``x`` comes down
+        to ``f(y)`` where that has a side effect, and to nothing where not.
+        """
+        if not self._matters(expr, live):
+            return
+        match expr:
+            case n.Assign(target=target, value=value) if self._is_dead(target, live):
+                yield from self._needed(value, live)
+            case n.Binary(op="&&" | "||") | n.Conditional():
+                yield expr
+            case n.Binary() | n.Unary(op="+" | "-" | "!" | "~") | n.Construct() | n.Comma():
+                for part in children(expr):
+                    if isinstance(part, EXPRESSIONS):
+                        yield from self._needed(cast("n.Expr", part), live)
+            case n.Member(object=inner):
+                yield from self._needed(inner, live)
+            case _:
+                yield expr
 
     def declaration(self, stmt: n.DeclStmt, live: Live) -> tuple[n.Stmt | None, Live]:
         """Declarators are one to a statement (:mod:`shadercache.transform.split`)."""
         decl = stmt.decl
         assert isinstance(decl, n.VarDecl)
-        reads = self.table.of(decl).reads
         if len(decl.declarators) != 1:  # a struct alone, or variables of an anonymous struct
-            return stmt, live | reads
+            return stmt, self.evaluated(decl, live)
         (item,) = decl.declarators
         if item.name in live or decl.qualifiers.has("const"):
             if item.name not in live and item.name not in self.mentioned:
                 return None, live
-            return stmt, (live - {item.name}) | reads
+            return stmt, self.evaluated(decl, live - {item.name})
         if item.init is not None and self._matters(item.init, live):
             if item.name in self.mentioned:
-                return stmt, (live - {item.name}) | reads
-            return n.ExprStmt(stmt.span, item.init), live | reads
+                return stmt, self.evaluated(decl, live - {item.name})
+            return self.expression(n.ExprStmt(stmt.span, item.init), live)
         if item.name not in self.mentioned:
             return None, live
         if item.init is None:
@@ -180,13 +267,15 @@ class _Pruner:
         return replace(stmt, decl=bare), live
 
     def branch(self, stmt: n.If, live: Live, jumps: _Jumps) -> tuple[n.Stmt | None, Live]:
+        at_end = self.at_end
         then, live_then = self.nested(stmt.then, live, jumps)
+        self.at_end = at_end
         other, live_other = (None, live)
         if stmt.other is not None:
             other, live_other = self.nested(stmt.other, live, jumps)
         if then is None and other is None:
             return self.expression(n.ExprStmt(stmt.span, stmt.condition), live)
-        before = live_then | live_other | self.table.of(stmt.condition).reads
+        before = self.evaluated(stmt.condition, live_then | live_other)
         if then is stmt.then and other is stmt.other:
             return stmt, before
         if then is not None:
@@ -203,39 +292,73 @@ class _Pruner:
         effects = self.table.of(stmt)
         if not effects.writes & live and not effects.does & (Does.DISCARD | Does.RETURN):
             return None, live
+        self.at_end = False
         header = [part for part in children(stmt) if part is not stmt.body]
         around = live.union(*(self.table.of(part).reads for part in header))
         while True:
             # Liveness at the head of the loop: what is live after it, or in the next round.
             jumps = _Jumps(after_break=live, after_continue=around)
-            trial = _Pruner(self.table, self.at_exit)
-            trial.mentioned = set(self.mentioned)
+            trial = _Pruner(self.table, self.at_exit, self.after_calls)
+            trial.mentioned, trial.at_end = set(self.mentioned), False
             _, before = trial.nested(stmt.body, around, jumps)
             if before <= around:
                 break
             around |= before
         for part in header:
+            self.evaluated(part, around)
             self.mentioned |= names_in(part)
         body, _ = self.nested(stmt.body, around, _Jumps(live, around))
         if body is stmt.body or (body is None and _is_empty(stmt.body)):
             return stmt, around
         return replace(stmt, body=body or n.Block(stmt.body.span, ())), around
 
-    def whole(self, stmt: n.Switch, live: Live, jumps: _Jumps) -> tuple[n.Stmt | None, Live]:
-        effects = self.table.of(stmt)
-        leaves = effects.does & (Does.DISCARD | Does.RETURN) or _continues(stmt)
-        if not effects.writes & live and not leaves:
-            return None, live
-        # A return inside leads to the exit, a ``continue`` to the next round of the loop outside.
-        return stmt, live | effects.reads | self.at_exit | jumps.after_continue
+    def switch(self, stmt: n.Switch, live: Live, jumps: _Jumps) -> tuple[n.Stmt | None, Live]:
+        """Statement by statement; a group of cases falls through to the next."""
+        self.at_end = False
+        inside = _Jumps(after_break=live, after_continue=jumps.after_continue)
+        at, head = live, live
+        kept: list[n.Stmt] = []
+        for item in reversed(stmt.body):
+            new: n.Stmt | None = item
+            if isinstance(item, n.Case):
+                head |= at
+            else:
+                new, at = self.nested(item, at, inside)
+            if new is not None:
+                kept.append(new)
+        if all(isinstance(item, n.Case) or _is_break(item) for item in kept):
+            return self.expression(n.ExprStmt(stmt.span, stmt.selector), live)
+        before = self.evaluated(stmt.selector, head)
+        if isinstance(kept[0], n.Case):  # Something has to follow the last label.
+            kept.insert(0, n.Jump(NOWHERE, "break"))
+        body = tuple(reversed(kept))
+        same = len(body) == len(stmt.body) and all(map(operator.is_, body, stmt.body))
+        return (stmt if same else replace(stmt, body=body)), before
+
+    def _is_dead(self, target: n.Expr, live: Live) -> bool:
+        """Is nothing of what is assigned there wanted, and does nothing else happen there?"""
+        effects = self.table.of(target)
+        return root_variable(target) not in live and not effects.writes and not effects.does
 
     def _matters(self, expr: n.Expr, live: Live) -> bool:
         effects = self.table.of(expr)
         return bool(effects.writes & live) or bool(effects.does & Does.DISCARD)
 
 
-def _continues(stmt: n.Stmt) -> bool:
-    return any(isinstance(item, n.Jump) and item.word == "continue" for item in walk(stmt))
+def _last_call(node: n.Node) -> n.Call | None:
+    """The call that is the last thing which a statement does, an assignment to a variable apart."""
+    match node:
+        case n.ExprStmt(expr=n.Assign(op="=", target=n.Name(), value=n.Call() as call)):
+            return call
+        case n.ExprStmt(expr=n.Call() as call) | n.Return(value=n.Call() as call):
+            return call
+        case n.VarDecl(declarators=(n.Declarator(init=n.Call() as call),)):
+            return call
+    return None
+
+
+def _is_break(stmt: n.Stmt) -> bool:
+    return isinstance(stmt, n.Jump) and stmt.word == "break"
 
 
 def _is_empty(stmt: n.Stmt) -> bool:

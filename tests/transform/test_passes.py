@@ -10,6 +10,7 @@ from shadercache.sema.check import check
 from shadercache.sema.verify_tree import verify_module
 from shadercache.source import Source
 from shadercache.transform.drop_parameters import drop_parameters
+from shadercache.transform.drop_results import drop_results
 from shadercache.transform.make_precise import make_precise
 from shadercache.transform.names import FreshNames, fresh_prefix
 from shadercache.transform.rename import rename
@@ -157,6 +158,31 @@ def test_drop_parameters_that_are_only_handed_down() -> None:
     text = print_module(drop_parameters(module, {"f", "g"}))
     assert "float g(float y);" in text and "return f() + y;" in text
     assert "g(3.0)" in text and "return g(2.0);" in text
+
+
+def test_drop_parameters_that_only_pass_through() -> None:
+    module = module_of(
+        """void f(inout float x, out float y) {}
+        void main() { float a = u_a; float b; f(a, b); color = vec4(a + b); }"""
+    )
+    text = print_module(drop_parameters(module, {"f"}))
+    assert "void f(out float y)" in text and "f(b);" in text
+
+
+def test_drop_results() -> None:
+    module = module_of(
+        """float g;
+        float f(float x) { if (x > 1.0) { g = x; return x * 2.0; } return g++; }
+        vec3 used(float x) { g = x; return vec3(x); }
+        float kept(float x) { g = x; return x; }
+        void main() { f(u_a); f(2.0); float y = used(u_a).x; kept(y); color = vec4(g); }"""
+    )
+    text = print_module(drop_results(module, {"f", "used"}))
+    assert "void f(float x)" in text and "x * 2.0" not in text
+    assert "    }\n    g++;\n}" in text
+    assert "        return;\n" in text and "vec3 used(float x)" in text
+    assert "float kept(float x)" in text  # not one of those that were asked for
+    assert drop_results(module, {"used"}) is module
 
 
 def test_make_precise() -> None:

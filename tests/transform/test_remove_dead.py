@@ -117,7 +117,7 @@ def main_of(body: str, *wanted: str) -> list[str]:
             "float a = u_a; if (a > 0.0) discard; color = vec4(u_b);",
             ["float a = u_a;", "if (a > 0.0)", "discard;", "color = vec4(u_b);"],
         ),
-        # A switch is one thing.
+        # A switch goes where nothing of it is left.
         (
             "float a = 0.0; switch (1) { case 1: a = u_a; } color = vec4(u_b);",
             ["color = vec4(u_b);"],
@@ -162,6 +162,100 @@ def test_calls_stay_for_what_they_write() -> None:
     assert "ignore" not in text and "dead" not in text
     assert "set(u_a);" in text and "give(u_a, a);" in text
     assert "u_b" not in text
+
+
+FUNCTIONS = """float g;
+float h;
+float set(float x) { g = x; return x * 2.0; }
+float count(float x) { h += 1.0; return x; }
+float last(float x) { h = x; return x; }
+"""
+
+
+@pytest.mark.parametrize(
+    ("body", "left"),
+    [
+        ("float a = 2.0 * set(u_a) + u_b; color = vec4(g);", ["set(u_a);", "color = vec4(g);"]),
+        ("float a; a = -set(u_a); a *= u_b; color = vec4(g);", ["set(u_a);", "color = vec4(g);"]),
+        (
+            "vec2 a; a.x = vec2(count(u_a), set(u_b)).y; color = vec4(g);",
+            ["set(u_b);", "color = vec4(g);"],
+        ),
+        (
+            "if (set(u_a) > u_b) h = 1.0; color = vec4(g);",
+            ["set(u_a);", "color = vec4(g);"],
+        ),
+        # Whether it is called at all still hangs on the left side.
+        (
+            "bool a = u_a > 0.0 && set(u_a) > u_b; color = vec4(g);",
+            ["u_a > 0.0 && set(u_a) > u_b;", "color = vec4(g);"],
+        ),
+        # A counter that only counts itself is dead; so is what is left behind the last reader.
+        ("count(u_a); color = vec4(u_b);", ["color = vec4(u_b);"]),
+        ("color = vec4(h); last(u_a);", ["color = vec4(h);"]),
+        ("last(u_a); color = vec4(h);", ["last(u_a);", "color = vec4(h);"]),
+        ("for (int i = 0; i < 3; i++) { color = vec4(h); last(u_a); }", None),
+        ("color = vec4(last(u_a) + h);", None),
+        ("color = vec4(h + last(u_a));", None),
+        ("float a = last(last(u_a) + h); color = vec4(a);", None),
+    ],
+)
+def test_what_a_call_leaves_behind(body: str, left: list[str] | None) -> None:
+    """``None``: all of it stays, the body of ``last`` included."""
+    text = pruned(f"{FUNCTIONS}void main() {{ {body} }}")
+    found = [line.strip() for line in text.split("void main() {", 1)[1].splitlines()]
+    if left is not None:
+        assert [line for line in found if line not in ("", "}")] == left
+    else:
+        assert "h = x;" in text and "last(u_a)" in text
+
+
+@pytest.mark.parametrize(
+    ("body", "left"),
+    [
+        # Only what is wanted behind the switch is left of its groups; the last label needs a body.
+        (
+            "float a = 0.0; float d = 0.0; switch (1) { case 1: a = u_a; d = u_b; break;"
+            " case 2: d += 1.0; default: d += 2.0; } color = vec4(a);",
+            [
+                "float a = 0.0;",
+                "switch (1) {",
+                *("case 1:", "a = u_a;", "break;", "case 2:", "default:", "break;"),
+                "}",
+                "color = vec4(a);",
+            ],
+        ),
+        # A group falls through to the next, so what that reads is wanted.
+        (
+            "float a = 0.0; float d; switch (1) { case 1: d = u_b; case 2: a = d; break; }"
+            " color = vec4(a);",
+            None,
+        ),
+        ("float a; switch (1) { case 1: if (u_a > 0.0) discard; } color = vec4(u_b);", None),
+    ],
+)
+def test_a_switch_is_pruned_inside(body: str, left: list[str] | None) -> None:
+    if left is None:
+        left = [part for part in main_of(body, "color", "store") if part != "float a;"]
+    assert main_of(body) == left
+
+
+@pytest.mark.parametrize(
+    ("body", "left"),
+    [
+        ("color = vec4(u_a); if (u_b > 0.0) { store = color; return; }", ["color = vec4(u_a);"]),
+        (
+            "color = vec4(u_a); if (u_b > 0.0) return; else { if (u_a > 0.0) { return; } }",
+            ["color = vec4(u_a);"],
+        ),
+        ("if (u_b > 0.0) return; color = vec4(u_a);", None),
+        ("if (u_b > 0.0) { color = vec4(u_b); return; } color = vec4(u_a);", None),
+        ("for (;;) { if (u_b > 0.0) { color = vec4(u_a); return; } }", None),
+    ],
+)
+def test_a_return_behind_which_nothing_comes_goes(body: str, left: list[str] | None) -> None:
+    assert main_of(body) == (left or main_of(body, "color", "store"))
+    assert left is not None or "return" in " ".join(main_of(body))
 
 
 def test_only_the_wanted_outputs_are_left() -> None:
