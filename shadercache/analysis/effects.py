@@ -94,8 +94,8 @@ class Linked:
     """
 
     function: n.FunctionDef
-    inside: Effects
-    """Of its body: locals and parameters count."""
+    names: frozenset[str]
+    """What it declares or writes: variables of other names are the same before and behind it."""
     head: Head
 
 
@@ -151,8 +151,8 @@ class EffectTable:
             effects, exposed_in(function, self) - own, overwritten_in(function, self) - own, params
         )
         heads: dict[object, Head] = self._memo.table("heads of functions")
-        sets = (effects.reads, effects.writes, head.exposed, head.overwritten)
-        return Linked(function, inside, heads.setdefault((*sets, does.value, params), head))
+        key = (effects.reads, effects.writes, head.exposed, head.overwritten, does.value, params)
+        return Linked(function, own | inside.writes, heads.setdefault(key, head))
 
     def _callees(self, function: n.FunctionDef) -> tuple[str, ...]:
         """The names of all functions that a function calls, built-in ones too."""

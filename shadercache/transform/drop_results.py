@@ -21,7 +21,6 @@ from shadercache.ast.memo import Memo
 from shadercache.ast.rewrite import Rewriter
 from shadercache.ast.walk import walk
 from shadercache.source import NOWHERE
-from shadercache.transform.reachable import kept_names
 
 
 def drop_results(
@@ -29,8 +28,7 @@ def drop_results(
 ) -> n.Module:
     """The module without unused results of the given functions (the same one if none)."""
     memo = Memo() if memo is None else memo
-    returning = _returning(module, functions)
-    unused = returning - _used(module, returning, memo) if returning else returning
+    unused = _returning(module, functions).difference(*(_used(d, memo) for d in module.decls))
     if not unused:
         return module
     table = EffectTable(module, memo)
@@ -47,12 +45,20 @@ def _returning(module: n.Module, functions: Collection[str]) -> set[str]:
     }
 
 
-def _used(module: n.Module, functions: set[str], memo: Memo) -> set[str]:
-    """Functions with a call that is not a statement of its own."""
-    callers = [decl for decl in module.decls if not kept_names(decl, memo).isdisjoint(functions)]
-    items = [item for decl in callers for item in walk(decl)]
-    alone = {item.expr for item in items if isinstance(item, n.ExprStmt)}
-    return {item.name for item in items if isinstance(item, n.Call) and item not in alone}
+def _used(decl: n.Decl, memo: Memo) -> frozenset[str]:
+    """Functions with a call in the declaration that is not a statement of its own."""
+    kept: dict[n.Decl, frozenset[str]] = memo.table("used results")
+    found = kept.get(decl)
+    if found is None:
+        calls: list[n.Call] = []
+        alone: set[n.Expr | None] = set()
+        for item in walk(decl):
+            if isinstance(item, n.Call):
+                calls.append(item)
+            elif isinstance(item, n.ExprStmt):
+                alone.add(item.expr)
+        found = kept[decl] = frozenset(call.name for call in calls if call not in alone)
+    return found
 
 
 def _without(decl: n.Decl, unused: set[str], table: EffectTable) -> n.Decl:

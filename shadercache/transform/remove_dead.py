@@ -18,7 +18,7 @@ Works by name, on a module in which every identifier means one thing
 from __future__ import annotations
 
 import operator
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import cast
 
@@ -34,7 +34,7 @@ from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.walk import EXPRESSIONS, children, walk
 from shadercache.source import NOWHERE
-from shadercache.transform.reachable import keep_reachable, names_in
+from shadercache.transform.reachable import keep_reachable, kept_names, names_in
 
 Live = frozenset[str]
 
@@ -58,50 +58,57 @@ def _prune_functions(module: n.Module, outputs: Live, memo: Memo) -> n.Module:
     table = EffectTable(module, memo)
     live: dict[str, Live] = {"main": outputs}
     pruned: dict[n.Decl, n.FunctionDef] = {}
-    for function in _callers_first(table.functions):
+    for function in _callers_first(table.functions, memo):
         # What no call leads to is never executed; it goes with the declarations.
         at_exit = live.get(function.name, frozenset())
-        new, after_calls = _pruned(table, table.linked(function.name), at_exit, memo)
-        if new is not function:
-            pruned[function] = new
-        for name, names in after_calls.items():
-            live[name] = live.get(name, frozenset()) | names
+        linked = table.linked(function.name)
+        found = _pruned(table, linked, at_exit & linked.names, memo)
+        if found.function is not function:
+            pruned[function] = found.function
+        # What it has no say in is live throughout.
+        through = at_exit - linked.names
+        for name, after in found.after_calls.items():
+            live[name] = live.get(name, frozenset()) | after | through
     if not pruned:
         return module
     return replace(module, decls=tuple(pruned.get(decl, decl) for decl in module.decls))
 
 
-def _callers_first(functions: dict[str, n.FunctionDef]) -> list[n.FunctionDef]:
+@dataclass(frozen=True, slots=True)
+class _Pruned:
+    """A function without what is dead in it, and what is live behind its calls."""
+
+    function: n.FunctionDef
+    after_calls: dict[str, Live]
+
+
+def _pruned(table: EffectTable, linked: Linked, at_exit: Live, memo: Memo) -> _Pruned:
+    """One function pruned, where ``at_exit`` is live when it returns: of its own names."""
+    kept: dict[tuple[Linked, Live], _Pruned] = memo.table("pruned functions")
+    found = kept.get((linked, at_exit))
+    if found is None:
+        function, after_calls = linked.function, dict[str, Live]()
+        body, _ = _Pruner(table, at_exit, after_calls).block(function.body, at_exit)
+        if body is not function.body:
+            function = replace(function, body=body)
+        found = kept[linked, at_exit] = _Pruned(function, after_calls)
+    return found
+
+
+def _callers_first(functions: dict[str, n.FunctionDef], memo: Memo) -> list[n.FunctionDef]:
     order: dict[str, n.FunctionDef] = {}
     stack = [*functions.values()]
     open_: set[str] = set()
     while stack:
         function = stack[-1]
-        called = names_in(function.body) & functions.keys()
         if function.name not in open_:
             open_.add(function.name)
+            called = kept_names(function.body, memo) & functions.keys()
             stack += [functions[name] for name in called if name not in open_]
             continue
         stack.pop()
         order.setdefault(function.name, function)
     return [*order.values()][::-1]
-
-
-def _pruned(
-    table: EffectTable, linked: Linked, at_exit: Live, memo: Memo
-) -> tuple[n.FunctionDef, Mapping[str, Live]]:
-    """One function without what is dead in it, where ``at_exit`` is live when it returns; and what
-    is live behind its calls."""
-    kept: dict[object, tuple[n.FunctionDef, Mapping[str, Live]]] = memo.table("pruned functions")
-    # What it does not write itself is live throughout, or not at all, and decides nothing.
-    at_exit &= linked.inside.writes
-    found = kept.get((linked, at_exit))
-    if found is None:
-        function, pruner = linked.function, _Pruner(table, at_exit, {})
-        body, _ = pruner.block(function.body, at_exit)
-        new = function if body is function.body else replace(function, body=body)
-        found = kept[linked, at_exit] = new, pruner.after_calls
-    return found
 
 
 @dataclass(frozen=True, slots=True)
