@@ -1,5 +1,5 @@
 #version 330
-// What stands in unrolled loops: branches, returns, discards, other loops, arrays, out arguments.
+// What stands in unrolled loops: branches, returns, discards, other loops, arrays, inout arguments.
 in vec3 v_position;
 in vec3 v_normal;
 in vec2 v_uv;
@@ -10,14 +10,12 @@ float wave(vec3 p) {
     return sin(p.x * 3.1) * cos(p.y * 2.3) + sin(p.z * 4.7 + cos(p.x));
 }
 
-float march(vec3 p, out int hits) {
-    hits = 0;
+float march(vec3 p) {
     float depth = 0.0;
     for (int i = 0; i < 4; i++) {
         float h = wave(p + v_normal * depth);
         if (h > 1.2) return depth;
         depth += 0.1 + 0.05 * abs(h);
-        hits = i + 1;
     }
     return -depth;
 }
@@ -27,8 +25,7 @@ void shift(inout vec3 p, int by) {
 }
 
 void main() {
-    int hits;
-    float depth = march(v_position * 0.5, hits);
+    float depth = march(v_position * 0.5);
     vec3 p = v_normal;
     float w[3];
     float sum = 0.0;
@@ -58,5 +55,5 @@ void main() {
         sum += i == 2 ? wave(p * 1.7) : 0.25;
         if (v_uv.x * float(i) > 1.9) discard;
     }
-    o_color = vec4(sum, w[0] + w[1] * w[2], depth, 1.0) * 0.25 + 0.1 * float(hits);
+    o_color = vec4(sum, w[0] + w[1] * w[2], depth, 1.0) * 0.25 + 0.1;
 }
