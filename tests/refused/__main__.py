@@ -58,14 +58,13 @@ def static_rows() -> Iterator[tuple[str, Analysis | None]]:
 def measured(gpu: Gpu, scene: Scene, analysis: Analysis, rounds: int) -> dict[str, float]:
     """Least seconds of processor time for the original, the offers and the bare geometry."""
     written = emit_original(analysis)
-    original = Bundle(written.manifest, written.files)
-    offers = Bundle(written.manifest, programs(analysis))
+    made = {name: Bundle(written.manifest, files) for name, files in programs(analysis).items()}
     found: dict[str, list[float]] = {"original": [], "offers": [], "geometry": []}
     with (
         Stage(gpu, scene, SIZE) as stage,
-        OriginalRunner(stage, original) as whole,
-        OriginalRunner(stage, offers) as part,
-        GeometryRunner(stage, original) as bare,
+        OriginalRunner(stage, made["original"]) as whole,
+        OriginalRunner(stage, made["offers"]) as part,
+        GeometryRunner(stage, made["original"]) as bare,
         no_collection(),
     ):
         for frame in range(rounds + 1):  # the first draws of a program are slow

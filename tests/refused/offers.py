@@ -19,9 +19,9 @@ from shadercache.ast import nodes as n
 from shadercache.ast.walk import children, walk
 from shadercache.compiler import Analysis
 from shadercache.emit.assemble import Shader, interface, merge, with_locations, without_main
-from shadercache.emit.fragment import exact_original
 from shadercache.emit.printer import print_module
 from shadercache.emit.runtime import runtime_names
+from shadercache.emit.vertex import VertexEmitter
 from shadercache.front.parse import parse
 from shadercache.lang.types import Type
 from shadercache.source import Source
@@ -59,7 +59,7 @@ def refused_cost(analysis: Analysis) -> Refused:
     """
     costs, calls = CostTable(analysis.program.facts), analysis.program.facts.calls
     held, trips = _held(analysis), _trips(analysis)
-    live = set(walk(exact_original(analysis.program).module))
+    live = set(walk(_original(analysis).module))
     total, codes = 0.0, dict[str, float]()
     for node in analysis.nodes:
         if node.instance is None or node.expr not in live:
@@ -98,13 +98,26 @@ def _held(analysis: Analysis) -> set[Operation]:
     return roots | _inside(analysis, roots)
 
 
-def programs(analysis: Analysis) -> dict[str, str]:
-    """The two stages of the shader that computes the offers, to be drawn like the original."""
-    fragment = offers_of(analysis)
-    return {
-        "original.frag": _text(fragment),
-        "original.vert": _text(analysis.vertex_emitter.for_fragment(fragment)),
-    }
+def programs(analysis: Analysis) -> dict[str, dict[str, str]]:
+    """Two shaders with both stages: the one whose cost is asked for (its loops unrolled where the
+    offers' are), and the one that computes the offers, to be drawn like it."""
+    shaders = {"original": _original(analysis), "offers": offers_of(analysis)}
+    return {name: _files(analysis, fragment) for name, fragment in shaders.items()}
+
+
+def _original(analysis: Analysis) -> Shader:
+    """The shader as the analyses see it, without what it does not need."""
+    color = analysis.program.color
+    return interface(with_locations(remove_dead(analysis.program.module, [color]), {color: 0}))
+
+
+def _files(analysis: Analysis, fragment: Shader) -> dict[str, str]:
+    assert analysis.vertex_module is not None
+    prefix = analysis.program.prefix
+    raised = analysis.raised[1].module
+    memo = analysis.program.memo
+    vertex = VertexEmitter(raised, analysis.vertex_module, prefix, memo).for_fragment(fragment)
+    return {"original.frag": _text(fragment), "original.vert": _text(vertex)}
 
 
 def offers_of(analysis: Analysis) -> Shader:

@@ -77,7 +77,7 @@ def test_a_loop_whose_sum_is_offered_is_not_refused() -> None:
 
 def test_the_program_of_the_offers_computes_them_and_nothing_else() -> None:
     body = "float a = dFdx(wave(p.yxz)); color = vec4(a * a * wave(p));"
-    text = programs(analysis_of(body))["original.frag"]
+    text = programs(analysis_of(body))["offers"]["original.frag"]
     assert "wave(p)" in text
     assert "dFdx" not in text
     assert "yxz" not in text
