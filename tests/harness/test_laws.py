@@ -62,6 +62,22 @@ def test_the_algorithms_agree(stage: Stage, bundle: Bundle) -> None:
     assert not same_bits(runs[0][6], original[6]), "values must be reused in motion"
 
 
+def test_programs_that_differ_in_the_heading_are_one(stage: Stage, bundle: Bundle) -> None:
+    spec = bundle.original
+    version, rest = spec.fragment.text.split("\n", 1)
+
+    def program(comment: str) -> object:
+        text = f"{version}\n{comment}\n// drawn\n{rest}"
+        made = stage.programs.acquire(spec.vertex, Source(spec.fragment.name, text))
+        stage.programs.release(made)
+        return made
+
+    first = program("// shadercache: 1-pass, node main.3-0123abcd")
+    assert program("// shadercache: 2-pass.hit, node main.4-0123abce") is first
+    # A backslash would carry the comment on to the next line.
+    assert program("// shadercache: 1-pass, node main.3-0123abcd \\") is not first
+
+
 def test_half_floats_stay_near(stage: Stage, bundle: Bundle) -> None:
     original = render_original(stage, bundle, range(6))
     covered = original[5][..., 3] > 0

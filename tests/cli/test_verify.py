@@ -1,0 +1,84 @@
+"""``shadercache verify``: one node of each value, or every node where that is asked for."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from .conftest import Shell
+
+pytestmark = pytest.mark.xdist_group("gl")
+
+FRAGMENT = """#version 330
+in vec3 v_position;
+out vec4 f_color;
+float wave(vec3 p) { return sin(p.x * 3.1) * cos(p.y * 2.3) + pow(abs(p.z), 1.3); }
+void main() {
+    float a = wave(v_position);
+    float b = (wave(v_position));
+    f_color = vec4(a, a * b, b, 1.0);
+}
+"""
+VERTEX = """#version 330
+in vec3 a_position;
+uniform mat4 u_mvp;
+out vec3 v_position;
+void main() {
+    v_position = a_position;
+    gl_Position = u_mvp * vec4(a_position, 1.0);
+}
+"""
+SCENE = """
+name = "square"
+fragment = "square.frag"
+vertex = "square.vert"
+mesh = "square.npz"
+[attributes]
+a_position = "position"
+[camera]
+eye = [0.0, 0.0, 3.0]
+fov_degrees = 45.0
+near = 1.0
+far = 10.0
+[motion]
+axis = [0.0, 1.0, 0.0]
+degrees_per_frame = 1.0
+[uniforms]
+u_mvp = "model-view-projection"
+"""
+
+
+@pytest.fixture
+def scene(tmp_path: Path) -> Path:
+    """A square that turns."""
+    corners = np.array([(-1, -1, 0.1), (1, -1, 0.2), (1, 1, 0.3), (-1, 1, 0.4)], np.float32)
+    index = np.array([(0, 1, 2), (0, 2, 3)], np.uint32)
+    np.savez(tmp_path / "square.npz", position=corners, index=index)
+    (tmp_path / "square.frag").write_text(FRAGMENT)
+    (tmp_path / "square.vert").write_text(VERTEX)
+    path = tmp_path / "square.toml"
+    path.write_text(SCENE)
+    return path
+
+
+def test_one_node_of_each_value_is_checked(shell: Shell, scene: Path, tmp_path: Path) -> None:
+    output = tmp_path / "verdicts.json"
+    done = shell("verify", scene, "-j", 1, "-o", output)
+    assert done.status == 0, done.err
+    report = json.loads(output.read_text())
+    assert report["equal_to_checked"] >= 3
+    assert f"{report['equal_to_checked']} more nodes have the value of one of these" in done.out
+    texts = [node["text"] for node in report["nodes"]]
+    assert len(texts) == report["checked"]
+    assert texts.count("wave(v_position)") == 1
+
+
+def test_every_node_is_checked_where_that_is_asked_for(shell: Shell, scene: Path) -> None:
+    done = shell("verify", scene, "-j", 1, "--every-node", "--proof-only", "--json")
+    assert done.status == 0, done.err
+    report = done.json
+    assert report["equal_to_checked"] == 0
+    assert [node["text"] for node in report["nodes"]].count("wave(v_position)") == 2
