@@ -23,7 +23,8 @@ from shadercache.analysis.restrictions import check_stages
 from shadercache.analysis.sets import check_needed, check_set
 from shadercache.ast import nodes as n
 from shadercache.diagnostics import Diagnostic, InputError, UsageError, input_error, usage_error
-from shadercache.emit.fragment import FragmentEmitter, FragmentProgram
+from shadercache.emit.builder import FragmentProgram
+from shadercache.emit.fragment import FragmentEmitter
 from shadercache.emit.full_screen import full_screen_vertex
 from shadercache.emit.printer import print_node
 from shadercache.emit.vertex import VertexEmitter

@@ -46,7 +46,7 @@ from shadercache.ast.large import allow_deep_trees
 from shadercache.ast.walk import walk
 from shadercache.diagnostics import Diagnostic, InputError, input_error
 from shadercache.emit import program_set
-from shadercache.emit.fragment import FragmentProgram
+from shadercache.emit.builder import FragmentProgram
 from shadercache.emit.printer import print_node
 from shadercache.front.options import ReadOptions
 from shadercache.manifest import build_manifest, original_manifest, with_mapping

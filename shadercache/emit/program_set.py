@@ -11,7 +11,8 @@ from dataclasses import dataclass, field, replace
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.emit.assemble import Shader, interface
-from shadercache.emit.fragment import FragmentEmitter, FragmentProgram, exact_original
+from shadercache.emit.builder import FragmentProgram, exact_original
+from shadercache.emit.fragment import FragmentEmitter
 from shadercache.emit.printer import print_module
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.options import Options
