@@ -14,13 +14,7 @@ from shadercache.analysis.neighbours import SharedUse, evaluation_order
 from shadercache.analysis.precision import PrecisionTable
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
-from shadercache.emit.assemble import (
-    Shader,
-    interface,
-    merge,
-    with_locations,
-    without_main,
-)
+from shadercache.emit.assemble import Shader, interface, merge, with_locations, without_main
 from shadercache.emit.layout import Layout
 from shadercache.emit.runtime import Located, load_part, runtime_names
 from shadercache.options import CURRENT_CLIP, FetchForm, MappingKind

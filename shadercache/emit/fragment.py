@@ -5,9 +5,7 @@ from __future__ import annotations
 from shadercache.analysis.candidates import Candidate
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
-from shadercache.emit.assemble import (
-    Shader,
-)
+from shadercache.emit.assemble import Shader
 from shadercache.emit.builder import PassBuilder
 from shadercache.emit.one_pass import one_pass, unfit_for_one_pass
 from shadercache.transform.reachable import names_in

@@ -9,11 +9,7 @@ from shadercache.analysis.effects import Does, EffectTable
 from shadercache.analysis.instances import Use
 from shadercache.analysis.neighbours import SharedUse
 from shadercache.ast import nodes as n
-from shadercache.emit.assemble import (
-    Shader,
-    call_all,
-    variable,
-)
+from shadercache.emit.assemble import Shader, call_all, variable
 from shadercache.emit.builder import PassBuilder
 from shadercache.emit.keep_globals import call_keeping
 from shadercache.options import FetchForm
