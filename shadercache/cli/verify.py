@@ -162,8 +162,9 @@ def _text(
         "",
         f"law 1: {_law_1(round_trip)}",
         f"laws 2-4: {len(verdicts) - broken} of {len(verdicts)} nodes exact in proof mode",
-        f"plain mode changes bits for {plain} of {len(verdicts)} nodes",
     ]
+    if any(verdict.plain for verdict in verdicts):
+        lines.append(f"plain mode changes bits for {plain} of {len(verdicts)} nodes")
     if equal:
         lines.append(f"{equal} more nodes have the value of one of these (--every-node checks all)")
     if ties > MAX_TIES:

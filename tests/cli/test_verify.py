@@ -71,9 +71,17 @@ def test_one_node_of_each_value_is_checked(shell: Shell, scene: Path, tmp_path: 
     report = json.loads(output.read_text())
     assert report["equal_to_checked"] >= 3
     assert f"{report['equal_to_checked']} more nodes have the value of one of these" in done.out
+    assert "plain mode changes bits for" in done.out
     texts = [node["text"] for node in report["nodes"]]
     assert len(texts) == report["checked"]
     assert texts.count("wave(v_position)") == 1
+
+
+def test_what_was_not_measured_is_not_told(shell: Shell, scene: Path) -> None:
+    done = shell("verify", scene, "-j", 1, "--proof-only")
+    assert done.status == 0, done.err
+    assert "laws 2-4" in done.out
+    assert "plain mode changes" not in done.out
 
 
 def test_every_node_is_checked_where_that_is_asked_for(shell: Shell, scene: Path) -> None:
