@@ -20,7 +20,7 @@ from shadercache.analysis.inputs import input_kinds
 from shadercache.analysis.overlap import OverlapTable, Parts
 from shadercache.analysis.refusals import Code
 from shadercache.analysis.restrictions import check_stages
-from shadercache.analysis.sets import check_needed, check_set
+from shadercache.analysis.sets import check_needed, check_set, companion, note_on_overlap
 from shadercache.ast import nodes as n
 from shadercache.diagnostics import Diagnostic, InputError, UsageError, input_error, usage_error
 from shadercache.emit.builder import FragmentProgram
@@ -36,6 +36,10 @@ from shadercache.transform.raise_version import Raised
 
 _UNROLLED = re.compile(r"\.\d+u-")
 _INCLUDE = re.compile(r"#[ \t]*include\b")
+
+
+MUCH = 0.1
+"""Share of a shader in both passes from which on it is told."""
 
 
 @dataclass(frozen=True)
@@ -158,6 +162,24 @@ class Analysis:
     def parts(self, *nodes: Candidate) -> Parts:
         """What the payload pass and the shading pass cost where the nodes are cached together."""
         return self._overlaps.parts(nodes)
+
+    def carrying(self, nodes: Sequence[Candidate]) -> tuple[Candidate, ...]:
+        """The nodes, and what has to be cached along so that little is computed in both passes:
+        as much as fits beside them."""
+        found = tuple(nodes)
+        while (more := companion(found, self.groups, self._overlaps)) is not None:
+            found = (*found, more)
+        return found
+
+    def overlap_notes(self, nodes: Sequence[Candidate]) -> tuple[Diagnostic, ...]:
+        """SC423 where much is computed in both passes and another payload would save it."""
+        parts = self.parts(*nodes)
+        if parts.overlap < MUCH * parts.whole:
+            return ()
+        more = companion(nodes, self.groups, self._overlaps)
+        if more is None:
+            return ()
+        return (note_on_overlap(nodes, more, self._overlaps, self.fragment),)
 
     @cached_property
     def input_kinds(self) -> dict[str, str]:

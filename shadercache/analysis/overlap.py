@@ -283,9 +283,11 @@ class _Walker:
         inside = self.function(instance, cuts, at_exit, returns)
         cost, reads = inside.cost, inside.reads
         for param, arg in zip(instance.places.function.proto.params, call.args, strict=True):
-            if param.name in inside.reads:
-                need = self.need(arg)
-                cost, reads = cost + need.cost, reads | need.reads
+            needs = [self.need(arg)] if param.name in inside.reads else []
+            if not needs and self.goal and arg in self.cuts.touched:
+                needs += self.goals(arg)
+            cost += sum(item.cost for item in needs)
+            reads = reads.union(*(item.reads for item in needs))
         return _Need(cost, reads)
 
 

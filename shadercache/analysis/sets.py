@@ -6,10 +6,12 @@ from collections.abc import Mapping, Sequence
 from itertools import combinations
 
 from shadercache.analysis.candidates import FIRST_TEXEL, SECOND_TEXEL, Candidate
+from shadercache.analysis.cost import FETCH
 from shadercache.analysis.effects import Does
 from shadercache.analysis.groups import Group
 from shadercache.analysis.instances import Instance, Use
-from shadercache.diagnostics import Diagnostic, InputError, Severity
+from shadercache.analysis.overlap import OverlapTable
+from shadercache.diagnostics import Diagnostic, InputError, Severity, shortened
 from shadercache.source import Source
 
 CHANNELS = FIRST_TEXEL + SECOND_TEXEL
@@ -64,6 +66,43 @@ def notes_on(nodes: Sequence[Candidate], source: Source) -> tuple[Diagnostic, ..
         for node in nodes
         if is_skipped(node)
     )
+
+
+def companion(
+    nodes: Sequence[Candidate], groups: Mapping[Candidate, Group], overlaps: OverlapTable
+) -> Candidate | None:
+    """What to cache along with ``nodes`` so that both passes compute the least twice.
+
+    ``None`` where nothing that fits beside them saves more than the fetch that it may cost.
+    """
+    free = CHANNELS - sum(node.type.components_or_one for node in nodes)
+    taken = {groups[node] for node in nodes}
+    now = overlaps.parts(nodes).overlap
+    found: list[tuple[float, int, float, int]] = []
+    firsts = [group.first for group in dict.fromkeys(groups.values()) if group not in taken]
+    for number, node in enumerate(firsts):
+        width = node.type.components_or_one if node.offered else CHANNELS + 1
+        # What travels along is a part of what is shared, and more than a fetch of it.
+        if width > free or not FETCH < node.cost <= now + FETCH or is_skipped(node):
+            continue
+        parts = overlaps.parts((*nodes, node))
+        if parts.overlap < now - FETCH:
+            found.append((parts.overlap, width, parts.remainder, number))
+    return firsts[min(found)[-1]] if found else None
+
+
+def note_on_overlap(
+    nodes: Sequence[Candidate], other: Candidate, overlaps: OverlapTable, source: Source
+) -> Diagnostic:
+    """SC423: what both passes compute, and what caching another value along leaves of it."""
+    now, then = overlaps.parts(nodes), overlaps.parts((*nodes, other))
+    whole = now.whole or 1.0
+    message = (
+        f"payload and shading both compute {now.overlap / whole:.0%} of the shader; with "
+        f"'{shortened(other.text, 60)}' ({other.id}) in the cache too they share "
+        f"{then.overlap / whole:.0%}"
+    )
+    return Diagnostic("SC423", message, source, other.expr.span, "--carry does so", Severity.NOTE)
 
 
 def is_skipped(node: Candidate) -> bool:

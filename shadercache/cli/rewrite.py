@@ -55,6 +55,9 @@ def command(
     unprofitable: Annotated[
         bool, typer.Option("--unprofitable", help="Also nodes that cost less than a fetch.")
     ] = False,
+    carry: Annotated[
+        bool, typer.Option("--carry", help="Also cache what payload and shading both compute.")
+    ] = False,
     define: DefineOption = None,
     undefine: UndefineOption = None,
     include: IncludeOption = None,
@@ -77,15 +80,18 @@ def command(
     if analysis.vertex is None and not analysis.full_screen:
         hint = "name it with --vert, or draw full-screen with --mapping screen"
         raise usage_error("SC005", "the vertex shader is missing", hint)
+    nodes = analysis.nodes_of("+".join(node))
+    analysis.require_all(nodes, unprofitable)
+    told = () if carry else analysis.overlap_notes(nodes)
     emission = rewrite(
         analysis,
-        analysis.nodes_of("+".join(node)),
+        analysis.carrying(nodes) if carry else nodes,
         Options(mode=mode, cache_format=cache_format, fetches=fetches),
         algorithms=ALGORITHMS if passes == "all" else (int(passes),),
         unprofitable=unprofitable,
     )
     _write(emission, out)
-    context.obj.show((*analysis.notes, *emission.notes))
+    context.obj.show((*analysis.notes, *emission.notes, *told))
     print(
         f"wrote {len(emission.files)} shaders and {MANIFEST} to {out} (mapping: {analysis.mapping})"
     )

@@ -11,8 +11,10 @@ from shaders import find
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.cost import FETCH, CostTable
+from shadercache.analysis.groups import one_of_each
 from shadercache.ast import nodes as n
 from shadercache.compiler import Analysis, analyse
+from shadercache.diagnostics import InputError
 from shadercache.emit.assemble import Shader
 from shadercache.emit.fragment import FragmentEmitter
 from shadercache.emit.printer import print_module
@@ -50,6 +52,44 @@ def test_what_travels_along_is_not_computed_twice() -> None:
     both = analysis.parts(*(find(analysis, text, "main") for text in (ONCE, AT)))
     assert both.overlap == 0.0
     assert both.payload < both.whole
+
+
+def test_what_saves_most_is_carried_along() -> None:
+    analysis = analysed_body(BODY, NOISE)
+    once, at = find(analysis, ONCE, "main"), find(analysis, AT, "main")
+    (note,) = analysis.overlap_notes([once])
+    assert note.code == "SC423" and at.id in note.message
+    assert analysis.carrying([once]) == (once, at)
+    assert analysis.carrying([at]) == (at,) and not analysis.overlap_notes([at])
+    assert analysis.carrying([once, at]) == (once, at)
+
+
+def test_what_does_not_fit_is_not_carried() -> None:
+    body = BODY.replace("vec3 at", "mat2 wide = mat2(once(v_position)); vec3 at").replace(
+        "float once = noise(at + 1.0);", "mat2 wide = mat2(noise(at + 1.0));"
+    )
+    body = body.replace("mat2 wide = mat2(once(v_position)); ", "")
+    body = body.replace("at * once", "at * wide[0].x").replace(", 1.0);", ", wide[1].y);")
+    analysis = analysed_body(body, NOISE)
+    wide = find(analysis, "mat2(noise(at + 1.0))", "main")
+    carried = analysis.carrying([wide])
+    assert [node.text for node in carried] == [wide.text, AT]  # 4 + 3 channels
+    both = analysis.carrying([*carried])
+    assert both == carried
+
+
+@pytest.mark.parametrize("name", CACHEABLE)
+def test_no_pass_of_a_set_costs_more_than_is_told(name: str) -> None:
+    analysis = analysed(name)
+    nodes = list(one_of_each((n for n in analysis.nodes if n.legal), analysis.groups))
+    for one, other in zip(
+        day_slice(nodes, seed(), 4), day_slice(nodes, seed() + 1, 4), strict=False
+    ):
+        try:
+            analysis.require_all([one, other], unprofitable=True)
+        except InputError:
+            continue
+        _compare(analysis, one, other)
 
 
 @pytest.mark.parametrize("name", CACHEABLE)
