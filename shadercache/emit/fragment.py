@@ -99,6 +99,10 @@ class FragmentEmitter:
         """One pass: look up, else compute; then shade."""
         if self.whole:
             return self._finish("passes/here", [self._shade("fill")], both=True)
+        return self._made_ahead
+
+    @cached_property
+    def _made_ahead(self) -> Shader:
         made = self._one(())
         changed = self._left_changed(made)
         return self._one(changed) if changed else made
@@ -262,6 +266,15 @@ class FragmentEmitter:
                     "the payload fetches a texture with implicit level of detail at a place "
                     "from which the fetch cannot be moved before the branch"
                 )
+        table = EffectTable(self._made_ahead.module, self.program.memo)
+        compute = self._own("compute")
+        if compute in table.functions and table.summary(compute).does & (
+            Does.DERIVATIVE | Does.IMPLICIT_LOD
+        ):
+            return (
+                "the payload's code takes derivatives that it does not need and that cannot be "
+                "told apart from it"
+            )
         return None
 
     def _fetched(self, expr: n.Expr, name: str) -> n.VarDecl:
