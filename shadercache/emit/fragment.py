@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+
 from shadercache.analysis.candidates import Candidate
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 from shadercache.emit.assemble import Shader
 from shadercache.emit.builder import PassBuilder
-from shadercache.emit.one_pass import one_pass, unfit_for_one_pass
+from shadercache.emit.one_pass import one_pass, unfit_as_made, unfit_for_one_pass
 from shadercache.transform.reachable import names_in
 from shadercache.transform.specialise import CutKind
 
@@ -17,6 +19,10 @@ class FragmentEmitter(PassBuilder):
 
     def one(self) -> Shader:
         """One pass: look up, else compute; then shade."""
+        return self._one
+
+    @cached_property
+    def _one(self) -> Shader:
         return one_pass(self)
 
     def hit(self) -> Shader:
@@ -84,7 +90,7 @@ class FragmentEmitter(PassBuilder):
     def unfit(self, passes: int) -> str | None:
         """Why the nodes cannot be cached in so many passes, if so."""
         if passes == 1:
-            return unfit_for_one_pass(self)
+            return unfit_for_one_pass(self) or unfit_as_made(self, self._one)
         if passes == 3 and self.decides_loops:
             return (
                 "the value decides how long a loop runs, and in the last of three passes fragments "

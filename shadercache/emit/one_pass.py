@@ -88,6 +88,20 @@ def unfit_for_one_pass(builder: PassBuilder) -> str | None:
     return _unfit_here(builder) if builder.whole else _unfit_ahead(builder)
 
 
+def unfit_as_made(builder: PassBuilder, made: Shader) -> str | None:
+    """The same, as the pass that was made shows it."""
+    table = EffectTable(made.module, builder.program.memo)
+    compute, shared = builder.own("compute"), Does.DERIVATIVE | Does.IMPLICIT_LOD
+    if builder.whole or compute not in table.functions:
+        return None
+    if not table.summary(compute).does & shared:
+        return None
+    return (
+        "the payload's code takes derivatives that it does not need and that cannot be told apart "
+        "from it"
+    )
+
+
 def _unfit_here(builder: PassBuilder) -> str | None:
     table = EffectTable(builder.program.module, builder.program.memo)
     shared = Does.DERIVATIVE | Does.IMPLICIT_LOD

@@ -153,6 +153,12 @@ def calls_are_dead(patch: pytest.MonkeyPatch) -> None:
     )
 
 
+def fetches_stay(patch: pytest.MonkeyPatch) -> None:
+    """And nobody asks whether that is allowed."""
+    patch.setattr(neighbours.SharedUses, "inside", lambda *_: [])
+    patch.setattr(fragment.FragmentEmitter, "unfit", lambda self, passes: None)
+
+
 def nothing(*_: object) -> tuple[()]:
     return ()
 
@@ -183,10 +189,7 @@ NOTICED: dict[str, tuple[str, Break]] = {
             effects, "out_arguments", lambda call, table: tuple(False for _ in call.args)
         ),
     ),
-    "neighbours: no fetch ahead": (
-        "gl330-fetched",
-        lambda patch: patch.setattr(neighbours.SharedUses, "inside", lambda *_: []),
-    ),
+    "neighbours: no fetch ahead": ("gl330-fetched", fetches_stay),
     "emission: discards too early": (
         "gl330-discarded",
         lambda patch: patch.setattr(
