@@ -19,7 +19,7 @@ import pytest
 from shadercache import compiler
 from shadercache.analysis import candidates, effects, inside, neighbours, slices
 from shadercache.ast import nodes as n
-from shadercache.emit import fragment, program_set, runtime
+from shadercache.emit import fragment, one_pass, program_set, runtime
 from shadercache.harness.context import Gpu
 from shadercache.transform import (
     drop_parameters,
@@ -64,9 +64,7 @@ def read_parameters_are_dropped(patch: pytest.MonkeyPatch) -> None:
 BROKEN: dict[str, tuple[str, Break]] = {
     "keep_globals: nothing kept": (
         "gl330",
-        lambda patch: patch.setattr(
-            fragment.FragmentEmitter, "_left_changed", lambda self, made: ()
-        ),
+        lambda patch: patch.setattr(one_pass, "_left_changed", lambda builder, made: ()),
     ),
     "drop_parameters: used ones": ("gl330", read_parameters_are_dropped),
     "unique_names: nothing": (
@@ -193,7 +191,7 @@ NOTICED: dict[str, tuple[str, Break]] = {
     "emission: discards too early": (
         "gl330-discarded",
         lambda patch: patch.setattr(
-            fragment.FragmentEmitter, "_takes_derivatives", lambda self, module: False
+            fragment.FragmentEmitter, "takes_derivatives", lambda self, module: False
         ),
     ),
 }
