@@ -169,11 +169,25 @@ def test_several_nodes_are_one_set(
     nodes = ("--node", "+".join(pair)) if joined else ("--node", pair[0], "--node", pair[1])
     out = tmp_path / "out"
     outcome = shell("rewrite", path, *nodes, "-o", out)
-    assert (outcome.status, outcome.err) == (0, "")
+    assert outcome.status == 0 and "error" not in outcome.err
+    assert "note: payload and shading both compute 25% of the shader; with 'wood.a'" in outcome.err
     manifest = json.loads((out / "manifest.json").read_text())
     assert [node["id"] for node in manifest["nodes"]] == list(pair)
     channels = [{"cache": "x"}, {"cache": "yz", "second": "xy"}]
     assert [node["channels"] for node in manifest["nodes"]] == channels
+
+
+def test_what_is_shared_is_carried_along(
+    shell: Shell, several: tuple[Path, dict[str, str]], tmp_path: Path
+) -> None:
+    path, ids = several
+    out = tmp_path / "out"
+    outcome = shell(
+        "rewrite", path, "--node", ids[WIDE], "--node", ids["wood"], "--carry", "-o", out
+    )
+    assert (outcome.status, outcome.err) == (0, "")
+    manifest = json.loads((out / "manifest.json").read_text())
+    assert [node["text"] for node in manifest["nodes"]] == [WIDE, "wood", "wood.a"]
 
 
 def test_a_value_that_comes_and_goes_is_noted(

@@ -4,6 +4,7 @@
 // A Shadertoy of our own: clouds that stand still above a sea that moves. Of the clouds nothing
 // depends on iTime, so the value of the same pixel stays right for ever.
 
+vec4 sc_color;
 uniform sampler2D sc_cache;
 uniform int sc_clock;
 uniform int sc_period;
@@ -59,7 +60,7 @@ void sc_mainImage_1(out vec4 fragColor, in vec2 fragCoord) {
 }
 
 void sc_compute() {
-    sc_mainImage(shadertoyColor, gl_FragCoord.xy);
+    sc_mainImage(sc_color, gl_FragCoord.xy);
 }
 
 void sc_shade() {
