@@ -24,7 +24,7 @@ from shadercache.lang.types import Type
 from shadercache.options import CacheFormat
 
 _XYZW = "xyzw"
-_LOCALS = ["texel", "texel_2", "outcome"]
+_LOCALS = ["texel", "texel_2"]
 _NARROWEST = {1: "r", 2: "rg", 3: "rgba", 4: "rgba"}
 
 
@@ -107,7 +107,7 @@ class Layout:
         masked = whole and len(self.types) > 1
         leaves = self._leaves(prefix, masked)
         # A constructor must not be hidden by a variable of the function that it stands in.
-        names = [f"{prefix}local_{i}" for i in (1, 2, 3)] if self.structs else _LOCALS
+        names = [f"{prefix}local_{i}" for i in (1, 2)] if self.structs else _LOCALS
         found = {
             "TARGETS": str(len(self.channels)),
             "BITS": str(int(self.bits)),

@@ -163,7 +163,9 @@ def test_a_broken_look_up_is_noticed(clouds: Stage, name: str, algorithm: str) -
 
 
 def test_a_look_up_without_hits_is_noticed(clouds: Stage) -> None:
-    bundle = bundle_of(analysed("clouds"), next(iter(STATIC)), "proof", replaced("return 1;", "return 4;"))
+    bundle = bundle_of(
+        analysed("clouds"), next(iter(STATIC)), "proof", replaced("return 1;", "return 4;")
+    )
     assert run(clouds, bundle, "1-pass", NEVER).reused == 0.0
 
 

@@ -5,8 +5,8 @@
 // SC_CHANNELS (the texel's channels that are the payload, where it is one scalar or vector of floats
 // in one texel), SC_DECLARE_VALID, SC_SET_VALID and SC_VALID (whether there is a payload, for each of
 // them; are there all?), SC_DISCRETE_1 and SC_DISCRETE_2 (masks of the channels that hold integers or
-// booleans), SC_ANY_DISCRETE_1 and SC_ANY_DISCRETE_2 (are there any?), SC_LOCAL_1 to SC_LOCAL_3
-// (names of main's variables: two texels and an outcome); set by emit/runtime.py: SC_SURFACE, SC_SCREEN
+// booleans), SC_ANY_DISCRETE_1 and SC_ANY_DISCRETE_2 (are there any?), SC_LOCAL_1 and
+// SC_LOCAL_2 (names of main's variables: two texels); set by emit/runtime.py: SC_SURFACE, SC_SCREEN
 // and SC_USER (one of them is 1: the mapping), SC_OWN_CURRENT (does the user say where the pixel is?).
 
 // Is the pixel's own place the clip-space position in this frame?
