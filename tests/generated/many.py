@@ -18,6 +18,9 @@ from .suite import OUTPUT, BrokenError, Coverage, check_shaders
 BATCH = 25
 """Shaders of one seed. GLSL 3.30 has three batches for one of each other version."""
 
+ROUND = 6
+"""Batches of one process."""
+
 ORDER = ("gl330", "gl330", "gl330", *(name for name in DIALECTS if name != "gl330"))
 
 
@@ -71,13 +74,18 @@ def batches(count: int, seed: int) -> list[Batch]:
 def try_many(todo: list[Batch], jobs: int) -> Iterator[tuple[Batch, Coverage, str]]:
     """Each batch with what it has seen, and what broke in it (or nothing), as they are done."""
     context = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(jobs, context, max_tasks_per_child=4) as pool:
-        futures = {pool.submit(_try, batch): batch for batch in todo}
-        for future in as_completed(futures):
-            try:
-                yield futures[future], *future.result()
-            except BrokenProcessPool:
-                yield futures[future], Coverage(), f"a process died, near batch {futures[future]}"
+    # Processes are replaced now and then, since a driver keeps what it has compiled. Not by
+    # max_tasks_per_child, with which the pool of Python 3.11 may wait for ever (CPython 115634).
+    for first in range(0, len(todo), ROUND * jobs):
+        with ProcessPoolExecutor(jobs, context) as pool:
+            some = todo[first : first + ROUND * jobs]
+            futures = {pool.submit(_try, batch): batch for batch in some}
+            for future in as_completed(futures):
+                batch = futures[future]
+                try:
+                    yield batch, *future.result()
+                except BrokenProcessPool:
+                    yield batch, Coverage(), f"a process died, near batch {batch}"
 
 
 def _try(batch: Batch) -> tuple[Coverage, str]:
