@@ -51,9 +51,9 @@ def overwritten_in(function: n.FunctionDef, table: EffectTable) -> frozenset[str
     return found
 
 
-def overwritten_by(stmt: n.Stmt, table: EffectTable) -> frozenset[str]:
+def overwritten_by(node: n.Node, table: EffectTable) -> frozenset[str]:
     """Variables whose old value is gone behind a plain statement, whatever they held."""
-    match stmt:
+    match node:
         case n.ExprStmt(expr=n.Assign(op="=", target=n.Name(name=name))):
             return frozenset((name,))
         case n.ExprStmt(expr=n.Call(name=name)) if name in table.functions:

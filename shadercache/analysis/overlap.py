@@ -22,6 +22,7 @@ from typing import cast
 from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.cost import UNKNOWN_TRIPS, CostTable
 from shadercache.analysis.effects import Does, EffectTable
+from shadercache.analysis.exposure import overwritten_by
 from shadercache.analysis.instances import Instance
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import EXPRESSIONS, children
@@ -183,7 +184,7 @@ class _Walker:
     def simple(self, node: n.Node, live: _Names) -> _Names:
         """A statement that is needed whole, or for the nodes inside it, or not at all."""
         if self.matters(node, live):
-            return self.taken(node, live - _killed(node))
+            return self.taken(node, live - overwritten_by(node, self.table))
         return self.aimed_at(node, live)
 
     def aimed_at(self, node: n.Node, live: _Names) -> _Names:
@@ -289,12 +290,3 @@ class _Walker:
             cost += sum(item.cost for item in needs)
             reads = reads.union(*(item.reads for item in needs))
         return _Need(cost, reads)
-
-
-def _killed(node: n.Node) -> _Names:
-    match node:
-        case n.DeclStmt(decl=n.VarDecl(declarators=items)):
-            return frozenset(item.name for item in items)
-        case n.ExprStmt(expr=n.Assign(op="=", target=n.Name(name=name))):
-            return frozenset((name,))
-    return _NONE

@@ -162,7 +162,8 @@ def test_what_the_functions_may_do() -> None:
     head = "vec2 offset = u_size * 0.5;\nvec4 shown;\n" + PREVIOUS.replace(
         "- 1.0, 0.0", "- offset + textureLod(u_map, u_size, 0.0).xy, 0.0"
     )
-    made("shown = gl_FragCoord; o_color = shown * wave(gl_FragCoord.xy);", "user", head)
+    found = made("shown = gl_FragCoord; o_color = shown * wave(gl_FragCoord.xy);", "user", head)
+    assert verdict(found, "wave(gl_FragCoord.xy)") is None
 
 
 @pytest.mark.parametrize("mode", ["plain", "proof"])

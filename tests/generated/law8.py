@@ -8,6 +8,7 @@ hangs on what differs between fragments) or some may have been discarded.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import cast
 
 from shadercache.analysis.effects import Does, EffectTable, needs_derivative
 from shadercache.analysis.loops import LOOPS, hanging_names
@@ -66,7 +67,7 @@ class _Walker:
             elif isinstance(part, n.Block):
                 self.block(part.body, inner, JUMPS if isinstance(stmt, LOOPS) else jumps)
             else:
-                self.statement(part, inner, jumps)  # type: ignore[arg-type]
+                self.statement(cast("n.Stmt", part), inner, jumps)
 
     def expression(self, node: n.Node, under: bool) -> None:
         for item in walk(node):

@@ -37,6 +37,19 @@ SIZE = (64, 64)
 A_DAY = 2
 """Random sets of each shader."""
 
+
+def hit_share(gpu: Gpu, scene: Scene, bundle: Bundle) -> float:
+    """The share of the covered pixels that reuse what they have, after three frames."""
+    with (
+        Stage(gpu, scene, SIZE, "rgba32f") as stage,
+        VariantRunner(stage, bundle, "2-pass", RunOptions(period=64)) as runner,
+    ):
+        for frame in range(3):
+            runner.draw(frame)
+        mask = runner.hit_mask(3)
+    return float((mask == bundle.mask_values["hit"]).sum() / (mask > 0).sum())
+
+
 PATHS = {
     "two calls of one function": (
         "marble@1: noise(floor(q * 6.0)) * 0.5",
@@ -197,14 +210,7 @@ def test_payloads_are_reused_in_motion(name: str, least: float, gpu: Gpu) -> Non
     wanted = SETS[name]
     emission = rewrite(analysis, pick(analysis, wanted), PROOF, unprofitable=True)
     bundle = Bundle(emission.manifest, emission.files)
-    with (
-        Stage(gpu, scene, SIZE, "rgba32f") as stage,
-        VariantRunner(stage, bundle, "2-pass", RunOptions(period=64)) as runner,
-    ):
-        for frame in range(3):
-            runner.draw(frame)
-        mask = runner.hit_mask(3)
-    assert (mask == bundle.mask_values["hit"]).sum() / (mask > 0).sum() > least
+    assert hit_share(gpu, scene, bundle) > least
 
 
 @pytest.mark.parametrize("name", ["paths", "types"])
@@ -241,12 +247,5 @@ def test_what_few_fragments_compute_costs_the_others_their_hits(gpu: Gpu) -> Non
         emission = rewrite(analysis, nodes, PROOF, unprofitable=True)
         bundle = Bundle(emission.manifest, emission.files)
         assert [item.code for item in emission.notes] == ["SC418"] * (len(nodes) - 1)
-        with (
-            Stage(gpu, scene, SIZE, "rgba32f") as stage,
-            VariantRunner(stage, bundle, "2-pass", RunOptions(period=64)) as runner,
-        ):
-            for frame in range(3):
-                runner.draw(frame)
-            mask = runner.hit_mask(3)
-        shares.append((mask == bundle.mask_values["hit"]).sum() / (mask > 0).sum())
+        shares.append(hit_share(gpu, scene, bundle))
     assert shares[0] > 0.8 and 0.1 < shares[1] < 0.6 * shares[0]
