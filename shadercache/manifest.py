@@ -15,7 +15,7 @@ from shadercache.analysis.sets import is_skipped
 from shadercache.emit.layout import Layout
 from shadercache.emit.program_set import Pass, ProgramSet
 from shadercache.emit.runtime import OUTCOMES
-from shadercache.options import PREVIOUS_CLIP, MappingKind, Options
+from shadercache.options import PREVIOUS_CLIP, MappingKind, Options, written_cache_options
 from shadercache.source import Source
 
 SCHEMA_VERSION = 1
@@ -159,6 +159,7 @@ def _cache(layout: Layout, options: Options) -> dict[str, Any]:
         "wrap": "clamp-to-edge",
         "channels": {"payload": channels[0], "depth": "w"},
         "depth_encoding": "floatBitsToUint(1/w)" if layout.bits else "1/w",
+        "options": written_cache_options(options.cache),
     }
     if layout.second:
         more = {"format": formats[1], "clear": [0.0] * 4, "channels": {"payload": channels[1]}}

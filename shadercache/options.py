@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Literal, TypeAlias
+from collections.abc import Sequence
+from dataclasses import dataclass, fields, replace
+from typing import Any, Literal, TypeAlias, get_args, get_type_hints
+
+from shadercache.diagnostics import usage_error
 
 Mode: TypeAlias = Literal["plain", "proof"]
 CacheFormat: TypeAlias = Literal["rgba16f", "rgba32f"]
@@ -19,10 +22,27 @@ at its own pixel, or where a function of the user's says (docs/TRANSFORMATIONS.m
 PREVIOUS_CLIP, CURRENT_CLIP = "scPreviousClip", "scCurrentClip"
 """The user's functions that ``user`` calls; without the second the pixel's own place is taken."""
 
+RefreshSchedule: TypeAlias = Literal["random", "none"]
+"""Which pixels are recomputed on purpose in a frame: blocks whose hash is due, or none."""
+
 ALGORITHMS = (1, 2, 3)
 
 DEFAULT_EPSILON = 1e-3
 """Accepted relative difference of 1/w: twice what half floats round it by (docs/NUMERICS.md)."""
+
+
+@dataclass(frozen=True, slots=True)
+class CacheOptions:
+    """How a variant looks up, stores and refreshes payloads: one field for each slot (DESIGN §3).
+
+    Each becomes a macro of the ``.glsl`` files (``emit/runtime.py``), so what is not chosen leaves
+    no text. ``refresh``: which pixels are recomputed on purpose.
+    """
+
+    refresh: RefreshSchedule = "random"
+
+
+DEFAULT_CACHE = CacheOptions()
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,10 +53,52 @@ class Options:
     ``cache_format``: the texture format of the cache. ``epsilon``: the hit test's accepted
     difference of depths, relative to the depth. ``fetches``: what one pass does ahead of its branch
     of a payload's texture fetches; ``level`` needs GLSL 4.00 and isotropic filtering, ``gradient``
-    is not exact.
+    is not exact. ``cache``: how payloads are looked up, stored and refreshed.
     """
 
     mode: Mode = "plain"
     cache_format: CacheFormat = "rgba16f"
     epsilon: float = DEFAULT_EPSILON
     fetches: FetchForm = "whole"
+    cache: CacheOptions = DEFAULT_CACHE
+
+
+def cache_choices() -> dict[str, tuple[str, ...]]:
+    """What can be chosen of each of :class:`CacheOptions`, the default first."""
+    hints = get_type_hints(CacheOptions)
+    found: dict[str, tuple[str, ...]] = {}
+    for field in fields(CacheOptions):
+        words = get_args(hints[field.name]) or ("off", "on")
+        chosen = _word(getattr(DEFAULT_CACHE, field.name))
+        found[field.name] = (chosen, *(word for word in words if word != chosen))
+    return found
+
+
+def read_cache_options(settings: Sequence[str]) -> CacheOptions:
+    """Options from ``key=value`` texts, several in one apart by commas; ``ids`` is ``ids=on``.
+
+    Raises:
+        UsageError: SC028, a key or a value that is not known.
+    """
+    known = cache_choices()
+    chosen: dict[str, Any] = {}
+    for setting in (part.strip() for text in settings for part in text.split(",")):
+        key, equals, word = setting.partition("=")
+        key, word = key.strip().replace("-", "_"), word.strip() if equals else "on"
+        if key not in known:
+            hint = f"one of {', '.join(known)}"
+            raise usage_error("SC028", f"the cache has no option {key!r}", hint)
+        if word not in known[key]:
+            hint = f"one of {', '.join(known[key])}"
+            raise usage_error("SC028", f"the cache's {key} cannot be {word!r}", hint)
+        chosen[key] = word == "on" if "on" in known[key] else word
+    return replace(DEFAULT_CACHE, **chosen)
+
+
+def written_cache_options(options: CacheOptions) -> dict[str, str]:
+    """The options as they are written in a manifest: what :func:`read_cache_options` reads."""
+    return {field.name: _word(getattr(options, field.name)) for field in fields(options)}
+
+
+def _word(value: str | bool) -> str:
+    return value if isinstance(value, str) else ("on" if value else "off")

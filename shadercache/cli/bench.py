@@ -20,6 +20,7 @@ from shadercache.cli.measuring import (
     summary,
 )
 from shadercache.cli.reading import (
+    CacheOption,
     DefineOption,
     DialectOption,
     FetchesOption,
@@ -33,7 +34,7 @@ from shadercache.cli.reading import (
 from shadercache.cli.scenes import choose_nodes, find_scene, split_list
 from shadercache.cli.tables import shorten
 from shadercache.front.options import MAX_TOKENS
-from shadercache.options import DEFAULT_EPSILON, CacheFormat, Options
+from shadercache.options import DEFAULT_EPSILON, CacheFormat, Options, read_cache_options
 
 if TYPE_CHECKING:
     from shadercache.analysis.candidates import Candidate
@@ -75,6 +76,7 @@ def command(
     max_tokens: TokensOption = MAX_TOKENS,
     unroll: UnrollOption = False,
     fetches: FetchesOption = "whole",
+    cache: CacheOption = None,
     out: Annotated[
         Path,
         typer.Option(
@@ -112,7 +114,12 @@ def command(
         offered = [node for node in analysis.nodes if node.offered]
         equal = one_of_each(offered, analysis.groups)
         chosen = [(node.id, (node,)) for node in (offered if every_node else equal)]
-    options = Options(cache_format=cache_format, epsilon=epsilon, fetches=fetches)
+    options = Options(
+        cache_format=cache_format,
+        epsilon=epsilon,
+        fetches=fetches,
+        cache=read_cache_options(cache or ()),
+    )
     entries = [
         replace(
             make_entry(analysis, label, found, options, algorithms, unprofitable=True),

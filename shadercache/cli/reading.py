@@ -11,7 +11,7 @@ import typer
 
 from shadercache.diagnostics import usage_error
 from shadercache.front.options import MAX_TOKENS, Dialect, ReadOptions
-from shadercache.options import FetchForm, MappingKind
+from shadercache.options import FetchForm, MappingKind, cache_choices
 
 _NAME = re.compile(r"[A-Za-z_]\w*(\([^()]*\))?", re.ASCII)
 _FIXED = frozenset(("defined", "__LINE__", "__FILE__", "__VERSION__"))
@@ -48,6 +48,16 @@ FetchesOption: TypeAlias = Annotated[
     typer.Option(
         help="What one pass does ahead of its branch of the payload's texture fetches: all of it; "
         "its level (needs isotropic filtering, GLSL 4.00); its gradients (not exact)."
+    ),
+]
+CacheOption: TypeAlias = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--cache",
+        metavar="KEY=VALUE,...",
+        help="How the cache works: "
+        + "; ".join(f"{key}: {', '.join(words)}" for key, words in cache_choices().items())
+        + ". The first of each is the default.",
     ),
 ]
 TokensOption: TypeAlias = Annotated[

@@ -10,6 +10,7 @@ import typer
 
 from shadercache.cli.io import MANIFEST, atomic_folder, folder, read_pair
 from shadercache.cli.reading import (
+    CacheOption,
     DefineOption,
     DialectOption,
     FetchesOption,
@@ -22,7 +23,7 @@ from shadercache.cli.reading import (
 )
 from shadercache.diagnostics import usage_error
 from shadercache.front.options import MAX_TOKENS
-from shadercache.options import ALGORITHMS, CacheFormat, Mode, Options
+from shadercache.options import ALGORITHMS, CacheFormat, Mode, Options, read_cache_options
 
 if TYPE_CHECKING:
     from shadercache.compiler import Emission
@@ -66,6 +67,7 @@ def command(
     max_tokens: TokensOption = MAX_TOKENS,
     unroll: UnrollOption = False,
     fetches: FetchesOption = "whole",
+    cache: CacheOption = None,
 ) -> None:
     """Write the shaders that cache one node, or several together, and how to run them.
 
@@ -86,7 +88,12 @@ def command(
     emission = rewrite(
         analysis,
         analysis.carrying(nodes) if carry else nodes,
-        Options(mode=mode, cache_format=cache_format, fetches=fetches),
+        Options(
+            mode=mode,
+            cache_format=cache_format,
+            fetches=fetches,
+            cache=read_cache_options(cache or ()),
+        ),
         algorithms=ALGORITHMS if passes == "all" else (int(passes),),
         unprofitable=unprofitable,
     )

@@ -18,6 +18,7 @@ from shadercache.cli.measuring import (
 )
 from shadercache.cli.pictures import write_pictures
 from shadercache.cli.reading import (
+    CacheOption,
     DefineOption,
     DialectOption,
     FetchesOption,
@@ -30,7 +31,7 @@ from shadercache.cli.reading import (
 )
 from shadercache.cli.scenes import choose_nodes, find_scene
 from shadercache.front.options import MAX_TOKENS
-from shadercache.options import DEFAULT_EPSILON, CacheFormat, Options
+from shadercache.options import DEFAULT_EPSILON, CacheFormat, Options, read_cache_options
 
 
 def command(
@@ -68,6 +69,7 @@ def command(
     max_tokens: TokensOption = MAX_TOKENS,
     unroll: UnrollOption = False,
     fetches: FetchesOption = "whole",
+    cache: CacheOption = None,
     out: Annotated[
         Path,
         typer.Option(
@@ -88,7 +90,12 @@ def command(
     reading = read_options(define, undefine, include, dialect, max_tokens, unroll)
     scene, analysis = open_scene(find_scene(target), reading, mapping)
     [(label, chosen)] = choose_nodes(scene, analysis, ["+".join(node)])
-    options = Options(cache_format=cache_format, epsilon=epsilon, fetches=fetches)
+    options = Options(
+        cache_format=cache_format,
+        epsilon=epsilon,
+        fetches=fetches,
+        cache=read_cache_options(cache or ()),
+    )
     entry = make_entry(analysis, label, chosen, options, (passes,), unprofitable=unprofitable)
     how = MeasureOptions(extent, frame + 1, period=every, block=edge, picture_frame=frame)
     replacement = replacement_mesh(scene, mesh)

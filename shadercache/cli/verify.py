@@ -12,6 +12,7 @@ import typer
 
 from shadercache.cli.progress import progress
 from shadercache.cli.reading import (
+    CacheOption,
     DefineOption,
     DialectOption,
     IncludeOption,
@@ -24,6 +25,7 @@ from shadercache.cli.reading import (
 from shadercache.cli.scenes import choose_nodes, find_scene
 from shadercache.cli.tables import format_table, shorten, terminal_width
 from shadercache.front.options import MAX_TOKENS
+from shadercache.options import read_cache_options
 
 if TYPE_CHECKING:
     from shadercache.harness.verify import Difference, Verdict
@@ -58,6 +60,7 @@ def command(
     mapping: MappingOption = None,
     max_tokens: TokensOption = MAX_TOKENS,
     unroll: UnrollOption = False,
+    cache: CacheOption = None,
     jobs: Annotated[
         int, typer.Option("-j", "--jobs", min=0, help="Processes; 0 takes one per core.")
     ] = 0,
@@ -83,6 +86,7 @@ def command(
 
     equal = 0
     options = read_options(define, undefine, include, dialect, max_tokens, unroll)
+    cached = read_cache_options(cache or ())
     path = find_scene(target)
     scene, analysis = open_scene(path, options, mapping)
     if node:
@@ -108,6 +112,7 @@ def command(
             lambda _: advance(1),
             options,
             mapping,
+            cached,
         )
     report = _report(scene.name, about, round_trip, ties, verdicts, equal)
     report["mapping"] = analysis.mapping

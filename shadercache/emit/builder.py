@@ -17,7 +17,7 @@ from shadercache.ast.memo import Memo
 from shadercache.emit.assemble import Shader, interface, merge, with_locations, without_main
 from shadercache.emit.layout import Layout
 from shadercache.emit.runtime import Located, load_part, runtime_names
-from shadercache.options import CURRENT_CLIP, FetchForm, MappingKind
+from shadercache.options import CURRENT_CLIP, DEFAULT_CACHE, CacheOptions, FetchForm, MappingKind
 from shadercache.sema.facts import Facts
 from shadercache.transform.compound import contract
 from shadercache.transform.drop_parameters import drop_parameters
@@ -72,8 +72,9 @@ class PassBuilder:
         program: FragmentProgram,
         nodes: Sequence[Candidate],
         fetches: FetchForm = "whole",
+        cache: CacheOptions = DEFAULT_CACHE,
     ) -> None:
-        self.program, self.nodes = program, tuple(nodes)
+        self.program, self.nodes, self.cache = program, tuple(nodes), cache
         precisions = PrecisionTable(program.module, program.facts)
         self.precisions = precisions
         self.layout = Layout(
@@ -153,8 +154,8 @@ class PassBuilder:
     ) -> Shader:
         prefix = self.program.prefix
         # ``main`` comes last: GLSL wants functions declared before they are called.
-        names = ("lookup", "wide", "store", template)
-        options = (self.layout, prefix, self.whole, self.program.located)
+        names = ("refresh", "lookup", "wide", "store", template)
+        options = (self.layout, prefix, self.whole, self.program.located, self.cache)
         parts = [load_part(name, *options) for name in names]
         user = insert_clones(self.program.module, *clones)
         if template in _LATE and self.decides_loops:

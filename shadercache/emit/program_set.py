@@ -102,7 +102,7 @@ def emit_programs(
 ) -> ProgramSet:
     """Every pass of the given algorithms for the nodes, with the original and the hit mask."""
     program.memo.trim()
-    emitter = FragmentEmitter(program, nodes, options.fetches)
+    emitter = FragmentEmitter(program, nodes, options.fetches, options.cache)
     made = ProgramSet(
         previous=vertex.previous_twins(),
         unchanging=vertex.unchanging(),

@@ -7,15 +7,15 @@ filled in through macros.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cache, lru_cache
 from pathlib import Path
-from typing import get_args
+from typing import get_args, get_type_hints
 
 from shadercache.ast import nodes as n
 from shadercache.emit.layout import Layout
 from shadercache.front.parse import parse
-from shadercache.options import MappingKind
+from shadercache.options import DEFAULT_CACHE, CacheOptions, MappingKind
 from shadercache.source import Source
 from shadercache.transform.forget_places import without_places
 from shadercache.transform.names import PREFIX
@@ -47,15 +47,35 @@ class Located:
 ON_SURFACE = Located()
 
 
+@cache
+def option_macros(options: CacheOptions) -> dict[str, str]:
+    """A macro for each thing that can be chosen, 1 where it is: ``REFRESH_RANDOM``, ``IDS``."""
+    hints = get_type_hints(CacheOptions)
+    marks: dict[str, bool] = {}
+    for field in fields(options):
+        value, name = getattr(options, field.name), field.name.upper()
+        known = get_args(hints[field.name])
+        marks |= {f"{name}_{word.upper().replace('-', '_')}": word == value for word in known}
+        if not known:
+            marks[name] = value
+    return {name: str(int(mark)) for name, mark in marks.items()}
+
+
 @lru_cache(maxsize=512)  # each struct of each shader is a type of its own
 def load_part(
-    name: str, layout: Layout, prefix: str, whole: bool = False, located: Located = ON_SURFACE
+    name: str,
+    layout: Layout,
+    prefix: str,
+    whole: bool = False,
+    located: Located = ON_SURFACE,
+    options: CacheOptions = DEFAULT_CACHE,
 ) -> tuple[n.Decl, ...]:
     """The declarations of one file, for payloads of this layout, with the given name prefix.
 
     ``whole``: not every fragment has the payloads.
     """
     macros = layout.macros(prefix, whole) | located.macros | {"SPREAD": str(SPREAD)}
+    macros |= option_macros(options)
     macros |= {key.upper(): str(value) for key, value in OUTCOMES.items()}
     # Names of the user's can stand in what a macro means; none begins with the prefix.
     capitals = prefix.upper()

@@ -16,7 +16,7 @@ from shadercache.front.options import ReadOptions
 from shadercache.harness.context import open_context
 from shadercache.harness.shaders import open_scene
 from shadercache.harness.verify import Verdict, Verifier
-from shadercache.options import MappingKind
+from shadercache.options import DEFAULT_CACHE, CacheOptions, MappingKind
 
 _verifier: Verifier | None = None
 """The worker process's own; set once when the process starts."""
@@ -30,6 +30,7 @@ def verify_in_parallel(
     told: Callable[[Verdict], None] | None = None,
     reading: ReadOptions | None = None,
     mapping: MappingKind | None = None,
+    cache: CacheOptions = DEFAULT_CACHE,
 ) -> list[Verdict]:
     """Verdicts for the nodes (by id; ``a+b`` is a set) of a scene, in the order of ``nodes``.
 
@@ -38,11 +39,11 @@ def verify_in_parallel(
     :func:`open_scene` and :class:`Verifier`.
     """
     if jobs == 1:
-        with closing(_open(scene, reading, mapping)) as verifier:
+        with closing(_open(scene, reading, mapping, cache)) as verifier:
             return [_tell(_check(verifier, node, plain), told) for node in nodes]
     found: dict[str, Verdict] = {}
     spawn = get_context("spawn")  # a forked child would share the parent's driver state
-    with ProcessPoolExecutor(jobs, spawn, _start, (scene, reading, mapping)) as pool:
+    with ProcessPoolExecutor(jobs, spawn, _start, (scene, reading, mapping, cache)) as pool:
         waiting = [pool.submit(_work, node, plain) for node in nodes]
         try:
             for future in as_completed(waiting):
@@ -54,15 +55,19 @@ def verify_in_parallel(
     return [found[node] for node in nodes]
 
 
-def _open(path: Path, reading: ReadOptions | None, mapping: MappingKind | None) -> Verifier:
-    return Verifier(open_context(), *open_scene(path, reading, mapping))
+def _open(
+    path: Path, reading: ReadOptions | None, mapping: MappingKind | None, cache: CacheOptions
+) -> Verifier:
+    return Verifier(open_context(), *open_scene(path, reading, mapping), cache=cache)
 
 
-def _start(path: Path, reading: ReadOptions | None, mapping: MappingKind | None) -> None:
+def _start(
+    path: Path, reading: ReadOptions | None, mapping: MappingKind | None, cache: CacheOptions
+) -> None:
     global _verifier
     # One rasteriser thread a process, or llvmpipe's threads fight over the cores.
     os.environ.setdefault("LP_NUM_THREADS", "1")
-    _verifier = _open(path, reading, mapping)
+    _verifier = _open(path, reading, mapping, cache)
 
 
 def _work(node: str, plain: bool) -> Verdict:

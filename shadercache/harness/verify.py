@@ -30,7 +30,7 @@ from shadercache.harness.runner import (
 )
 from shadercache.harness.scene import Scene
 from shadercache.harness.stage import Stage
-from shadercache.options import FetchForm, Mode, Options
+from shadercache.options import DEFAULT_CACHE, CacheOptions, FetchForm, Mode, Options
 
 Image = NDArray[np.float32]
 
@@ -131,13 +131,14 @@ class Verifier:
         size: tuple[int, int] = SIZE,
         mesh: Mesh | None = None,
         fetches: FetchForm = "whole",
+        cache: CacheOptions = DEFAULT_CACHE,
     ) -> None:
         """Render the originals. Raises as ``Stage`` and ``BoundPass``.
 
         ``fetches``: as in :class:`Options`; in proof mode gradients, which are not exact, are not
-        taken.
+        taken. ``cache``: how variants look up, store and refresh.
         """
-        self.analysis, self.fetches = analysis, fetches
+        self.analysis, self.fetches, self.cache = analysis, fetches, cache
         mesh = mesh or scene_mesh(scene, small=True)
         self.stage = Stage(gpu, scene, size, color="rgba32f", mesh=mesh)
         self._moving = {mode: self._original(mode) for mode in ("plain", "proof")}
@@ -231,7 +232,7 @@ class Verifier:
 
     def _rewritten(self, nodes: Sequence[Candidate], mode: Mode) -> Bundle:
         fetches = "whole" if (mode, self.fetches) == ("proof", "gradient") else self.fetches
-        options = Options(mode=mode, cache_format="rgba32f", fetches=fetches)
+        options = Options(mode=mode, cache_format="rgba32f", fetches=fetches, cache=self.cache)
         emission = rewrite(self.analysis, nodes, options, unprofitable=True)
         return Bundle(emission.manifest, emission.files)
 

@@ -1,13 +1,13 @@
 #version 330
 // shadercache: 1-pass, node main.11-a0ace7bc
 
+uniform int sc_clock;
+uniform int sc_period;
+uniform int sc_block;
 in vec4 sc_current;
 in vec4 sc_previous;
 uniform usampler2D sc_cache;
 uniform usampler2D sc_cache_2;
-uniform int sc_clock;
-uniform int sc_period;
-uniform int sc_block;
 uniform float sc_epsilon;
 layout(location = 1) out uvec4 sc_store;
 layout(location = 2) out uvec4 sc_store_2;

@@ -2,12 +2,12 @@
 // shadercache: 1-pass, node stone.27-f6bd6cd8
 
 vec4 sc_fetch_0;
-in vec4 sc_current;
-in vec4 sc_previous;
-uniform sampler2D sc_cache;
 uniform int sc_clock;
 uniform int sc_period;
 uniform int sc_block;
+in vec4 sc_current;
+in vec4 sc_previous;
+uniform sampler2D sc_cache;
 uniform float sc_epsilon;
 vec3 sc_payload;
 layout(location = 1) out vec4 sc_store;

@@ -1,12 +1,12 @@
 #version 330
 // shadercache: 2-pass.hit, node stone.27-f6bd6cd8
 
-in vec4 sc_current;
-in vec4 sc_previous;
-uniform sampler2D sc_cache;
 uniform int sc_clock;
 uniform int sc_period;
 uniform int sc_block;
+in vec4 sc_current;
+in vec4 sc_previous;
+uniform sampler2D sc_cache;
 uniform float sc_epsilon;
 vec3 sc_payload;
 layout(location = 1) out vec4 sc_store;

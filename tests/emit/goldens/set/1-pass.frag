@@ -2,13 +2,13 @@
 // shadercache: 1-pass, node stone.1-ae098caa, node stone.27-f6bd6cd8
 
 vec4 sc_fetch_0;
+uniform int sc_clock;
+uniform int sc_period;
+uniform int sc_block;
 in vec4 sc_current;
 in vec4 sc_previous;
 uniform sampler2D sc_cache;
 uniform sampler2D sc_cache_2;
-uniform int sc_clock;
-uniform int sc_period;
-uniform int sc_block;
 uniform float sc_epsilon;
 float sc_payload_1;
 vec3 sc_payload_2;

@@ -1,13 +1,13 @@
 #version 330
 // shadercache: 1-pass, node main.11-ff053a83
 
+uniform int sc_clock;
+uniform int sc_period;
+uniform int sc_block;
 in vec4 sc_current;
 in vec4 sc_previous;
 uniform sampler2D sc_cache;
 uniform sampler2D sc_cache_2;
-uniform int sc_clock;
-uniform int sc_period;
-uniform int sc_block;
 uniform float sc_epsilon;
 vec4 sc_payload;
 layout(location = 1) out vec4 sc_store;
