@@ -12,9 +12,9 @@ from typing import Any
 from shadercache import __version__
 from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.sets import is_skipped
-from shadercache.emit.layout import Layout
+from shadercache.emit.layout import MOST_IN_HALF, Layout, extras_of
 from shadercache.emit.program_set import Pass, ProgramSet
-from shadercache.emit.runtime import OUTCOMES
+from shadercache.emit.runtime import outcomes
 from shadercache.options import PREVIOUS_CLIP, MappingKind, Options, written_cache_options
 from shadercache.source import Source
 
@@ -73,7 +73,7 @@ def build_manifest(
     """The manifest of a program set; ``renamed`` leads from the user's names to the variants'."""
     assert programs.original is not None and programs.debug is not None
     assert programs.payload is not None
-    layout = Layout(tuple(node.type for node in nodes))
+    layout = Layout(tuple(node.type for node in nodes), extras=extras_of(options.cache))
     relies = list(RELIES_ON)
     if programs.unchanging:
         names = ", ".join(programs.unchanging)
@@ -105,7 +105,7 @@ def build_manifest(
             for number, reason in programs.refused.items()
         ],
         "payload": _pass(programs.payload),
-        "debug": _pass(programs.debug) | {"values": OUTCOMES},
+        "debug": _pass(programs.debug) | {"values": outcomes(options.cache)},
         "frame": [*FRAME, *[FRAME_OF_TWO] * layout.second],
         "reset": list(RESET),
         "relies_on": relies,
@@ -150,21 +150,28 @@ def original_manifest(programs: ProgramSet, options: Options) -> dict[str, Any]:
 
 def _cache(layout: Layout, options: Options) -> dict[str, Any]:
     formats = layout.formats(options.cache_format)
-    channels = [_CHANNELS[count - 1] for count in layout.channels]
+    first, rest = layout.payload_channels
     cache: dict[str, Any] = {
         "format": formats[0],
         "buffers": 2,
         "clear": list(CLEAR_BITS if layout.bits else CLEAR),
         "filter": "nearest",
         "wrap": "clamp-to-edge",
-        "channels": {"payload": channels[0], "depth": "w"},
+        "channels": {"payload": _CHANNELS[first - 1], "depth": "w"} | _extras(layout, 0),
         "depth_encoding": "floatBitsToUint(1/w)" if layout.bits else "1/w",
         "options": written_cache_options(options.cache),
     }
     if layout.second:
-        more = {"format": formats[1], "clear": [0.0] * 4, "channels": {"payload": channels[1]}}
-        cache["second"] = more
+        payload = {"payload": _CHANNELS[rest - 1]} if rest else {}
+        channels = payload | _extras(layout, 1)
+        cache["second"] = {"format": formats[1], "clear": [0.0] * 4, "channels": channels}
     return cache
+
+
+def _extras(layout: Layout, texel: int) -> dict[str, Any]:
+    """What a texel holds beside payload and depth, and in which channel."""
+    held = {name: where for name, (at, where) in layout.extra_places.items() if at == texel}
+    return {"extras": held} if held else {}
 
 
 def _source(source: Source) -> dict[str, str]:
@@ -214,6 +221,9 @@ def _uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[str, A
         return base | {"unit": unit, "range": more.get("range"), "default": more.get("default")}
 
     sampler = "usampler2D" if layout.bits else "sampler2D"
+    most = f"[0, {2**31})" if layout.bits else f"[0, {MOST_IN_HALF}], with rgba32f [0, {2**24}]"
+    number = "number of the object that is drawn; each draw sets it, to the same in every frame"
+    guards = [entry("object", "int", "object", number, range=most, default=0)] * options.cache.ids
     second = [
         entry("cache_2", sampler, "previous-cache-2", "the rest of what the last frame stored"),
         entry("payloads_2", sampler, "current-cache-2", "the rest of what this frame has stored"),
@@ -258,4 +268,5 @@ def _uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[str, A
             range="> 0",
             default=options.epsilon,
         ),
+        *guards,
     ]

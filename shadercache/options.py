@@ -36,10 +36,12 @@ class CacheOptions:
     """How a variant looks up, stores and refreshes payloads: one field for each slot (DESIGN §3).
 
     Each becomes a macro of the ``.glsl`` files (``emit/runtime.py``), so what is not chosen leaves
-    no text. ``refresh``: which pixels are recomputed on purpose.
+    no text. ``refresh``: which pixels are recomputed on purpose. ``ids``: is the number of the
+    object kept beside the payload, and reused by that object only?
     """
 
     refresh: RefreshSchedule = "random"
+    ids: bool = False
 
 
 DEFAULT_CACHE = CacheOptions()

@@ -15,7 +15,7 @@ from shadercache.analysis.precision import PrecisionTable
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.emit.assemble import Shader, interface, merge, with_locations, without_main
-from shadercache.emit.layout import Layout
+from shadercache.emit.layout import Layout, extras_of
 from shadercache.emit.runtime import Located, load_part, runtime_names
 from shadercache.options import CURRENT_CLIP, DEFAULT_CACHE, CacheOptions, FetchForm, MappingKind
 from shadercache.sema.facts import Facts
@@ -81,6 +81,7 @@ class PassBuilder:
             tuple(node.type for node in nodes),
             program.module.profile == "es",
             tuple(precisions.of(node.expr) for node in nodes),
+            extras_of(cache),
         )
         self.payloads = self.layout.variables(program.prefix + "payload")
         stores = ("store", "store_2") if self.layout.second else ("store",)

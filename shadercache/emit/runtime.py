@@ -20,8 +20,11 @@ from shadercache.source import Source
 from shadercache.transform.forget_places import without_places
 from shadercache.transform.names import PREFIX
 
-OUTCOMES = {"hit": 1, "refresh": 2, "outside": 3, "depth": 4}
+OUTCOMES = {"hit": 1, "refresh": 2, "outside": 3, "depth": 4, "id": 5}
 """What a look-up says, as the hit mask shows it (0: nothing is drawn there)."""
+
+_OPTIONAL = {"id": "ids"}
+"""Outcome -> the option without which no look-up says so."""
 
 FOLDER = Path(__file__).with_name("glsl")
 
@@ -45,6 +48,15 @@ class Located:
 
 
 ON_SURFACE = Located()
+
+
+def outcomes(options: CacheOptions) -> dict[str, int]:
+    """What a look-up with these options can say."""
+    return {
+        word: value
+        for word, value in OUTCOMES.items()
+        if word not in _OPTIONAL or getattr(options, _OPTIONAL[word])
+    }
 
 
 @cache

@@ -12,12 +12,15 @@ uniform SC_SAMPLER sc_cache;    // what the previous frame stored: payload and 1
 uniform SC_SAMPLER sc_cache_2;  // the rest of the payload
 #endif
 uniform float sc_epsilon;    // greatest accepted difference of depths, relative to the depth
+#if SC_IDS
+uniform int sc_object;       // number of the object that is drawn
+#endif
 
 SC_DECLARE_PAYLOADS;
 
 #if SC_SCREEN
 // What the previous frame stored at this pixel, if the surface is as far away as it was there.
-// Returns SC_HIT, SC_REFRESH or SC_DEPTH.
+// Returns SC_HIT, SC_REFRESH, SC_DEPTH or SC_ID.
 int sc_look_up(SC_OUT_TEXELS) {
     ivec2 own = ivec2(gl_FragCoord.xy);
     texel = texelFetch(sc_cache, own, 0);
@@ -31,6 +34,11 @@ int sc_look_up(SC_OUT_TEXELS) {
     if (!(abs(SC_FLOAT(texel.w) - gl_FragCoord.w) <= sc_epsilon * gl_FragCoord.w)) {
         return SC_DEPTH;
     }
+#if SC_IDS
+    if (SC_ID_IN(texel, texel_2) != sc_object) {
+        return SC_ID;
+    }
+#endif
     return SC_HIT;
 }
 #else
@@ -51,7 +59,7 @@ bool sc_same(uvec4 a, uvec4 b, uvec4 c, uvec4 d, uvec4 discrete) {
 #endif
 
 // Reprojection: where the surface point was, whether it was seen there, and what was stored.
-// Returns SC_HIT, SC_REFRESH, SC_OUTSIDE or SC_DEPTH.
+// Returns SC_HIT, SC_REFRESH, SC_OUTSIDE, SC_DEPTH or SC_ID.
 int sc_look_up(SC_OUT_TEXELS) {
     ivec2 last = textureSize(sc_cache, 0) - 1;
 #if SC_USER
@@ -110,6 +118,13 @@ int sc_look_up(SC_OUT_TEXELS) {
             && all(lessThanEqual(each, vec4(SC_SPREAD * sc_epsilon))))) {
         return SC_DEPTH;
     }
+#if SC_IDS
+    // A filter that takes a little of another object passes the test of depths where they touch.
+    ivec4 ids = ivec4(SC_ID_IN(a, a_2), SC_ID_IN(b, b_2), SC_ID_IN(c, c_2), SC_ID_IN(d, d_2));
+    if (ids != ivec4(sc_object)) {
+        return SC_ID;
+    }
+#endif
     // No integer lies between two others: where the texels differ, none of them is right.
 #if SC_ANY_DISCRETE_1
     if (!sc_same(a, b, c, d, SC_DISCRETE_1)) {

@@ -12,6 +12,10 @@ out SC_TEXEL sc_store;  // the texel of the cache
 out SC_TEXEL sc_store_2;
 #endif
 
+#if SC_IDS
+uniform int sc_object;  // number of the object that is drawn
+#endif
+
 SC_DECLARE_PAYLOADS;
 #if SC_WHOLE
 bool sc_reuse = false;  // are there payloads from the cache?
