@@ -18,8 +18,10 @@ from shadercache.emit.runtime import outcomes
 from shadercache.options import (
     DEFAULT_MAGNIFICATION,
     PREVIOUS_CLIP,
+    CacheOptions,
     MappingKind,
     Options,
+    marks_depths,
     written_cache_options,
 )
 from shadercache.source import Source
@@ -32,19 +34,14 @@ CLEAR = (0.0, 0.0, 0.0, -1.0)
 CLEAR_BITS = (0.0, 0.0, 0.0, 0.0)
 """Where texels are unsigned integers: a depth of zero matches nothing either."""
 
+CLEAR_MARKED = (0.0, 0.0, 0.0, 0.0)
+"""Where the sign of a depth is a mark: no depth is zero."""
+
 CLEAR_NDC = (0.0, 0.0, 0.0, 2.0)
 """Where depths lie between -1 and 1."""
 
 CLEAR_NDC_BITS = (0.0, 0.0, 0.0, float(0x40000000))
 """The same as an unsigned integer: the bits of 2."""
-
-_CLEAR = {
-    (False, False): CLEAR,
-    (False, True): CLEAR_BITS,
-    (True, False): CLEAR_NDC,
-    (True, True): CLEAR_NDC_BITS,
-}
-"""By whether depths are those of normalised device coordinates, and whether texels are integers."""
 
 _DEPTHS = {"inverse-w": "1/w", "ndc": "z/w", "linear": "w"}
 
@@ -194,7 +191,7 @@ def _cache(layout: Layout, options: Options) -> dict[str, Any]:
     cache: dict[str, Any] = {
         "format": formats[0],
         "buffers": 2,
-        "clear": list(_CLEAR[options.cache.depth == "ndc", layout.bits]),
+        "clear": list(_clear(layout, options.cache)),
         "filter": "nearest",
         "wrap": "clamp-to-edge",
         "channels": {"payload": _CHANNELS[first - 1], "depth": "w"} | _extras(layout, 0),
@@ -206,6 +203,15 @@ def _cache(layout: Layout, options: Options) -> dict[str, Any]:
         channels = payload | _extras(layout, 1)
         cache["second"] = {"format": formats[1], "clear": [0.0] * 4, "channels": channels}
     return cache
+
+
+def _clear(layout: Layout, options: CacheOptions) -> tuple[float, ...]:
+    """What an empty texel holds."""
+    if options.depth == "ndc":
+        return CLEAR_NDC_BITS if layout.bits else CLEAR_NDC
+    if layout.bits:
+        return CLEAR_BITS
+    return CLEAR_MARKED if marks_depths(options) else CLEAR
 
 
 def _extras(layout: Layout, texel: int) -> dict[str, Any]:

@@ -99,6 +99,15 @@ class Options:
     cache: CacheOptions = DEFAULT_CACHE
 
 
+def marks_depths(options: CacheOptions) -> bool:
+    """Does the sign of a cached depth tell that the payload comes from a part of a filter?
+
+    Such a payload lies up to a pixel beside its place. What is made of it is marked as well, and
+    never again of a part of a filter: so no payload slides along an edge from frame to frame.
+    """
+    return options.filter == "bilateral" or (options.fallback and options.filter != "nearest")
+
+
 def cache_choices() -> dict[str, tuple[str, ...]]:
     """What can be chosen of each of :class:`CacheOptions`, the default first."""
     hints = get_type_hints(CacheOptions)

@@ -19,6 +19,7 @@ uniform int sc_object;           // number of the object that is drawn
 uniform int sc_mask;             // 1: the draw reuses nothing; 2: and nobody reuses it
 
 SC_DECLARE_PAYLOADS;
+bool sc_moved = false;  // is the payload not just that of this place?
 
 #if SC_SCREEN
 // What the previous frame stored at this pixel, if the surface is as far away as it was there.
@@ -98,8 +99,7 @@ int sc_look_up(SC_OUT_TEXELS) {
     SC_TEXEL c_2 = texelFetch(sc_cache_2, ivec2(near.x, far.y), 0);
     SC_TEXEL d_2 = texelFetch(sc_cache_2, far, 0);
 #endif
-#if SC_FILTER_BILATERAL
-#elif SC_BITS
+#if SC_BITS
     texel = sc_blend(a, b, c, d, part, SC_DISCRETE_1);
 #if SC_TARGETS == 2
     texel_2 = sc_blend(a_2, b_2, c_2, d_2, part, SC_DISCRETE_2);
@@ -147,45 +147,49 @@ int sc_look_up(SC_OUT_TEXELS) {
     // What each texel is off, where the surface slopes on as it does at the pixel.
     vec4 aside = SC_OFF(SC_DEPTHS) - slope.x * vec4(-part.x, 1.0 - part.x, -part.x, 1.0 - part.x)
             - slope.y * vec4(-part.y, -part.y, 1.0 - part.y, 1.0 - part.y);
-    bvec4 fit = lessThanEqual(abs(aside), vec4(SC_TOLERANCE));
-#endif
-#if SC_FILTER_BILATERAL
-    vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x)
-            * vec4(1.0 - part.y, 1.0 - part.y, part.y, part.y) * vec4(fit);
+    bvec4 moved = lessThan(SC_SIGNED_DEPTHS, vec4(0.0));
+    vec4 single = vec4(lessThanEqual(abs(aside), vec4(SC_TOLERANCE))) * vec4(not(moved));
 #if SC_IDS
-    weights *= vec4(equal(SC_IDS_OF_FOUR, ivec4(sc_object)));
+    single *= vec4(equal(SC_IDS_OF_FOUR, ivec4(sc_object)));
 #endif
-    float total = dot(weights, vec4(1.0));
-    if (!(total >= SC_LEAST_WEIGHT)) {
-        return SC_MISS_OF_FOUR;
-    }
-    weights /= total;
-    texel = SC_MERGED(SC_OF_FLOATS(SC_WEIGHTED(a, b, c, d)), a, SC_DISCRETE_1);
-#if SC_TARGETS == 2
-    texel_2 = SC_MERGED(SC_OF_FLOATS(SC_WEIGHTED(a_2, b_2, c_2, d_2)), a_2, SC_DISCRETE_2);
-#endif
-#elif SC_FALLS_BACK
-    bool agrees = abs(SC_OFF(SC_FLOAT(texel.w))) <= SC_TOLERANCE
+    vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x)
+            * vec4(1.0 - part.y, 1.0 - part.y, part.y, part.y);
+    float blended = dot(weights, SC_DEPTHS);
+    bool agrees = abs(SC_OFF(blended)) <= SC_TOLERANCE
             && all(lessThanEqual(abs(SC_OFF(SC_DEPTHS)), vec4(SC_ROUGHLY)));
 #if SC_IDS
     agrees = agrees && SC_IDS_OF_FOUR == ivec4(sc_object);
 #endif
+    sc_moved = dot(weights, vec4(moved)) > 0.0;
+#endif
+#if SC_FILTER_BILATERAL
+    if (!agrees) {
+        // What fits of the four, as if the rest were not there.
+        weights *= single;
+        float total = dot(weights, vec4(1.0));
+        if (!(total >= SC_LEAST_WEIGHT)) {
+            return SC_MISS_OF_FOUR;
+        }
+        weights /= total;
+        texel = SC_MERGED(SC_OF_FLOATS(SC_WEIGHTED(a, b, c, d)), a, SC_DISCRETE_1);
+#if SC_TARGETS == 2
+        texel_2 = SC_MERGED(SC_OF_FLOATS(SC_WEIGHTED(a_2, b_2, c_2, d_2)), a_2, SC_DISCRETE_2);
+#endif
+        sc_moved = true;
+    }
+#elif SC_FALLS_BACK
     if (!agrees) {
         // The nearest texel by itself.
         bool right = part.x >= 0.5;
         bool top = part.y >= 0.5;
-        if (!(top ? (right ? fit.w : fit.z) : (right ? fit.y : fit.x))) {
+        if ((top ? (right ? single.w : single.z) : (right ? single.y : single.x)) == 0.0) {
             return SC_MISS_OF_FOUR;
         }
         texel = top ? (right ? d : c) : (right ? b : a);
 #if SC_TARGETS == 2
         texel_2 = top ? (right ? d_2 : c_2) : (right ? b_2 : a_2);
 #endif
-#if SC_IDS
-        if (SC_ID_IN(texel, texel_2) != sc_object) {
-            return SC_ID;
-        }
-#endif
+        sc_moved = true;
         return SC_HIT;
     }
 #else

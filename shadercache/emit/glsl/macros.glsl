@@ -86,7 +86,13 @@
 #define SC_FALLS_BACK (SC_FALLBACK && !SC_FILTER_NEAREST && !SC_FILTER_BILATERAL && !SC_ANY_DISCRETE)
 #define SC_ASIDE (SC_FILTER_BILATERAL || SC_FALLS_BACK)
 #define SC_SLOPED (SC_SINGLE || SC_ASIDE)
-#define SC_DEPTHS vec4(SC_FLOAT(a.w), SC_FLOAT(b.w), SC_FLOAT(c.w), SC_FLOAT(d.w))
+// Where filters make do with a part of their texels, what they make is marked by a negative depth.
+#define SC_SIGNED_DEPTHS vec4(SC_FLOAT(a.w), SC_FLOAT(b.w), SC_FLOAT(c.w), SC_FLOAT(d.w))
+#if SC_ASIDE
+#define SC_DEPTHS abs(SC_SIGNED_DEPTHS)
+#else
+#define SC_DEPTHS SC_SIGNED_DEPTHS
+#endif
 #define SC_IDS_OF_FOUR \
     ivec4(SC_ID_IN(a, a_2), SC_ID_IN(b, b_2), SC_ID_IN(c, c_2), SC_ID_IN(d, d_2))
 #if SC_GUARD_MISS
@@ -121,6 +127,7 @@
 #if SC_BITS
 #define SC_TEXEL uvec4
 #define SC_SAMPLER usampler2D
+#define SC_MARKED(depth) depth | (sc_moved ? 0x80000000u : 0u)
 #define SC_FLOAT(channel) uintBitsToFloat(channel)
 #define SC_FLOATS(texel) uintBitsToFloat(texel)
 #define SC_OF_FLOATS(floats) floatBitsToUint(floats)
@@ -130,6 +137,7 @@
 #else
 #define SC_TEXEL vec4
 #define SC_SAMPLER sampler2D
+#define SC_MARKED(depth) (sc_moved ? -(depth) : depth)
 #define SC_FLOAT(channel) channel
 #define SC_FLOATS(texel) texel
 #define SC_OF_FLOATS(floats) floats
@@ -147,6 +155,14 @@
 #define SC_NO_DEPTH 0u
 #define SC_POISON_DEPTH 0x80000000u
 #define SC_EMPTY uvec4(0u)
+#elif SC_ASIDE
+#define SC_NO_DEPTH 0.0
+#if SC_DEPTH_LINEAR
+#define SC_POISON_DEPTH 0.00006103515625
+#else
+#define SC_POISON_DEPTH 32768.0
+#endif
+#define SC_EMPTY vec4(0.0)
 #elif SC_DEPTH_NDC
 #define SC_NO_DEPTH 2.0
 #define SC_POISON_DEPTH 4.0

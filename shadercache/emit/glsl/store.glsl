@@ -23,11 +23,17 @@ bool sc_reuse = false;  // are there payloads from the cache?
 SC_DECLARE_VALID;       // is there a payload to store?
 #endif
 bool sc_lacks = false;  // was a payload needed, and none there?
+bool sc_moved = false;  // is the payload not just that of this place?
 
-#if SC_MASK
-#define SC_OWN_DEPTH (sc_mask == 2 ? SC_NO_DEPTH : SC_KEPT_DEPTH)
+#if SC_ASIDE
+#define SC_MARKED_DEPTH SC_MARKED(SC_KEPT_DEPTH)
 #else
-#define SC_OWN_DEPTH SC_KEPT_DEPTH
+#define SC_MARKED_DEPTH SC_KEPT_DEPTH
+#endif
+#if SC_MASK
+#define SC_OWN_DEPTH (sc_mask == 2 ? SC_NO_DEPTH : SC_MARKED_DEPTH)
+#else
+#define SC_OWN_DEPTH SC_MARKED_DEPTH
 #endif
 
 SC_TEXEL sc_texel() {
