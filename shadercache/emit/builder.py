@@ -15,7 +15,7 @@ from shadercache.analysis.precision import PrecisionTable
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.emit.assemble import Shader, interface, merge, with_locations, without_main
-from shadercache.emit.layout import Layout
+from shadercache.emit.layout import Layout, extras_of
 from shadercache.emit.runtime import Located, load_part, runtime_names
 from shadercache.options import CURRENT_CLIP, DEFAULT_CACHE, CacheOptions, FetchForm, MappingKind
 from shadercache.sema.facts import Facts
@@ -81,6 +81,7 @@ class PassBuilder:
             tuple(node.type for node in nodes),
             program.module.profile == "es",
             tuple(precisions.of(node.expr) for node in nodes),
+            extras_of(cache),
         )
         self.payloads = self.layout.variables(program.prefix + "payload")
         stores = ("store", "store_2") if self.layout.second else ("store",)
@@ -154,7 +155,7 @@ class PassBuilder:
     ) -> Shader:
         prefix = self.program.prefix
         # ``main`` comes last: GLSL wants functions declared before they are called.
-        names = ("refresh", "lookup", "wide", "store", template)
+        names = ("refresh", "filters", "lookup", "wide", "store", template)
         options = (self.layout, prefix, self.whole, self.program.located, self.cache)
         parts = [load_part(name, *options) for name in names]
         user = insert_clones(self.program.module, *clones)
@@ -167,7 +168,9 @@ class PassBuilder:
         return interface(with_locations(module, locations))
 
     def takes_derivatives(self, module: n.Module) -> bool:
-        does = EffectTable(module, self.program.memo).summary("main").does
+        """Does the shading? (The look-up may, ahead of everything.)"""
+        table, shade = EffectTable(module, self.program.memo), self.own("shade")
+        does = table.summary(shade).does if shade in table.functions else Does(0)
         return bool(does & (Does.DERIVATIVE | Does.IMPLICIT_LOD))
 
     @cached_property

@@ -7,19 +7,24 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
+from typing import TypeAlias
 
 import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.diagnostics import DiagnosticError
+from shadercache.emit.layout import precision_of
 from shadercache.harness.bundle import Bundle, PassSpec
 from shadercache.harness.cache import as_precise_as
 from shadercache.harness.camera import Values
 from shadercache.harness.owner import Owner
 from shadercache.harness.passes import NO_NAMES, BoundPass, FrameInputs, Naming
+from shadercache.harness.scene import Camera
 from shadercache.harness.stage import Stage
+
+Vector: TypeAlias = NDArray[np.float64]
 
 NEVER = 65535
 """The longest refresh period that manifests allow: next to nothing is refreshed on purpose."""
@@ -159,6 +164,7 @@ class VariantRunner(_Runner):
         self._clear = bundle.cache.clear
         specs = bundle.passes(algorithm)
         formats = as_precise_as(bundle.cache.formats, self.options.cache_format)
+        self._fixed_numbers = _fixed_numbers(bundle, stage.scene.camera, formats[0])
         self._caches = stage.targets.lend_cache(formats)
         self._holds_caches = True
         try:
@@ -256,7 +262,7 @@ class VariantRunner(_Runner):
         epsilon = self.options.epsilon
         if epsilon is None:
             epsilon = self.bundle.defaults.get("epsilon", 0.0)
-        numbers = {
+        numbers = self._fixed_numbers | {
             "clock": np.array([frame % period], np.float64),
             "period": np.array([period], np.float64),
             "block": np.array([self.options.block], np.float64),
@@ -266,6 +272,15 @@ class VariantRunner(_Runner):
 
     def _values(self, frame: int) -> Values:
         return self.stage.values(frame if self.options.moving else 0)
+
+
+def _fixed_numbers(bundle: Bundle, camera: Camera, texel: str) -> dict[str, Vector]:
+    """What is the same in every frame, by role: what the manifest says, and what follows from the
+    camera and from the format that the cache really has."""
+    held = precision_of(texel)
+    depth = 2.0 * camera.near * camera.far / (camera.far - camera.near)
+    numbers = bundle.defaults | {"unit": depth, **asdict(held)}
+    return {role: np.array([number], np.float64) for role, number in numbers.items()}
 
 
 def _plain(values: Values) -> FrameInputs:
