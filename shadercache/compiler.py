@@ -47,10 +47,11 @@ from shadercache.ast.walk import walk
 from shadercache.diagnostics import Diagnostic, InputError, input_error
 from shadercache.emit import program_set
 from shadercache.emit.builder import FragmentProgram
+from shadercache.emit.layout import Layout, extras_of
 from shadercache.emit.printer import print_node
 from shadercache.front.options import ReadOptions
 from shadercache.manifest import build_manifest, original_manifest, with_mapping
-from shadercache.options import ALGORITHMS, MappingKind, Mode, Options
+from shadercache.options import ALGORITHMS, CacheOptions, MappingKind, Mode, Options, marks_depths
 from shadercache.sema.check import check
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.read import read
@@ -144,13 +145,14 @@ def rewrite(
     Raises :class:`InputError` with the refusal's code for any other refused node, SC402 without a
     vertex shader, SC407 where an algorithm that was asked for alone cannot be used for the node,
     SC408 where a name that has to stay is a keyword in proof mode, SC419 where levels of detail
-    cannot be asked for, SC415 to SC417 for nodes that
-    cannot be cached together.
+    cannot be asked for, SC430 where the cache has no room for what its options keep, SC415 to
+    SC417 for nodes that cannot be cached together.
     """
     nodes = (node,) if isinstance(node, Candidate) else tuple(node)
     analysis.require_all(nodes, unprofitable)
     options = options or Options()
     _check_names(analysis, options.mode, options.fetches == "level")
+    _check_room(analysis, nodes, options.cache)
     programs = program_set.emit_programs(
         analysis.program, analysis.vertex_emitter, nodes, options, algorithms
     )
@@ -200,6 +202,22 @@ def _check_names(analysis: Analysis, mode: Mode, queries: bool = False) -> None:
                 problems.append(Diagnostic("SC408", message, source, node.span))
     if problems:
         raise InputError(problems)
+
+
+def _check_room(analysis: Analysis, nodes: Sequence[Candidate], options: CacheOptions) -> None:
+    """SC430: does what the options keep beside the payload fit into the two texels?"""
+    if options.depth == "ndc" and marks_depths(options):
+        message = (
+            "the filter marks texels by the sign of their depth, which depths from -1 to 1 use"
+        )
+        raise input_error("SC432", message, "take depth=inverse-w")
+    layout = Layout(tuple(node.type for node in nodes), extras=extras_of(options))
+    if layout.fits:
+        return
+    kept = " and ".join(extra.name for extra in layout.extras)
+    message = f"the cache has no channel left for the {kept}: the payload takes {layout.used} of 7"
+    hint = "choose a smaller value, or leave the option out"
+    raise InputError(Diagnostic("SC430", message, analysis.fragment, nodes[0].expr.span, hint))
 
 
 def _unfit(

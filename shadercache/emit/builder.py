@@ -15,7 +15,7 @@ from shadercache.analysis.precision import PrecisionTable
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.emit.assemble import Shader, interface, merge, with_locations, without_main
-from shadercache.emit.layout import Layout
+from shadercache.emit.layout import Layout, extras_of
 from shadercache.emit.runtime import Located, load_part, runtime_names
 from shadercache.options import CURRENT_CLIP, DEFAULT_CACHE, CacheOptions, FetchForm, MappingKind
 from shadercache.sema.facts import Facts
@@ -81,6 +81,7 @@ class PassBuilder:
             tuple(node.type for node in nodes),
             program.module.profile == "es",
             tuple(precisions.of(node.expr) for node in nodes),
+            extras_of(cache),
         )
         self.payloads = self.layout.variables(program.prefix + "payload")
         stores = ("store", "store_2") if self.layout.second else ("store",)
@@ -154,12 +155,12 @@ class PassBuilder:
     ) -> Shader:
         prefix = self.program.prefix
         # ``main`` comes last: GLSL wants functions declared before they are called.
-        names = ("refresh", "lookup", "wide", "store", template)
+        names = ("refresh", "filters", "lookup", "wide", "store", template)
         options = (self.layout, prefix, self.whole, self.program.located, self.cache)
         parts = [load_part(name, *options) for name in names]
         user = insert_clones(self.program.module, *clones)
         if template in _LATE and self.decides_loops:
-            user = guard_loops(user, decided_loops(user, self.payloads), self.own("lacks"))
+            user = guard_loops(user, self._decided(user), self.own("lacks"))
         module = merge(self.program.module, without_main(user), extra, *parts)
         made = {clone.name for group in clones for _, clone in group.made}
         memo = self.program.memo
@@ -167,14 +168,20 @@ class PassBuilder:
         return interface(with_locations(module, locations))
 
     def takes_derivatives(self, module: n.Module) -> bool:
-        does = EffectTable(module, self.program.memo).summary("main").does
+        """Does the shading? (The look-up may, ahead of everything.)"""
+        table, shade = EffectTable(module, self.program.memo), self.own("shade")
+        does = table.summary(shade).does if shade in table.functions else Does(0)
         return bool(does & (Does.DERIVATIVE | Does.IMPLICIT_LOD))
 
     @cached_property
     def decides_loops(self) -> bool:
         """Does a payload decide how long a loop runs?"""
         user = insert_clones(self.program.module, self.shaded("use"))
-        return bool(decided_loops(user, self.payloads))
+        return bool(self._decided(user))
+
+    def _decided(self, user: n.Module) -> frozenset[n.Node]:
+        """The loops that a payload decides on."""
+        return decided_loops(user, self.payloads, self.program.memo)
 
 
 def _fetches(candidates: Candidates, nodes: Sequence[Candidate]) -> list[SharedUse]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cached_property
 
 from shadercache.analysis.candidates import Candidate
@@ -17,12 +18,18 @@ from shadercache.transform.specialise import CutKind
 class FragmentEmitter(PassBuilder):
     """Makes the passes of nodes that are cached together. Each method returns a finished shader."""
 
-    def one(self) -> Shader:
-        """One pass: look up, else compute; then shade."""
-        return self._one
+    def made(self, build: Callable[[FragmentEmitter], Shader]) -> Shader:
+        """The pass that one of the following methods builds, built once."""
+        if build not in self._passes:
+            self._passes[build] = build(self)
+        return self._passes[build]
 
     @cached_property
-    def _one(self) -> Shader:
+    def _passes(self) -> dict[Callable[[FragmentEmitter], Shader], Shader]:
+        return {}
+
+    def one(self) -> Shader:
+        """One pass: look up, else compute; then shade."""
         return one_pass(self)
 
     def hit(self) -> Shader:
@@ -57,14 +64,20 @@ class FragmentEmitter(PassBuilder):
         return self.finish("passes/reuse_late", [self.shaded("use")])
 
     def payload_only(self) -> Shader:
-        """Three passes, second: compute payloads."""
+        """Three passes, second: compute payloads; where the cache may not hold one (and a guard is
+        to see to that), the colour with it."""
+        if self.cache.guard == "miss":
+            return self.miss()
         if self.whole:
             return self.finish("passes/miss", [self.shaded("keep")])
         return self.finish("passes/payload", [self.computed()])
 
     def shade(self) -> Shader:
         """Three passes, third: the colour from the payload."""
-        return self.finish("passes/shade", [self.shaded("use")], store=False)
+        early = self.finish("passes/shade", [self.shaded("use")], store=False)
+        if self.cache.guard != "miss" or not self.takes_derivatives(early.module):
+            return early
+        return self.finish("passes/shade_late", [self.shaded("use")], store=False)
 
     def payload_alone(self) -> Shader:
         """The payloads in place of the colour, for their cost (P of P/T)."""
@@ -80,7 +93,7 @@ class FragmentEmitter(PassBuilder):
 
     def unneeded(self) -> tuple[Candidate, ...]:
         """The nodes that the colour does not need where the others are reused."""
-        named = names_in(self.shade().module)
+        named = names_in(self.made(FragmentEmitter.shade).module)
         return tuple(
             node
             for node, payload in zip(self.nodes, self.payloads, strict=True)
@@ -90,7 +103,7 @@ class FragmentEmitter(PassBuilder):
     def unfit(self, passes: int) -> str | None:
         """Why the nodes cannot be cached in so many passes, if so."""
         if passes == 1:
-            return unfit_for_one_pass(self) or unfit_as_made(self, self._one)
+            return unfit_for_one_pass(self) or unfit_as_made(self, self.made(FragmentEmitter.one))
         if passes == 3 and self.decides_loops:
             return (
                 "the value decides how long a loop runs, and in the last of three passes fragments "

@@ -10,6 +10,9 @@ may change and whose smallest numbers it may flush to zero (GLSL 4.60 section 4.
     vec4                   (x, y, z, 1/w) (w)
     vec2 and vec3          (x, y, x of the other, 1/w) (y, z)
     struct { vec2 a; bool b; }    (bits of a.x, bits of a.y, b, bits of 1/w)
+
+What a guard keeps beside the payloads (:class:`Extra`: an object's id) lies behind them, one
+channel each. It is never part of what is unpacked; the look-up asks for it by name.
 """
 
 from __future__ import annotations
@@ -20,8 +23,8 @@ from functools import cached_property
 from itertools import groupby
 
 from shadercache.analysis.candidates import FIRST_TEXEL, SECOND_TEXEL
-from shadercache.lang.types import Type
-from shadercache.options import CacheFormat
+from shadercache.lang.types import INT, Type
+from shadercache.options import CacheFormat, CacheOptions
 
 _XYZW = "xyzw"
 _LOCALS = ["texel", "texel_2"]
@@ -39,17 +42,70 @@ class _Leaf:
     flag: str | None
 
 
+@dataclass(frozen=True, slots=True)
+class Extra:
+    """A scalar that each texel holds beside the payloads.
+
+    ``value`` is what is stored: a variable of the ``.glsl`` files, without their prefix. An integer
+    in a texel of floats must be small enough to survive there (:data:`MOST_IN_HALF`). The macro
+    ``SC_<NAME>_IN(first, second)`` is it again, from the first and, if there is one, second texel.
+    """
+
+    name: str
+    type: Type
+    value: str
+
+
+@dataclass(frozen=True, slots=True)
+class Precision:
+    """What a channel of floats holds.
+
+    ``limit`` is the largest number, ``least`` the smallest above zero in full precision,
+    ``resolution`` how much of itself a number is rounded by.
+    """
+
+    limit: float
+    least: float
+    resolution: float
+
+
+PRECISIONS = {
+    "16f": Precision(65504.0, 2.0**-14, 2.0**-11),
+    "32f": Precision((2.0 - 2.0**-23) * 2.0**127, 2.0**-126, 2.0**-24),
+}
+"""By the end of a format's name; unsigned integers hold the bits of ``32f``."""
+
+
+def precision_of(texel: str) -> Precision:
+    """What a texel of that format (``rgba16f``) holds."""
+    return PRECISIONS["16f" if texel.endswith("16f") else "32f"]
+
+
+EXTRAS = {"ids": Extra("id", INT, "object")}
+"""Option of :class:`CacheOptions` -> what it keeps beside the payloads."""
+
+MOST_IN_HALF = 2**11
+"""Integers up to this are exact in half floats; in floats those up to 2^24."""
+
+
+def extras_of(options: CacheOptions) -> tuple[Extra, ...]:
+    """What the chosen options keep in each texel, in the order in which it lies there."""
+    return tuple(extra for option, extra in EXTRAS.items() if getattr(options, option))
+
+
 @dataclass(frozen=True)
 class Layout:
     """Where each scalar of the payloads lies. ``types`` have at most seven scalars in all.
 
     ``es``: is it for GLSL ES, where integers may have 16 bits until they are made ``highp``?
-    ``precisions`` of the payloads' variables, where they have any.
+    ``precisions`` of the payloads' variables, where they have any. ``extras`` lie behind them; see
+    ``fits``.
     """
 
     types: tuple[Type, ...]
     es: bool = False
     precisions: tuple[str | None, ...] = ()
+    extras: tuple[Extra, ...] = ()
 
     @property
     def bits(self) -> bool:
@@ -62,11 +118,30 @@ class Layout:
         return sum(kind.components_or_one for kind in self.types)
 
     @property
+    def fits(self) -> bool:
+        """Is there room for all extras?"""
+        return self.used + len(self.extras) <= FIRST_TEXEL + SECOND_TEXEL
+
+    @property
     def channels(self) -> tuple[int, ...]:
-        """How many channels of each texel the payloads take."""
-        if self.used <= FIRST_TEXEL:
-            return (self.used,)
-        return (FIRST_TEXEL, self.used - FIRST_TEXEL)
+        """How many channels of each texel are taken."""
+        taken = self.used + len(self.extras)
+        if taken <= FIRST_TEXEL:
+            return (taken,)
+        return (FIRST_TEXEL, taken - FIRST_TEXEL)
+
+    @property
+    def payload_channels(self) -> tuple[int, int]:
+        """How many channels of the first and of the second texel the payloads take."""
+        return min(self.used, FIRST_TEXEL), max(self.used - FIRST_TEXEL, 0)
+
+    @property
+    def extra_places(self) -> dict[str, tuple[int, str]]:
+        """Of each extra the number of its texel, 0 or 1, and its channel there."""
+        return {
+            extra.name: _place(channel)
+            for channel, extra in enumerate(self.extras, start=self.used)
+        }
 
     @property
     def places(self) -> tuple[tuple[str, str], ...]:
@@ -106,6 +181,7 @@ class Layout:
         flags = self.variables(f"{prefix}valid")
         masked = whole and len(self.types) > 1
         leaves = self._leaves(prefix, masked)
+        stored = [*leaves, *self._extra_leaves(prefix)]
         # A constructor must not be hidden by a variable of the function that it stands in.
         names = [f"{prefix}local_{i}" for i in (1, 2)] if self.structs else _LOCALS
         found = {
@@ -123,16 +199,36 @@ class Layout:
         for number, (start, end) in enumerate(
             ((0, FIRST_TEXEL), (FIRST_TEXEL, FIRST_TEXEL + SECOND_TEXEL)), start=1
         ):
-            padding = [self._zero(1)] * (end - max(start, min(end, self.used)))
+            taken = self.used + len(self.extras)
+            padding = [self._zero(1)] * (end - max(start, min(end, taken)))
             found[f"PACKED_{number}"] = ", ".join(
-                [*self._packed(leaves, start, end, prefix), *padding]
+                [*self._packed(stored, start, end, prefix), *padding]
             )
-            discrete = _discrete(leaves, start, end)
-            found[f"ANY_DISCRETE_{number}"] = str(int(any(discrete)))
-            marks = ("0xFFFFFFFFu" if mark else "0u" for mark in discrete)
+            any_discrete = any(_discrete(leaves, start, end))
+            found[f"ANY_DISCRETE_{number}"] = str(int(any_discrete))
+            marks = ("0xFFFFFFFFu" if mark else "0u" for mark in _discrete(stored, start, end))
             found[f"DISCRETE_{number}"] = f"uvec4({', '.join(marks)})"
-        if len(leaves) == 1 and not self.bits and not self.second:
+        if len(leaves) == 1 and not self.bits and self.used <= FIRST_TEXEL:
             found["CHANNELS"] = _XYZW[: self.used]
+        return found | self._extra_macros()
+
+    def _extra_leaves(self, prefix: str) -> list[_Leaf]:
+        return [
+            _Leaf(prefix + extra.value, extra.type, channel, None)
+            for channel, extra in enumerate(self.extras, start=self.used)
+        ]
+
+    def _extra_macros(self) -> dict[str, str]:
+        """How each extra is read again from two texels."""
+        found: dict[str, str] = {}
+        for extra in self.extras:
+            texel, channel = self.extra_places[extra.name]
+            text = f"{('first', 'second')[texel]}.{channel}"
+            if extra.type.base == "float":
+                text = f"uintBitsToFloat({text})" if self.bits else text
+            else:
+                text = f"int({text})"
+            found[f"{extra.name.upper()}_IN(first, second)"] = text
         return found
 
     def _leaves(self, prefix: str, masked: bool) -> list[_Leaf]:
@@ -189,7 +285,9 @@ class Layout:
         return zero if count == 1 else f"{vector}{count}({zero})"
 
     def _to_channel(self, text: str, base: str | None, count: int) -> str:
-        if not self.bits or base == "uint":
+        if not self.bits:
+            return text if base == "float" else f"float({text})"
+        if base == "uint":
             return text
         if base == "float":
             return f"floatBitsToUint({text})"
@@ -218,6 +316,13 @@ class Layout:
             as_float = self.bits and leaf.type.base == "float"
             parts.append(f"uintBitsToFloat({text})" if as_float else text)
         return parts
+
+
+def _place(channel: int) -> tuple[int, str]:
+    """The texel of a channel, 0 or 1, and the channel's name in it."""
+    if channel < FIRST_TEXEL:
+        return 0, _XYZW[channel]
+    return 1, _XYZW[channel - FIRST_TEXEL]
 
 
 def _discrete(leaves: list[_Leaf], start: int, end: int) -> list[bool]:

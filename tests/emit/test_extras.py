@@ -1,0 +1,75 @@
+"""What guards keep beside the payloads, and where."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from emit.test_programs import check_programs
+from jsonschema import Draft202012Validator
+from payloads import PAYLOADS, analysed_payload
+
+import shadercache
+from shadercache.compiler import rewrite
+from shadercache.diagnostics import InputError
+from shadercache.emit.layout import Extra, Layout, extras_of
+from shadercache.lang.types import FLOAT, INT, vector
+from shadercache.options import CacheOptions, Mode, Options
+
+ID = Extra("id", INT, "object")
+AGE = Extra("age", FLOAT, "age")
+
+PLACES = [
+    (FLOAT, ("rgba16f",), {"id": (0, "y"), "age": (0, "z")}),
+    (vector("float", 2), ("rgba16f", "r16f"), {"id": (0, "z"), "age": (1, "x")}),
+    (vector("float", 3), ("rgba16f", "rg16f"), {"id": (1, "x"), "age": (1, "y")}),
+    (vector("int", 4), ("rgba32ui", "rgba32ui"), {"id": (1, "y"), "age": (1, "z")}),
+]
+
+
+@pytest.mark.parametrize(("kind", "formats", "places"), PLACES, ids=lambda item: str(item)[:8])
+def test_extras_take_the_channels_behind_the_payload(
+    kind: object, formats: tuple[str, ...], places: dict[str, tuple[int, str]]
+) -> None:
+    layout = Layout((kind,), extras=(ID, AGE))  # type: ignore[arg-type]
+    assert layout.formats("rgba16f") == formats
+    assert layout.extra_places == places
+    assert layout.fits
+
+
+def test_how_extras_are_written_and_read() -> None:
+    floats = Layout((vector("float", 2),), extras=(ID, AGE)).macros("sc_")
+    assert floats["PACKED_1"] == "sc_payload, float(sc_object)"
+    assert floats["PACKED_2"] == "sc_age, 0.0, 0.0, 0.0"
+    assert floats["ID_IN(first, second)"] == "int(first.z)"
+    assert floats["AGE_IN(first, second)"] == "second.x"
+    bits = Layout((INT,), extras=(ID, AGE)).macros("sc_")
+    assert bits["PACKED_1"] == "uint(sc_payload), uint(sc_object), floatBitsToUint(sc_age)"
+    assert bits["ID_IN(first, second)"] == "int(first.y)"
+    assert bits["AGE_IN(first, second)"] == "uintBitsToFloat(first.z)"
+    # Where only extras lie in the second texel, the third pass need not read it.
+    assert Layout((vector("float", 3),), extras=(ID,)).macros("sc_")["CHANNELS"] == "xyz"
+
+
+def test_nothing_is_kept_unasked() -> None:
+    assert extras_of(CacheOptions()) == ()
+    assert Layout((FLOAT,)).channels == (1,)
+
+
+@pytest.mark.parametrize("name", PAYLOADS)
+def test_every_type_with_an_id_has_valid_programs(name: str) -> None:
+    path = Path(shadercache.__file__).with_name("manifest.schema.json")
+    validator = Draft202012Validator(json.loads(path.read_text(encoding="utf-8")))
+    analysis, node = analysed_payload(name)
+    modes: tuple[Mode, ...] = ("plain", "proof")
+    for mode in modes:
+        options = Options(mode=mode, cache=CacheOptions(ids=True))
+        if name in ("Whole", "Mixed"):
+            with pytest.raises(InputError, match="no channel left for the id") as caught:
+                rewrite(analysis, node, options, unprofitable=True)
+            assert caught.value.diagnostics[0].code == "SC430"
+            continue
+        emission = rewrite(analysis, node, options, unprofitable=True)
+        check_programs(emission)
+        validator.validate(emission.manifest)
