@@ -31,10 +31,10 @@ from shadercache.cli.reading import (
     UnrollOption,
     read_options,
 )
-from shadercache.cli.scenes import choose_nodes, find_scene, split_list
+from shadercache.cli.scenes import cache_options, choose_nodes, find_scene, split_list
 from shadercache.cli.tables import shorten
 from shadercache.front.options import MAX_TOKENS
-from shadercache.options import DEFAULT_EPSILON, CacheFormat, Options, read_cache_options
+from shadercache.options import DEFAULT_EPSILON, CacheFormat, Options
 
 if TYPE_CHECKING:
     from shadercache.analysis.candidates import Candidate
@@ -118,7 +118,7 @@ def command(
         cache_format=cache_format,
         epsilon=epsilon,
         fetches=fetches,
-        cache=read_cache_options(cache or ()),
+        cache=cache_options(scene, cache),
     )
     entries = [
         replace(

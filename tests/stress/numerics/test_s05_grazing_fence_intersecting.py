@@ -58,3 +58,29 @@ def record(gpu: Gpu, folder: Path, name: str, cached: str) -> Record:
         for _, found in judge(stage, FRAMES, cached):
             whole.add(found)
     return whole
+
+
+@pytest.mark.parametrize("name", ["grazing", "fence", "intersecting"])
+def test_nothing_trails(gpu: Gpu, tmp_path: Path, name: str) -> None:
+    """Every hit is of the right body, and of the right place on it."""
+    found = record(gpu, tmp_path, name, "ids=on")
+    assert found.hits > 30_000, found
+    assert not found.broken, "\n".join([str(found), *found.broken])
+
+
+@pytest.mark.parametrize(
+    ("name", "least"), [("grazing", 0.4), ("fence", 0.8), ("intersecting", 0.9)]
+)
+def test_what_was_seen_is_mostly_reused(gpu: Gpu, tmp_path: Path, name: str, least: float) -> None:
+    """Under 3 degrees a pixel's depth changes by more than epsilon, so half of the plane misses."""
+    found = record(gpu, tmp_path, name, "ids=on")
+    assert found.hits > least * found.seen, found
+
+
+def test_without_the_id_test_bodies_that_pass_through_one_another_trail(
+    gpu: Gpu, tmp_path: Path
+) -> None:
+    """Where they cut each other both are equally deep. So the checks above can fail."""
+    found = record(gpu, tmp_path, "intersecting", "")
+    assert len(found.foreign) > 100
+    assert "of another body" in "\n".join(found.broken)
