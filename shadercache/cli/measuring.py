@@ -25,8 +25,12 @@ HEADER = (
     "PSNR dB",
     "floor ms",
     "eff.",
+    "p95 ms",
+    "p99 ms",
+    "cut",
+    "burst",
 )
-RIGHT = "P/T ratio hits RMSE eff."
+RIGHT = "P/T ratio hits RMSE eff. cut burst"
 
 
 def parse_size(text: str) -> tuple[int, int]:
@@ -103,6 +107,13 @@ def summary(measurement: Measurement) -> str:
             f"original {original * 1e3:.1f} ms, geometry alone {geometry * 1e3:.1f} ms "
             f"({original / geometry:.1f}x), {measurement.covered:.0%} of the frame covered"
         )
+        if group.skipped is not None:
+            skipped = group.skipped
+            lines.append(
+                f"{skipped.objects} objects; {skipped.outside:.1f} of them outside of the picture "
+                f"and not drawn, which saves the original {skipped.saved:.0%}; "
+                f"{skipped.uncached} drawn by their originals"
+            )
     options = measurement.options
     lines.append(
         f"{options.size[0]}x{options.size[1]}, {options.frames} frames, period {options.period}, "
@@ -132,4 +143,8 @@ def _row(node: NodeResult, variant: VariantResult, label: str) -> tuple[str, ...
         psnr,
         "" if variant.floor is None else f"{variant.floor * 1e3:.1f}",
         "" if variant.efficiency is None else f"{variant.efficiency:.2f}",
+        f"{variant.timing.p95 * 1e3:.1f}",
+        f"{variant.timing.p99 * 1e3:.1f}",
+        f"{variant.cut:.2f}",
+        "" if node.curve is None else f"{node.curve.burst:.1%}",
     )

@@ -44,6 +44,10 @@ COLUMNS = (
     "psnr_db",
     "floor_ms",
     "efficiency",
+    "p95_ms",
+    "p99_ms",
+    "cut_ratio",
+    "refresh_burst",
 )
 
 
@@ -138,6 +142,10 @@ def _row(group: Group, node: NodeResult, variant: VariantResult) -> dict[str, An
         variant.error.psnr,
         None if variant.floor is None else variant.floor * 1e3,
         variant.efficiency,
+        variant.timing.p95 * 1e3,
+        variant.timing.p99 * 1e3,
+        variant.cut,
+        None if node.curve is None else node.curve.burst,
     )
     return dict(zip(COLUMNS, values, strict=True))
 

@@ -23,6 +23,7 @@ from shadercache.harness.pass_runners import (
     PassRunner,
     PayloadRunner,
     Runner,
+    object_numbers,
 )
 from shadercache.harness.passes import NO_NAMES, BoundPass, FrameInputs, Naming
 from shadercache.harness.prop import Prop
@@ -275,10 +276,9 @@ class VariantRunner(Runner):
             "period": period,
             "block": item.block or options.block,
             "epsilon": epsilon,
-            "object": role.prop.number,
-            "mask": item.mask,
         }
         given = {name: np.array([value], np.float64) for name, value in numbers.items()}
+        given |= object_numbers(role.prop)
         return FrameInputs(role.prop.values(shown), role.prop.values(before), given)
 
     def _shown(self, frame: int) -> int:

@@ -251,6 +251,13 @@ def _copy(item: SceneObject, number: int, place: tuple[float, float, float]) -> 
     return replace(item, name=f"{item.name} {number + 1}", scene=scene)
 
 
+def _mask(table: Table) -> int:
+    mask = table.whole("mask", 0, least=0)
+    if mask > 2:
+        table.problem("SC505", "mask", f"{table.full('mask')} must be 0, 1 or 2")
+    return mask
+
+
 def _bounds(table: Table) -> tuple[tuple[float, ...], tuple[float, ...]] | None:
     value = table.values.get("bounds")
     if not table.has("bounds"):

@@ -12,11 +12,16 @@ RESAMPLES = 2000
 
 @dataclass(frozen=True, slots=True)
 class Timing:
-    """Seconds per frame, in the order they were taken, and what is said about them."""
+    """Seconds per frame, in the order they were taken, and what is said about them.
+
+    ``p95`` and ``p99`` are percentiles, interpolated: of few samples they come near the slowest.
+    """
 
     samples: tuple[float, ...]
     median: float
     minimum: float
+    p95: float
+    p99: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,8 +39,15 @@ class Ratio:
 
 
 def timing(samples: Sequence[float]) -> Timing:
-    """Median and minimum of at least one sample."""
-    return Timing(tuple(samples), float(np.median(samples)), float(np.min(samples)))
+    """Median, minimum and the slow end of at least one sample."""
+    slow = np.percentile(samples, (95.0, 99.0))
+    return Timing(
+        tuple(samples),
+        float(np.median(samples)),
+        float(np.min(samples)),
+        float(slow[0]),
+        float(slow[1]),
+    )
 
 
 def paired_ratio(first: Sequence[float], second: Sequence[float], seed: int = 1) -> Ratio:
