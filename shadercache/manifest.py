@@ -211,6 +211,12 @@ def _pass(item: Pass) -> dict[str, Any]:
     }
 
 
+def _periods(layout: Layout, options: Options) -> str:
+    """The range of the period; half floats count no further than this without rounding."""
+    rough = options.cache.age and not layout.bits
+    return f"[1, {MOST_IN_HALF // 2}], with rgba32f [1, 65536)" if rough else "[1, 65536)"
+
+
 def _uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[str, Any]]:
     """Every uniform that the compiler adds, the twins of the user's apart."""
 
@@ -224,6 +230,8 @@ def _uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[str, A
     most = f"[0, {2**31})" if layout.bits else f"[0, {MOST_IN_HALF}], with rgba32f [0, {2**24}]"
     number = "number of the object that is drawn; each draw sets it, to the same in every frame"
     guards = [entry("object", "int", "object", number, range=most, default=0)] * options.cache.ids
+    fresh = "1 in a frame that follows a reset, else 0: payloads then start with different ages"
+    guards += [entry("reset", "int", "reset", fresh, range="0 or 1", default=0)] * options.cache.age
     second = [
         entry("cache_2", sampler, "previous-cache-2", "the rest of what the last frame stored"),
         entry("payloads_2", sampler, "current-cache-2", "the rest of what this frame has stored"),
@@ -245,9 +253,10 @@ def _uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[str, A
             "period",
             "int",
             "period",
-            "frames between two refreshes of a pixel; 1 refreshes everything in every frame",
+            "frames between two refreshes of a pixel; 1 refreshes everything in every frame. "
+            "Variants that run beside each other may have different ones",
             "frames",
-            range="[1, 65536)",
+            range=_periods(layout, options),
             default=32,
         ),
         entry(

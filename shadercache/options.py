@@ -22,8 +22,10 @@ at its own pixel, or where a function of the user's says (docs/TRANSFORMATIONS.m
 PREVIOUS_CLIP, CURRENT_CLIP = "scPreviousClip", "scCurrentClip"
 """The user's functions that ``user`` calls; without the second the pixel's own place is taken."""
 
-RefreshSchedule: TypeAlias = Literal["random", "none"]
-"""Which pixels are recomputed on purpose in a frame: blocks whose hash is due, or none."""
+RefreshSchedule: TypeAlias = Literal["stratified", "random", "tiled", "surface", "none"]
+"""Which pixels are recomputed on purpose in a frame, each once in a period: blocks, of which each
+group of neighbours has one due in every frame; blocks by a hash; as many tiles as the period has
+frames, one after another; triangles by a hash of their number; none (docs/NUMERICS.md)."""
 
 ALGORITHMS = (1, 2, 3)
 
@@ -37,11 +39,13 @@ class CacheOptions:
 
     Each becomes a macro of the ``.glsl`` files (``emit/runtime.py``), so what is not chosen leaves
     no text. ``refresh``: which pixels are recomputed on purpose. ``ids``: is the number of the
-    object kept beside the payload, and reused by that object only?
+    object kept beside the payload, and reused by that object only? ``age``: is the payload's age
+    kept beside it, and what is older than the period recomputed?
     """
 
-    refresh: RefreshSchedule = "random"
+    refresh: RefreshSchedule = "stratified"
     ids: bool = False
+    age: bool = False
 
 
 DEFAULT_CACHE = CacheOptions()

@@ -20,10 +20,10 @@ from shadercache.source import Source
 from shadercache.transform.forget_places import without_places
 from shadercache.transform.names import PREFIX
 
-OUTCOMES = {"hit": 1, "refresh": 2, "outside": 3, "depth": 4, "id": 5}
+OUTCOMES = {"hit": 1, "refresh": 2, "outside": 3, "depth": 4, "id": 5, "old": 7}
 """What a look-up says, as the hit mask shows it (0: nothing is drawn there)."""
 
-_OPTIONAL = {"id": "ids"}
+_OPTIONAL = {"id": "ids", "old": "age"}
 """Outcome -> the option without which no look-up says so."""
 
 FOLDER = Path(__file__).with_name("glsl")

@@ -21,7 +21,7 @@ from shadercache.source import Source
 
 CACHE_ROLES = ("previous-cache", "current-cache", "previous-cache-2", "current-cache-2")
 CACHE_TARGETS = ("cache", "cache-2")
-NUMBER_ROLES = ("clock", "period", "block", "epsilon", "object")
+NUMBER_ROLES = ("clock", "period", "block", "epsilon", "object", "reset")
 
 
 @dataclass(frozen=True, slots=True)

@@ -262,6 +262,7 @@ class VariantRunner(_Runner):
             "block": np.array([self.options.block], np.float64),
             "epsilon": np.array([epsilon], np.float64),
             "object": np.array([1.0], np.float64),
+            "reset": np.array([self._before is None], np.float64),
         }
         return FrameInputs(now, now if self._before is None else self._before, numbers)
 

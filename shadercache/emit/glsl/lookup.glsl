@@ -15,21 +15,26 @@ uniform float sc_epsilon;    // greatest accepted difference of depths, relative
 #if SC_IDS
 uniform int sc_object;       // number of the object that is drawn
 #endif
+#if SC_AGE
+float sc_age = 0.0;  // frames since the payload was computed
+#endif
 
 SC_DECLARE_PAYLOADS;
 
 #if SC_SCREEN
 // What the previous frame stored at this pixel, if the surface is as far away as it was there.
-// Returns SC_HIT, SC_REFRESH, SC_DEPTH or SC_ID.
+// Returns SC_HIT, SC_REFRESH, SC_DEPTH, SC_ID or SC_OLD.
 int sc_look_up(SC_OUT_TEXELS) {
     ivec2 own = ivec2(gl_FragCoord.xy);
     texel = texelFetch(sc_cache, own, 0);
 #if SC_TARGETS == 2
     texel_2 = texelFetch(sc_cache_2, own, 0);
 #endif
+#if !SC_AGE
     if (sc_due()) {
         return SC_REFRESH;
     }
+#endif
     // Both depths are 1/w. A comparison with NaN is false and so a miss.
     if (!(abs(SC_FLOAT(texel.w) - gl_FragCoord.w) <= sc_epsilon * gl_FragCoord.w)) {
         return SC_DEPTH;
@@ -39,7 +44,11 @@ int sc_look_up(SC_OUT_TEXELS) {
         return SC_ID;
     }
 #endif
+#if SC_AGE
+    return sc_judge(SC_AGE_IN(texel, texel_2));  // the mean of all that the filter took
+#else
     return SC_HIT;
+#endif
 }
 #else
 #if SC_BITS
@@ -59,7 +68,7 @@ bool sc_same(uvec4 a, uvec4 b, uvec4 c, uvec4 d, uvec4 discrete) {
 #endif
 
 // Reprojection: where the surface point was, whether it was seen there, and what was stored.
-// Returns SC_HIT, SC_REFRESH, SC_OUTSIDE, SC_DEPTH or SC_ID.
+// Returns SC_HIT, SC_REFRESH, SC_OUTSIDE, SC_DEPTH, SC_ID or SC_OLD.
 int sc_look_up(SC_OUT_TEXELS) {
     ivec2 last = textureSize(sc_cache, 0) - 1;
 #if SC_USER
@@ -103,9 +112,11 @@ int sc_look_up(SC_OUT_TEXELS) {
     texel_2 = mix(mix(a_2, b_2, part.x), mix(c_2, d_2, part.x), part.y);
 #endif
 #endif
+#if !SC_AGE
     if (sc_due()) {
         return SC_REFRESH;
     }
+#endif
     // All four texels lie in the cache; a point behind the camera was not seen.
     if (!(sc_previous.w > 0.0 && all(greaterThanEqual(corner, vec2(0.0)))
             && all(lessThanEqual(corner, vec2(last))))) {
@@ -136,6 +147,10 @@ int sc_look_up(SC_OUT_TEXELS) {
         return SC_DEPTH;
     }
 #endif
+#if SC_AGE
+    return sc_judge(SC_AGE_IN(texel, texel_2));  // the mean of all that the filter took
+#else
     return SC_HIT;
+#endif
 }
 #endif

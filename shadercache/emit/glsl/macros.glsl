@@ -41,14 +41,23 @@
 #define SC_EMPTY vec4(0.0, 0.0, 0.0, -1.0)
 #endif
 
+// SC_STORE stores; SC_CARRY is for passes that compute nothing, so are not drawn after a reset.
+#if SC_AGE
+#define SC_AGING sc_stagger();
+#else
+#define SC_AGING
+#endif
+
 #if SC_TARGETS == 2
 #define SC_TEXELS SC_LOCAL_1, SC_LOCAL_2
 #define SC_DECLARE_TEXELS SC_TEXEL SC_LOCAL_1; SC_TEXEL SC_LOCAL_2
 #define SC_OUT_TEXELS out SC_TEXEL texel, out SC_TEXEL texel_2
-#define SC_STORE sc_store = sc_texel(); sc_store_2 = sc_texel_2()
+#define SC_STORE SC_AGING SC_CARRY
+#define SC_CARRY sc_store = sc_texel(); sc_store_2 = sc_texel_2()
 #else
 #define SC_TEXELS SC_LOCAL_1
 #define SC_DECLARE_TEXELS SC_TEXEL SC_LOCAL_1
 #define SC_OUT_TEXELS out SC_TEXEL texel
-#define SC_STORE sc_store = sc_texel()
+#define SC_STORE SC_AGING SC_CARRY
+#define SC_CARRY sc_store = sc_texel()
 #endif

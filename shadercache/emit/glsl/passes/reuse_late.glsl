@@ -6,7 +6,7 @@ void main() {
     SC_UNPACK;
     SC_SET_VALID(true);
     sc_shade();
-    SC_STORE;
+    SC_CARRY;
     if (sc_lacks) {
         discard;
     }
