@@ -47,10 +47,12 @@ class ReferenceLane:
 
     def time_original(self, clock: Clock, frame: int) -> None:
         """Time the original; its image stays in the colour target."""
+        self._stage.prepare(frame)
         self.original[frame] = clock.time(partial(self._original.draw, frame))
 
     def time_geometry(self, clock: Clock, frame: int) -> None:
         """Time the bare geometry."""
+        self._stage.prepare(frame)
         self.geometry[frame] = clock.time(partial(self._geometry.draw, frame))
 
     def keep_image(self, frame: int) -> None:
