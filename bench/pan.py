@@ -1,4 +1,4 @@
-"""A picture that moves with constant velocity: how old is what is reused, and how much is renewed."""
+"""A picture that moves with constant velocity: how old what is reused is, how much is renewed."""
 
 from __future__ import annotations
 
@@ -63,13 +63,14 @@ def ages(runner: VariantRunner, frames: int, warm: int | None = None) -> Ages:
     period = runner.options.period
     start = 3 * period if warm is None else warm
     values = runner.bundle.mask_values
+    on_purpose = [values[name] for name in ("refresh", "old") if name in values]
     seen: list[NDArray[np.float32]] = []
     refreshed: list[float] = []
     missed: list[float] = []
     for frame in range(start + frames):
         if frame >= start:
             mask = runner.hit_mask(frame)
-            refreshed.append(float(np.isin(mask, [values["refresh"], values.get("old", -1)]).mean()))
+            refreshed.append(float(np.isin(mask, on_purpose).mean()))
             missed.append(float(1.0 - refreshed[-1] - (mask == values["hit"]).mean()))
         image = runner.image(frame)
         if frame >= start:

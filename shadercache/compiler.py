@@ -148,8 +148,8 @@ def rewrite(
     Raises :class:`InputError` with the refusal's code for any other refused node, SC402 without a
     vertex shader, SC407 where an algorithm that was asked for alone cannot be used for the node,
     SC408 where a name that has to stay is a keyword in proof mode, SC419 where levels of detail
-    cannot be asked for, SC440 where there are no triangles to refresh by, SC430 where the cache has no room for what its options keep, SC415 to
-    SC417 for nodes that cannot be cached together.
+    cannot be asked for, SC430 where the cache has no room for what its options keep, SC440 where
+    there are no triangles to refresh by, SC415 to SC417 for nodes that cannot be cached together.
     """
     nodes = (node,) if isinstance(node, Candidate) else tuple(node)
     analysis.require_all(nodes, unprofitable)

@@ -45,8 +45,14 @@ FRAME_OF_TWO = (
 
 RESET = (
     "On the first frame, and whenever the last frame does not show the same scene (camera cut, "
-    "resize, new projection, reloaded shader): clear both caches to cache.clear.",
-    "Draw only the passes with on_reset true.",
+    "resize, new projection, reloaded shader, lost context): clear both caches to cache.clear. "
+    "After a resize or a lost context make them anew first, as large as the target.",
+    "Draw only the passes with on_reset true: what was stored is not looked up, and the image is "
+    "the original's.",
+    "An object that the last frame did not show, or that jumps, is drawn so by itself; the caches "
+    "stay as they are.",
+    "A cut that is not told is drawn rightly up to what passes the hit test by chance, and costs "
+    "look-ups that find nothing.",
 )
 
 FULL_SCREEN = {"geometry": "full-screen triangle", "mode": "triangles", "vertices": 3}

@@ -91,7 +91,7 @@ bool sc_due() {
 
 #if SC_AGE
 #if SC_REFRESH_NONE
-uniform int sc_period;  // the greatest age in frames of what is reused
+uniform int sc_period;  // frames after which a payload is computed again
 #endif
 float sc_age = 0.0;  // frames since the payload was computed
 
@@ -100,12 +100,18 @@ float sc_age = 0.0;  // frames since the payload was computed
 // old. Returns SC_HIT, SC_REFRESH or SC_OLD.
 int sc_judge(float age) {
     // A comparison with NaN is false, so that no such age lives on.
+#if SC_REFRESH_NONE
+    if (!(age + 1.0 < float(sc_period))) {
+        return SC_OLD;
+    }
+#else
     if (!(age + 1.0 <= float(sc_period))) {
         return SC_OLD;
     }
     if (2.0 * (age + 1.0) >= float(sc_period) && sc_due()) {
         return SC_REFRESH;
     }
+#endif
     sc_age = age + 1.0;
     return SC_HIT;
 }
