@@ -51,7 +51,7 @@ from shadercache.emit.layout import Layout, extras_of
 from shadercache.emit.printer import print_node
 from shadercache.front.options import ReadOptions
 from shadercache.manifest import build_manifest, original_manifest, with_mapping
-from shadercache.options import ALGORITHMS, CacheOptions, MappingKind, Mode, Options
+from shadercache.options import ALGORITHMS, CacheOptions, MappingKind, Mode, Options, marks_depths
 from shadercache.sema.check import check
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.read import read
@@ -224,6 +224,11 @@ def _check_schedule(analysis: Analysis, options: CacheOptions) -> None:
 
 def _check_room(analysis: Analysis, nodes: Sequence[Candidate], options: CacheOptions) -> None:
     """SC430: does what the options keep beside the payload fit into the two texels?"""
+    if options.depth == "ndc" and marks_depths(options):
+        message = (
+            "the filter marks texels by the sign of their depth, which depths from -1 to 1 use"
+        )
+        raise input_error("SC432", message, "take depth=inverse-w")
     layout = Layout(tuple(node.type for node in nodes), extras=extras_of(options))
     if layout.fits:
         return

@@ -12,10 +12,18 @@ from typing import Any
 from shadercache import __version__
 from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.sets import is_skipped
-from shadercache.emit.layout import MOST_IN_HALF, Layout, extras_of
+from shadercache.emit.layout import MOST_IN_HALF, Layout, extras_of, precision_of
 from shadercache.emit.program_set import Pass, ProgramSet
 from shadercache.emit.runtime import outcomes
-from shadercache.options import PREVIOUS_CLIP, MappingKind, Options, written_cache_options
+from shadercache.options import (
+    DEFAULT_MAGNIFICATION,
+    PREVIOUS_CLIP,
+    CacheOptions,
+    MappingKind,
+    Options,
+    marks_depths,
+    written_cache_options,
+)
 from shadercache.source import Source
 
 SCHEMA_VERSION = 1
@@ -25,6 +33,20 @@ CLEAR = (0.0, 0.0, 0.0, -1.0)
 
 CLEAR_BITS = (0.0, 0.0, 0.0, 0.0)
 """Where texels are unsigned integers: a depth of zero matches nothing either."""
+
+CLEAR_MARKED = (0.0, 0.0, 0.0, 0.0)
+"""Where the sign of a depth is a mark: no depth is zero."""
+
+CLEAR_NDC = (0.0, 0.0, 0.0, 2.0)
+"""Where depths lie between -1 and 1."""
+
+CLEAR_NDC_BITS = (0.0, 0.0, 0.0, float(0x40000000))
+"""The same as an unsigned integer: the bits of 2."""
+
+_DEPTHS = {"inverse-w": "1/w", "ndc": "z/w", "linear": "w"}
+
+_ALWAYS = ("previous-cache", "current-cache", "previous-cache-2", "current-cache-2", "epsilon")
+"""Roles that are told whether or not a program of the variants at hand has them."""
 
 _CHANNELS = ("x", "xy", "xyz", "xyzw")
 
@@ -80,7 +102,10 @@ def build_manifest(
     assert programs.original is not None and programs.debug is not None
     assert programs.payload is not None
     layout = Layout(tuple(node.type for node in nodes), extras=extras_of(options.cache))
+    declared = _declared(programs)
     relies = list(RELIES_ON)
+    if options.cache.depth != "ndc":
+        relies.append("a perspective projection: in an orthographic one w tells no depth")
     if programs.unchanging:
         names = ", ".join(programs.unchanging)
         relies.append(f"these decide the position and do not change between frames: {names}")
@@ -98,7 +123,11 @@ def build_manifest(
         "mode": options.mode,
         "color": {"output": programs.color, "location": 0},
         "cache": _cache(layout, options),
-        "uniforms": _uniforms(programs.prefix, layout, options),
+        "uniforms": [
+            entry
+            for entry in _uniforms(programs.prefix, layout, options)
+            if entry["name"] in declared or entry["role"] in _ALWAYS
+        ],
         "renamed": dict(renamed),
         "previous": programs.previous,
         "original": _pass(programs.original),
@@ -154,17 +183,25 @@ def original_manifest(programs: ProgramSet, options: Options) -> dict[str, Any]:
     }
 
 
+def _declared(programs: ProgramSet) -> set[str]:
+    """The uniforms that any program declares."""
+    passes = [item for variant in programs.variants.values() for item in variant]
+    passes += [item for item in (programs.debug, programs.payload) if item is not None]
+    return {name for item in passes for name in item.uniforms}
+
+
 def _cache(layout: Layout, options: Options) -> dict[str, Any]:
     formats = layout.formats(options.cache_format)
     first, rest = layout.payload_channels
+    depth = _DEPTHS[options.cache.depth]
     cache: dict[str, Any] = {
         "format": formats[0],
         "buffers": 2,
-        "clear": list(CLEAR_BITS if layout.bits else CLEAR),
+        "clear": list(_clear(layout, options.cache)),
         "filter": "nearest",
         "wrap": "clamp-to-edge",
         "channels": {"payload": _CHANNELS[first - 1], "depth": "w"} | _extras(layout, 0),
-        "depth_encoding": "floatBitsToUint(1/w)" if layout.bits else "1/w",
+        "depth_encoding": f"floatBitsToUint({depth})" if layout.bits else depth,
         "options": written_cache_options(options.cache),
     }
     if layout.second:
@@ -172,6 +209,15 @@ def _cache(layout: Layout, options: Options) -> dict[str, Any]:
         channels = payload | _extras(layout, 1)
         cache["second"] = {"format": formats[1], "clear": [0.0] * 4, "channels": channels}
     return cache
+
+
+def _clear(layout: Layout, options: CacheOptions) -> tuple[float, ...]:
+    """What an empty texel holds."""
+    if options.depth == "ndc":
+        return CLEAR_NDC_BITS if layout.bits else CLEAR_NDC
+    if layout.bits:
+        return CLEAR_BITS
+    return CLEAR_MARKED if marks_depths(options) else CLEAR
 
 
 def _extras(layout: Layout, texel: int) -> dict[str, Any]:
@@ -234,10 +280,7 @@ def _uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[str, A
 
     sampler = "usampler2D" if layout.bits else "sampler2D"
     most = f"[0, {2**31})" if layout.bits else f"[0, {MOST_IN_HALF}], with rgba32f [0, {2**24}]"
-    number = "number of the object that is drawn; each draw sets it, to the same in every frame"
-    guards = [entry("object", "int", "object", number, range=most, default=0)] * options.cache.ids
-    fresh = "1 in a frame that follows a reset, else 0: payloads then start with different ages"
-    guards += [entry("reset", "int", "reset", fresh, range="0 or 1", default=0)] * options.cache.age
+    held = precision_of(layout.formats(options.cache_format)[0])
     second = [
         entry("cache_2", sampler, "previous-cache-2", "the rest of what the last frame stored"),
         entry("payloads_2", sampler, "current-cache-2", "the rest of what this frame has stored"),
@@ -283,5 +326,52 @@ def _uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[str, A
             range="> 0",
             default=options.epsilon,
         ),
-        *guards,
+        entry(
+            "object",
+            "int",
+            "object",
+            "number of the object that is drawn; each draw sets it, to the same in every frame",
+            range=most,
+            default=0,
+        ),
+        entry(
+            "mask",
+            "int",
+            "mask",
+            "set by each draw. 1: it reuses nothing in this frame; 2: nor is what it stores reused",
+            range="[0, 2]",
+            default=0,
+        ),
+        entry(
+            "reset",
+            "int",
+            "reset",
+            "1 in a frame that follows a reset, else 0: payloads then start with different ages",
+            range="0 or 1",
+            default=0,
+        ),
+        entry(
+            "unit",
+            "float",
+            "unit",
+            "what 1/w is in depths from -1 to 1: 2 near far / (far - near) in a perspective",
+            "w",
+            range="> 0",
+        ),
+        entry(
+            "magnification",
+            "float",
+            "magnification",
+            "how many times larger a surface may have become and still be reused",
+            range=">= 1",
+            default=DEFAULT_MAGNIFICATION,
+        ),
+        *(
+            entry(role, "float", role, f"{meaning}; depends on cache.format", default=value)
+            for role, meaning, value in (
+                ("resolution", "how much of itself a depth is rounded by", held.resolution),
+                ("limit", "the largest payload that the cache holds", held.limit),
+                ("least", "the smallest above zero that it holds precisely", held.least),
+            )
+        ),
     ]

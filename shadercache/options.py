@@ -27,10 +27,29 @@ RefreshSchedule: TypeAlias = Literal["stratified", "random", "tiled", "surface",
 group of neighbours has one due in every frame; blocks by a hash; as many tiles as the period has
 frames, one after another; triangles by a hash of their number; none (docs/NUMERICS.md)."""
 
+FilterKind: TypeAlias = Literal["bilinear", "nearest", "bilateral", "lanczos2", "mitchell"]
+"""How payloads are resampled between texels."""
+
+DepthKind: TypeAlias = Literal["inverse-w", "ndc", "linear"]
+"""What is kept of the depth: 1/w, z/w or w of the clip-space position."""
+
+ToleranceKind: TypeAlias = Literal["relative", "akeley-su", "fixed"]
+"""What a cached depth may be off: a share of the depth, what the format's resolution and
+interpolation leave uncertain, or the same everywhere."""
+
+GuardKind: TypeAlias = Literal["off", "miss", "clamp"]
+"""What becomes of payloads that are not finite or do not fit: they are stored as any other, are
+never reused, or are brought into the format's range."""
+
 ALGORITHMS = (1, 2, 3)
 
 DEFAULT_EPSILON = 1e-3
 """Accepted relative difference of 1/w: twice what half floats round it by (docs/NUMERICS.md)."""
+
+
+DEFAULT_MAGNIFICATION = 1.5
+"""How many times larger a surface may become from one frame to the next and be reused, where that
+is asked."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,14 +57,31 @@ class CacheOptions:
     """How a variant looks up, stores and refreshes payloads: one field for each slot (DESIGN §3).
 
     Each becomes a macro of the ``.glsl`` files (``emit/runtime.py``), so what is not chosen leaves
-    no text. ``refresh``: which pixels are recomputed on purpose. ``ids``: is the number of the
-    object kept beside the payload, and reused by that object only? ``age``: is the payload's age
-    kept beside it, and what is older than the period recomputed?
+    no text.
+
+    Refresh: ``refresh`` says which pixels are recomputed on purpose; with ``age`` the payload's age
+    is kept beside it, and what is older than the period is recomputed as well.
+
+    Hit test: ``depth`` is what is kept of it, ``tolerance`` what it may be off; with ``ids`` the
+    number of the object is kept as well, and each object reuses only its own; with ``mask`` a
+    uniform makes a draw miss, or keeps others from reusing it.
+
+    Resampling: ``filter``; ``fallback``: is the nearest texel tried where a filter fails?
+    ``magnification``: does a surface miss that has become much larger?
+
+    Storage: ``guard`` against values that are not finite or do not fit.
     """
 
     refresh: RefreshSchedule = "stratified"
-    ids: bool = False
     age: bool = False
+    filter: FilterKind = "bilinear"
+    fallback: bool = False
+    magnification: bool = False
+    depth: DepthKind = "inverse-w"
+    tolerance: ToleranceKind = "relative"
+    ids: bool = False
+    mask: bool = False
+    guard: GuardKind = "off"
 
 
 DEFAULT_CACHE = CacheOptions()
@@ -67,6 +103,15 @@ class Options:
     epsilon: float = DEFAULT_EPSILON
     fetches: FetchForm = "whole"
     cache: CacheOptions = DEFAULT_CACHE
+
+
+def marks_depths(options: CacheOptions) -> bool:
+    """Does the sign of a cached depth tell that the payload comes from a part of a filter?
+
+    Such a payload lies up to a pixel beside its place. What is made of it is marked as well, and
+    never again of a part of a filter: so no payload slides along an edge from frame to frame.
+    """
+    return options.filter == "bilateral" or (options.fallback and options.filter != "nearest")
 
 
 def cache_choices() -> dict[str, tuple[str, ...]]:

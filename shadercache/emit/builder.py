@@ -155,7 +155,7 @@ class PassBuilder:
     ) -> Shader:
         prefix = self.program.prefix
         # ``main`` comes last: GLSL wants functions declared before they are called.
-        names = ("refresh", "lookup", "wide", "store", template)
+        names = ("refresh", "filters", "lookup", "wide", "store", template)
         options = (self.layout, prefix, self.whole, self.program.located, self.cache)
         parts = [load_part(name, *options) for name in names]
         user = insert_clones(self.program.module, *clones)
@@ -168,7 +168,9 @@ class PassBuilder:
         return interface(with_locations(module, locations))
 
     def takes_derivatives(self, module: n.Module) -> bool:
-        does = EffectTable(module, self.program.memo).summary("main").does
+        """Does the shading? (The look-up may, ahead of everything.)"""
+        table, shade = EffectTable(module, self.program.memo), self.own("shade")
+        does = table.summary(shade).does if shade in table.functions else Does(0)
         return bool(does & (Does.DERIVATIVE | Does.IMPLICIT_LOD))
 
     @cached_property

@@ -56,6 +56,31 @@ class Extra:
     value: str
 
 
+@dataclass(frozen=True, slots=True)
+class Precision:
+    """What a channel of floats holds.
+
+    ``limit`` is the largest number, ``least`` the smallest above zero in full precision,
+    ``resolution`` how much of itself a number is rounded by.
+    """
+
+    limit: float
+    least: float
+    resolution: float
+
+
+PRECISIONS = {
+    "16f": Precision(65504.0, 2.0**-14, 2.0**-11),
+    "32f": Precision((2.0 - 2.0**-23) * 2.0**127, 2.0**-126, 2.0**-24),
+}
+"""By the end of a format's name; unsigned integers hold the bits of ``32f``."""
+
+
+def precision_of(texel: str) -> Precision:
+    """What a texel of that format (``rgba16f``) holds."""
+    return PRECISIONS["16f" if texel.endswith("16f") else "32f"]
+
+
 EXTRAS = {"ids": Extra("id", INT, "object"), "age": Extra("age", FLOAT, "age")}
 """Option of :class:`CacheOptions` -> what it keeps beside the payloads."""
 
@@ -179,9 +204,9 @@ class Layout:
             found[f"PACKED_{number}"] = ", ".join(
                 [*self._packed(stored, start, end, prefix), *padding]
             )
-            discrete = _discrete(leaves, start, end)
-            found[f"ANY_DISCRETE_{number}"] = str(int(any(discrete)))
-            marks = ("0xFFFFFFFFu" if mark else "0u" for mark in discrete)
+            any_discrete = any(_discrete(leaves, start, end))
+            found[f"ANY_DISCRETE_{number}"] = str(int(any_discrete))
+            marks = ("0xFFFFFFFFu" if mark else "0u" for mark in _discrete(stored, start, end))
             found[f"DISCRETE_{number}"] = f"uvec4({', '.join(marks)})"
         if len(leaves) == 1 and not self.bits and self.used <= FIRST_TEXEL:
             found["CHANNELS"] = _XYZW[: self.used]

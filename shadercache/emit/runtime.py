@@ -15,21 +15,45 @@ from typing import get_args, get_type_hints
 from shadercache.ast import nodes as n
 from shadercache.emit.layout import Layout
 from shadercache.front.parse import parse
-from shadercache.options import DEFAULT_CACHE, CacheOptions, MappingKind
+from shadercache.options import DEFAULT_CACHE, DEFAULT_EPSILON, CacheOptions, MappingKind
 from shadercache.source import Source
 from shadercache.transform.forget_places import without_places
 from shadercache.transform.names import PREFIX
 
-OUTCOMES = {"hit": 1, "refresh": 2, "outside": 3, "depth": 4, "id": 5, "old": 7}
+OUTCOMES = {
+    **{"hit": 1, "refresh": 2, "outside": 3, "depth": 4},
+    **{"id": 5, "poison": 6, "magnified": 7, "opted-out": 8, "old": 9},
+}
 """What a look-up says, as the hit mask shows it (0: nothing is drawn there)."""
 
-_OPTIONAL = {"id": "ids", "old": "age"}
-"""Outcome -> the option without which no look-up says so."""
+_OPTIONAL = {
+    "id": lambda options: options.ids,
+    "poison": lambda options: options.guard == "miss",
+    "magnified": lambda options: options.magnification,
+    "opted-out": lambda options: options.mask,
+    "old": lambda options: options.age,
+}
+"""Outcome -> do look-ups say so with these options? (The others always do.)"""
 
 FOLDER = Path(__file__).with_name("glsl")
 
 SPREAD = 24.0
 """How many epsilons a single texel of the filter may be off in depth (docs/NUMERICS.md)."""
+
+
+INTERPOLATION = 1.2e-5
+"""What the interpolation of positions leaves uncertain in 1/w, relative to it: 4.3e-4 of a pixel,
+on the steepest slope that ``SPREAD`` lets through, and rounding (docs/NUMERICS.md)."""
+
+LEAST_WEIGHT = 0.25
+"""What those texels must weigh together that fit in the depth-aware filter: as the nearest may."""
+
+_NUMBERS = {
+    "SPREAD": str(SPREAD),
+    "EPSILON": str(DEFAULT_EPSILON),
+    "INTERPOLATION": str(INTERPOLATION),
+    "LEAST_WEIGHT": str(LEAST_WEIGHT),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +79,7 @@ def outcomes(options: CacheOptions) -> dict[str, int]:
     return {
         word: value
         for word, value in OUTCOMES.items()
-        if word not in _OPTIONAL or getattr(options, _OPTIONAL[word])
+        if word not in _OPTIONAL or _OPTIONAL[word](options)
     }
 
 
@@ -67,7 +91,7 @@ def option_macros(options: CacheOptions) -> dict[str, str]:
     for field in fields(options):
         value, name = getattr(options, field.name), field.name.upper()
         known = get_args(hints[field.name])
-        marks |= {f"{name}_{word.upper().replace('-', '_')}": word == value for word in known}
+        marks |= {f"{name}_{_word(word)}": word == value for word in known}
         if not known:
             marks[name] = value
     return {name: str(int(mark)) for name, mark in marks.items()}
@@ -86,9 +110,9 @@ def load_part(
 
     ``whole``: not every fragment has the payloads.
     """
-    macros = layout.macros(prefix, whole) | located.macros | {"SPREAD": str(SPREAD)}
+    macros = layout.macros(prefix, whole) | located.macros | _NUMBERS
     macros |= option_macros(options)
-    macros |= {key.upper(): str(value) for key, value in OUTCOMES.items()}
+    macros |= {_word(key): str(value) for key, value in OUTCOMES.items()}
     # Names of the user's can stand in what a macro means; none begins with the prefix.
     capitals = prefix.upper()
     lines = ["#version 330", *(f"#define {capitals}{key} {macros[key]}" for key in macros)]
@@ -99,6 +123,10 @@ def load_part(
     source = Source(f"{name}.glsl", "\n".join([*lines, text]))
     decls = parse(source).decls[len(layout.structs) :]
     return tuple(without_places(decl) for decl in decls)
+
+
+def _word(text: str) -> str:
+    return text.upper().replace("-", "_")
 
 
 def _text(name: str) -> str:

@@ -22,7 +22,10 @@ from shadercache.source import Source
 
 CACHE_ROLES = ("previous-cache", "current-cache", "previous-cache-2", "current-cache-2")
 CACHE_TARGETS = ("cache", "cache-2")
-NUMBER_ROLES = ("clock", "period", "block", "epsilon", "object", "mask", "reset")
+NUMBER_ROLES = (
+    *("clock", "period", "block", "epsilon", "object", "mask", "unit", "magnification"),
+    *("resolution", "limit", "least", "reset"),
+)
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,12 +6,13 @@ Arrays that are read back have row 0 at the bottom, as in OpenGL.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.diagnostics import DiagnosticError
+from shadercache.emit.layout import precision_of
 from shadercache.harness.bundle import Bundle, PassSpec
 from shadercache.harness.cache import CachePair, as_precise_as, check_period
 from shadercache.harness.cast import algorithm_of
@@ -26,6 +27,7 @@ from shadercache.harness.pass_runners import (
 )
 from shadercache.harness.passes import NO_NAMES, BoundPass, FrameInputs, Naming
 from shadercache.harness.prop import Prop
+from shadercache.harness.scene import Camera
 from shadercache.harness.stage import Stage
 
 __all__ = [
@@ -119,6 +121,7 @@ class VariantRunner(Runner):
         self.cuts = CutWatch()
         self._roles: list[Role] = []
         formats = as_precise_as(bundle.cache.formats, self.options.cache_format)
+        self._fixed_numbers = _fixed_numbers(bundle, stage.scene.camera, formats[0])
         self._caches = stage.targets.lend_cache(formats)
         self._holds_caches = True
         try:
@@ -283,7 +286,7 @@ class VariantRunner(Runner):
         epsilon = options.epsilon
         if epsilon is None:
             epsilon = role.bundle.defaults.get("epsilon", 0.0) if role.caches else 0.0
-        numbers = {
+        numbers = self._fixed_numbers | {
             "clock": frame % period,
             "period": period,
             "block": item.block or options.block,
@@ -297,6 +300,14 @@ class VariantRunner(Runner):
 
     def _shown(self, frame: int) -> int:
         return frame if self.options.moving else 0
+
+
+def _fixed_numbers(bundle: Bundle, camera: Camera, texel: str) -> dict[str, float]:
+    """What is the same in every frame, by role: what the manifest says, and what follows from the
+    camera and from the format that the cache really has."""
+    held = precision_of(texel)
+    depth = 2.0 * camera.near * camera.far / (camera.far - camera.near)
+    return bundle.defaults | {"unit": depth, **asdict(held)}
 
 
 def render_original(

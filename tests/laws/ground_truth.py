@@ -26,7 +26,7 @@ from shadercache.harness.mesh import Mesh, load_mesh
 from shadercache.harness.runner import OriginalRunner
 from shadercache.harness.scene import Scene, load_scene
 from shadercache.harness.stage import Stage
-from shadercache.options import CacheFormat, Options
+from shadercache.options import DEFAULT_CACHE, CacheFormat, CacheOptions, Options
 from shadercache.paths import data_path
 from shadercache.source import Source
 
@@ -70,12 +70,12 @@ LEAST_COSINE = 1e-3
 
 
 @cache
-def bundle_of(what: str, form: CacheFormat) -> Bundle:
+def bundle_of(what: str, form: CacheFormat, cached: CacheOptions = DEFAULT_CACHE) -> Bundle:
     """The rewritten shader whose payload is the varying ``what``, with a cache of that format."""
     text = FRAGMENT.replace("WHAT", what)
     analysis = analyse(Source("truth.frag", text), Source("truth.vert", VERTEX))
     node = next(node for node in analysis.nodes if node.text == f"{what} * 1.0")
-    emission = rewrite(analysis, node, Options(cache_format=form), unprofitable=True)
+    emission = rewrite(analysis, node, Options(cache_format=form, cache=cached), unprofitable=True)
     return Bundle(emission.manifest, emission.files)
 
 

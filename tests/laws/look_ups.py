@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from shadercache.harness.runner import RunOptions, VariantRunner
 from shadercache.harness.stage import Stage
-from shadercache.options import CacheFormat
+from shadercache.options import DEFAULT_CACHE, CacheFormat, CacheOptions
 
 MOST_STALE = 1e-5
 """Share of hits that may lie farther away than the filter's footprint plus epsilon (law 5)."""
@@ -132,6 +132,7 @@ class LawFive:
     period: int = 32
     carried: bool = False
     mutation: Mutation | None = None
+    cached: CacheOptions = DEFAULT_CACHE
 
     def findings(self) -> Findings:
         """Judge positions, then sides, then bodies where there are several."""
@@ -149,7 +150,7 @@ class LawFive:
 
     def _run(self, what: str) -> Iterator[tuple[int, NDArray[np.uint8], NDArray[np.float32]]]:
         """Frame, hit mask and the payloads (h, w, 3) that the frame stores."""
-        bundle = mutated(bundle_of(what, self.form), self.mutation)
+        bundle = mutated(bundle_of(what, self.form, self.cached), self.mutation)
         with VariantRunner(self.stage, bundle, "2-pass", self._options()) as runner:
             runner.draw(0)
             for frame in range(1, len(self.truth)):

@@ -1,4 +1,4 @@
-// The look-up in the cache of the previous frame. Words in capitals: see macros.glsl.
+// The look-up in the cache of the previous frame. Words in capitals: see macros.glsl and depth.glsl.
 
 #if SC_SURFACE
 in vec4 sc_current;   // clip-space position in this frame
@@ -12,18 +12,21 @@ uniform SC_SAMPLER sc_cache;    // what the previous frame stored: payload and 1
 uniform SC_SAMPLER sc_cache_2;  // the rest of the payload
 #endif
 uniform float sc_epsilon;    // greatest accepted difference of depths, relative to the depth
-#if SC_IDS
-uniform int sc_object;       // number of the object that is drawn
-#endif
+uniform float sc_resolution;     // what depths are rounded by where they are kept, relative to them
+uniform float sc_unit;           // 2 near far / (far - near), what 1/w is in depths from -1 to 1
+uniform float sc_magnification;  // how many times larger a surface may have become
+uniform int sc_object;           // number of the object that is drawn
+uniform int sc_mask;             // 1: the draw reuses nothing; 2: and nobody reuses it
 #if SC_AGE
 float sc_age = 0.0;  // frames since the payload was computed
 #endif
 
 SC_DECLARE_PAYLOADS;
+bool sc_moved = false;  // is the payload not just that of this place?
 
 #if SC_SCREEN
 // What the previous frame stored at this pixel, if the surface is as far away as it was there.
-// Returns SC_HIT, SC_REFRESH, SC_DEPTH, SC_ID or SC_OLD.
+// Returns one of the outcomes.
 int sc_look_up(SC_OUT_TEXELS) {
     ivec2 own = ivec2(gl_FragCoord.xy);
     texel = texelFetch(sc_cache, own, 0);
@@ -35,40 +38,25 @@ int sc_look_up(SC_OUT_TEXELS) {
         return SC_REFRESH;
     }
 #endif
-    // Both depths are 1/w. A comparison with NaN is false and so a miss.
-    if (!(abs(SC_FLOAT(texel.w) - gl_FragCoord.w) <= sc_epsilon * gl_FragCoord.w)) {
-        return SC_DEPTH;
+#if SC_MASK
+    if (sc_mask != 0) {
+        return SC_OPTED_OUT;
+    }
+#endif
+    // A comparison with NaN is false and so a miss.
+    if (!(abs(SC_FLOAT(texel.w) - SC_DEPTH_OF_PIXEL) <= SC_TOLERANCE * SC_UNIT)) {
+        return SC_MISS_OF_ONE;
     }
 #if SC_IDS
     if (SC_ID_IN(texel, texel_2) != sc_object) {
         return SC_ID;
     }
 #endif
-#if SC_AGE
-    return sc_judge(SC_AGE_IN(texel, texel_2));  // the mean of all that the filter took
-#else
-    return SC_HIT;
-#endif
+    return SC_FOUND;
 }
 #else
-#if SC_BITS
-// What four texels hold at a place between them: floats are blended, integers and booleans (marked
-// in a mask) are those of one of the texels.
-uvec4 sc_blend(uvec4 a, uvec4 b, uvec4 c, uvec4 d, vec2 part, uvec4 discrete) {
-    vec4 low = mix(uintBitsToFloat(a), uintBitsToFloat(b), part.x);
-    vec4 high = mix(uintBitsToFloat(c), uintBitsToFloat(d), part.x);
-    vec4 blended = mix(low, high, part.y);
-    return (a & discrete) | (floatBitsToUint(blended) & ~discrete);
-}
-
-// Do four texels hold the same integers and booleans?
-bool sc_same(uvec4 a, uvec4 b, uvec4 c, uvec4 d, uvec4 discrete) {
-    return (((a ^ b) | (a ^ c) | (a ^ d)) & discrete) == uvec4(0u);
-}
-#endif
-
 // Reprojection: where the surface point was, whether it was seen there, and what was stored.
-// Returns SC_HIT, SC_REFRESH, SC_OUTSIDE, SC_DEPTH, SC_ID or SC_OLD.
+// Returns one of the outcomes.
 int sc_look_up(SC_OUT_TEXELS) {
     ivec2 last = textureSize(sc_cache, 0) - 1;
 #if SC_USER
@@ -86,11 +74,26 @@ int sc_look_up(SC_OUT_TEXELS) {
     vec2 motion = sc_previous.xy / sc_previous.w - sc_current.xy / sc_current.w;
 #endif
     vec2 corner = gl_FragCoord.xy - 0.5 + 0.5 * vec2(last + 1) * motion;
+#if SC_SLOPED
+    // How the expected depth changes from pixel to pixel. Ahead of every exit, as derivatives are.
+    vec2 slope = vec2(dFdx(SC_EXPECTED), dFdy(SC_EXPECTED)) / (SC_UNIT);
+#endif
+#if SC_MAGNIFICATION
+    vec2 across = dFdx(corner);
+    vec2 up = dFdy(corner);
+#endif
     // At rest the motion is exactly zero: all four texels are the pixel's own, nothing is filtered.
     vec2 whole = floor(corner);
     vec2 part = corner - whole;
     ivec2 near = clamp(ivec2(whole), ivec2(0), last);
     ivec2 far = min(near + ivec2(ceil(part)), last);
+#if SC_SINGLE
+    ivec2 own = ivec2(part.x < 0.5 ? near.x : far.x, part.y < 0.5 ? near.y : far.y);
+    texel = texelFetch(sc_cache, own, 0);
+#if SC_TARGETS == 2
+    texel_2 = texelFetch(sc_cache_2, own, 0);
+#endif
+#else
     SC_TEXEL a = texelFetch(sc_cache, near, 0);
     SC_TEXEL b = texelFetch(sc_cache, ivec2(far.x, near.y), 0);
     SC_TEXEL c = texelFetch(sc_cache, ivec2(near.x, far.y), 0);
@@ -112,9 +115,15 @@ int sc_look_up(SC_OUT_TEXELS) {
     texel_2 = mix(mix(a_2, b_2, part.x), mix(c_2, d_2, part.x), part.y);
 #endif
 #endif
+#endif
 #if !SC_AGE
     if (sc_due()) {
         return SC_REFRESH;
+    }
+#endif
+#if SC_MASK
+    if (sc_mask != 0) {
+        return SC_OPTED_OUT;
     }
 #endif
     // All four texels lie in the cache; a point behind the camera was not seen.
@@ -122,19 +131,88 @@ int sc_look_up(SC_OUT_TEXELS) {
             && all(lessThanEqual(corner, vec2(last))))) {
         return SC_OUTSIDE;
     }
+#if SC_MAGNIFICATION
+    // The area in the previous frame that a pixel shows.
+    if (!(abs(across.x * up.y - across.y * up.x) * sc_magnification * sc_magnification >= 1.0)) {
+        return SC_MAGNIFIED;
+    }
+#endif
+#if SC_SINGLE
+    // The texel lies beside the place; so does what its depth should be.
+    vec2 aside = vec2(own) - corner;
+    if (!(abs(SC_OFF(SC_FLOAT(texel.w)) - dot(slope, aside)) <= SC_TOLERANCE)) {
+        return SC_MISS_OF_ONE;
+    }
+#if SC_IDS
+    if (SC_ID_IN(texel, texel_2) != sc_object) {
+        return SC_ID;
+    }
+#endif
+    return SC_FOUND;
+#else
+#if SC_ASIDE
+    // What each texel is off, where the surface slopes on as it does at the pixel.
+    vec4 aside = SC_OFF(SC_DEPTHS) - slope.x * vec4(-part.x, 1.0 - part.x, -part.x, 1.0 - part.x)
+            - slope.y * vec4(-part.y, -part.y, 1.0 - part.y, 1.0 - part.y);
+    bvec4 moved = lessThan(SC_SIGNED_DEPTHS, vec4(0.0));
+    vec4 single = vec4(lessThanEqual(abs(aside), vec4(SC_TOLERANCE))) * vec4(not(moved));
+#if SC_IDS
+    single *= vec4(equal(SC_IDS_OF_FOUR, ivec4(sc_object)));
+#endif
+    vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x)
+            * vec4(1.0 - part.y, 1.0 - part.y, part.y, part.y);
+    float blended = dot(weights, SC_DEPTHS);
+    bool agrees = abs(SC_OFF(blended)) <= SC_TOLERANCE
+            && all(lessThanEqual(abs(SC_OFF(SC_DEPTHS)), vec4(SC_ROUGHLY)));
+#if SC_IDS
+    agrees = agrees && SC_IDS_OF_FOUR == ivec4(sc_object);
+#endif
+    sc_moved = dot(weights, vec4(moved)) > 0.0;
+#endif
+#if SC_FILTER_BILATERAL
+    if (!agrees) {
+        // What fits of the four, as if the rest were not there.
+        weights *= single;
+        float total = dot(weights, vec4(1.0));
+        if (!(total >= SC_LEAST_WEIGHT)) {
+            return SC_MISS_OF_FOUR;
+        }
+        weights /= total;
+        texel = SC_MERGED(SC_OF_FLOATS(SC_WEIGHTED(a, b, c, d)), a, SC_DISCRETE_1);
+#if SC_TARGETS == 2
+        texel_2 = SC_MERGED(SC_OF_FLOATS(SC_WEIGHTED(a_2, b_2, c_2, d_2)), a_2, SC_DISCRETE_2);
+#endif
+        sc_moved = true;
+    }
+#elif SC_FALLS_BACK
+    if (!agrees) {
+        // The nearest texel by itself.
+        bool right = part.x >= 0.5;
+        bool top = part.y >= 0.5;
+        if ((top ? (right ? single.w : single.z) : (right ? single.y : single.x)) == 0.0) {
+            return SC_MISS_OF_FOUR;
+        }
+        texel = top ? (right ? d : c) : (right ? b : a);
+#if SC_TARGETS == 2
+        texel_2 = top ? (right ? d_2 : c_2) : (right ? b_2 : a_2);
+#endif
+        sc_moved = true;
+        return SC_FOUND;
+    }
+#else
     // All depths are 1/w. The blended one must agree closely, each single one roughly: else a front
     // and a back could blend to just the right depth. A comparison with NaN is false and so a miss.
-    vec4 each = abs(vec4(SC_FLOAT(a.w), SC_FLOAT(b.w), SC_FLOAT(c.w), SC_FLOAT(d.w)) * sc_previous.w - 1.0);
-    if (!(abs(SC_FLOAT(texel.w) * sc_previous.w - 1.0) <= sc_epsilon
-            && all(lessThanEqual(each, vec4(SC_SPREAD * sc_epsilon))))) {
-        return SC_DEPTH;
+    vec4 each = abs(SC_OFF(SC_DEPTHS));
+    if (!(abs(SC_OFF(SC_FLOAT(texel.w))) <= SC_TOLERANCE
+            && all(lessThanEqual(each, vec4(SC_ROUGHLY))))) {
+        return SC_MISS_OF_FOUR;
     }
 #if SC_IDS
     // A filter that takes a little of another object passes the test of depths where they touch.
-    ivec4 ids = ivec4(SC_ID_IN(a, a_2), SC_ID_IN(b, b_2), SC_ID_IN(c, c_2), SC_ID_IN(d, d_2));
-    if (ids != ivec4(sc_object)) {
+    if (SC_IDS_OF_FOUR != ivec4(sc_object)) {
         return SC_ID;
     }
+#endif
 #endif
     // No integer lies between two others: where the texels differ, none of them is right.
 #if SC_ANY_DISCRETE_1
@@ -147,10 +225,31 @@ int sc_look_up(SC_OUT_TEXELS) {
         return SC_DEPTH;
     }
 #endif
-#if SC_AGE
-    return sc_judge(SC_AGE_IN(texel, texel_2));  // the mean of all that the filter took
-#else
-    return SC_HIT;
+#if SC_CUBIC
+    // Sixteen texels, where all of them show the surface; else the four will do.
+    if (part != vec2(0.0)) {
+        ivec4 columns = clamp(near.x + ivec4(-1, 0, 1, 2), ivec4(0), ivec4(last.x));
+        ivec4 lines = clamp(near.y + ivec4(-1, 0, 1, 2), ivec4(0), ivec4(last.y));
+        vec4 weights = sc_kernel(part.x);
+        vec4 heights = sc_kernel(part.y);
+        SC_DECLARE_SUMS;
+        vec4 first = sc_row(columns, lines.x, heights.x * weights, SC_SUMS);
+        vec4 second = sc_row(columns, lines.y, heights.y * weights, SC_SUMS);
+        vec4 third = sc_row(columns, lines.z, heights.z * weights, SC_SUMS);
+        vec4 fourth = sc_row(columns, lines.w, heights.w * weights, SC_SUMS);
+        vec4 least = min(min(first, second), min(third, fourth));
+        vec4 most = max(max(first, second), max(third, fourth));
+        if (all(lessThanEqual(abs(SC_OFF(least)), vec4(SC_ROUGHLY)))
+                && all(lessThanEqual(abs(SC_OFF(most)), vec4(SC_ROUGHLY))) SC_AND_OWN) {
+            sum.w = SC_FLOAT(texel.w);
+            texel = SC_MERGED(sc_within(a, b, c, d, sum), texel, SC_DISCRETE_1);
+#if SC_TARGETS == 2
+            texel_2 = SC_MERGED(sc_within(a_2, b_2, c_2, d_2, sum_2), texel_2, SC_DISCRETE_2);
+#endif
+        }
+    }
+#endif
+    return SC_FOUND;
 #endif
 }
 #endif

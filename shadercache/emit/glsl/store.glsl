@@ -12,9 +12,10 @@ out SC_TEXEL sc_store;  // the texel of the cache
 out SC_TEXEL sc_store_2;
 #endif
 
-#if SC_IDS
-uniform int sc_object;  // number of the object that is drawn
-#endif
+uniform int sc_object;   // number of the object that is drawn
+uniform int sc_mask;     // 1: the draw reuses nothing; 2: and nobody reuses it
+uniform float sc_limit;  // the largest value that the cache holds
+uniform float sc_least;  // the smallest one above zero that it holds in full precision
 
 #if SC_AGE
 uniform int sc_reset;   // 1 in a frame that follows a reset, else 0
@@ -40,18 +41,30 @@ bool sc_reuse = false;  // are there payloads from the cache?
 SC_DECLARE_VALID;       // is there a payload to store?
 #endif
 bool sc_lacks = false;  // was a payload needed, and none there?
+bool sc_moved = false;  // is the payload not just that of this place?
+
+#if SC_ASIDE
+#define SC_MARKED_DEPTH SC_MARKED(SC_KEPT_DEPTH)
+#else
+#define SC_MARKED_DEPTH SC_KEPT_DEPTH
+#endif
+#if SC_MASK
+#define SC_OWN_DEPTH (sc_mask == 2 ? SC_NO_DEPTH : SC_MARKED_DEPTH)
+#else
+#define SC_OWN_DEPTH SC_MARKED_DEPTH
+#endif
 
 SC_TEXEL sc_texel() {
 #if SC_MASKED
     // The third of three passes takes from here what there is; the next frame needs all or nothing.
-    return SC_TEXEL(SC_PACKED_1, SC_VALID ? SC_INVERSE_W : SC_NO_DEPTH);
+    return SC_TEXEL(SC_PACKED_1, SC_VALID ? SC_OWN_DEPTH : SC_NO_DEPTH);
 #else
 #if SC_WHOLE
     if (!SC_VALID) {
         return SC_EMPTY;
     }
 #endif
-    return SC_TEXEL(SC_PACKED_1, SC_INVERSE_W);
+    return SC_TEXEL(SC_PACKED_1, SC_OWN_DEPTH);
 #endif
 }
 
@@ -63,5 +76,37 @@ SC_TEXEL sc_texel_2() {
     }
 #endif
     return SC_TEXEL(SC_PACKED_2);
+}
+#endif
+
+#if SC_GUARD_MISS
+// Can the cache not hold a value? Infinity is above the limit, and no comparison finds NaN.
+bool sc_unfit(vec4 values) {
+    vec4 sizes = abs(values);
+    return any(isnan(values)) || any(greaterThan(sizes, vec4(sc_limit)))
+            || any(lessThan(sizes, sc_least * vec4(notEqual(values, vec4(0.0)))));
+}
+
+// Marks a texel that must not be read again: the next frame computes it anew, and so does this one.
+void sc_guard() {
+    bool unfit = sc_unfit(SC_FLOATS(SC_ONLY_FLOATS(sc_store, SC_DISCRETE_1)));
+#if SC_TARGETS == 2
+    unfit = unfit || sc_unfit(SC_FLOATS(SC_ONLY_FLOATS(sc_store_2, SC_DISCRETE_2)));
+#endif
+    if (unfit && sc_store.w != SC_NO_DEPTH) {
+        sc_store.w = SC_POISON_DEPTH;
+    }
+}
+#elif SC_GUARD_CLAMP
+// Values as near as the cache can hold them; nothing is near to NaN.
+vec4 sc_held(vec4 values) {
+    return mix(clamp(values, vec4(-sc_limit), vec4(sc_limit)), vec4(0.0), isnan(values));
+}
+
+void sc_guard() {
+    sc_store = SC_MERGED(SC_OF_FLOATS(sc_held(SC_FLOATS(sc_store))), sc_store, SC_DISCRETE_1);
+#if SC_TARGETS == 2
+    sc_store_2 = SC_MERGED(SC_OF_FLOATS(sc_held(SC_FLOATS(sc_store_2))), sc_store_2, SC_DISCRETE_2);
+#endif
 }
 #endif

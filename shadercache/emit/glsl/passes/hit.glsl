@@ -6,5 +6,5 @@ void main() {
     }
     SC_UNPACK;
     sc_shade();
-    SC_CARRY;
+    SC_STORE_AGAIN;
 }

@@ -5,7 +5,7 @@ void main() {
     sc_lacks = sc_look_up(SC_TEXELS) != SC_HIT;
     SC_UNPACK;
     sc_shade();
-    SC_CARRY;
+    SC_STORE_AGAIN;
     if (sc_lacks) {
         discard;
     }

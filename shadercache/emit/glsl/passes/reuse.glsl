@@ -10,5 +10,5 @@ void main() {
     SC_SET_VALID(true);
     sc_shade();
 #endif
-    SC_CARRY;
+    SC_STORE_AGAIN;
 }

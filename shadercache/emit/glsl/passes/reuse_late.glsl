@@ -6,7 +6,7 @@ void main() {
     SC_UNPACK;
     SC_SET_VALID(true);
     sc_shade();
-    SC_CARRY;
+    SC_STORE_AGAIN;
     if (sc_lacks) {
         discard;
     }

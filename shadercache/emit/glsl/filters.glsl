@@ -1,0 +1,87 @@
+// How texels are put together. Words in capitals: see macros.glsl and depth.glsl.
+
+#if SC_BITS
+// What four texels hold at a place between them: floats are blended, integers and booleans (marked
+// in a mask) are those of one of the texels.
+uvec4 sc_blend(uvec4 a, uvec4 b, uvec4 c, uvec4 d, vec2 part, uvec4 discrete) {
+    vec4 low = mix(uintBitsToFloat(a), uintBitsToFloat(b), part.x);
+    vec4 high = mix(uintBitsToFloat(c), uintBitsToFloat(d), part.x);
+    vec4 blended = mix(low, high, part.y);
+    return (a & discrete) | (floatBitsToUint(blended) & ~discrete);
+}
+
+// Do four texels hold the same integers and booleans?
+bool sc_same(uvec4 a, uvec4 b, uvec4 c, uvec4 d, uvec4 discrete) {
+    return (((a ^ b) | (a ^ c) | (a ^ d)) & discrete) == uvec4(0u);
+}
+#endif
+
+// Four texels by their weights. What has no weight may hold anything.
+vec4 sc_weighted(vec4 a, vec4 b, vec4 c, vec4 d, vec4 weights) {
+    vec4 sum = vec4(0.0);
+    if (weights.x != 0.0) {
+        sum += weights.x * a;
+    }
+    if (weights.y != 0.0) {
+        sum += weights.y * b;
+    }
+    if (weights.z != 0.0) {
+        sum += weights.z * c;
+    }
+    if (weights.w != 0.0) {
+        sum += weights.w * d;
+    }
+    return sum;
+}
+
+#if SC_CUBIC
+// The weights of four texels in a row, for a place that lies a part of the way from the second to
+// the third. A place right on a texel is that texel.
+vec4 sc_kernel(float part) {
+    if (part == 0.0) {
+        return vec4(0.0, 1.0, 0.0, 0.0);
+    }
+    vec4 x = vec4(1.0 + part, part, 1.0 - part, 2.0 - part);
+#if SC_FILTER_LANCZOS2
+    // sinc(x) sinc(x / 2), but for a factor
+    x *= 1.5707963267948966;
+    vec4 weights = sin(2.0 * x) * sin(x) / (x * x);
+    return weights / dot(weights, vec4(1.0));
+#else
+    // Mitchell and Netravali 1988, B = C = 1/3
+    vec2 inner = x.yz;
+    vec2 outer = x.xw;
+    inner = ((7.0 * inner - 12.0) * inner * inner + 16.0 / 3.0) / 6.0;
+    outer = (((-7.0 / 3.0 * outer + 12.0) * outer - 20.0) * outer + 32.0 / 3.0) / 6.0;
+    return vec4(outer.x, inner, outer.y);
+#endif
+}
+
+// Adds the four texels of a row to a sum, and gives their depths; own: are all of this object?
+vec4 sc_row(ivec4 columns, int row, vec4 weights, SC_IN_OUT_SUMS) {
+    SC_TEXEL a = texelFetch(sc_cache, ivec2(columns.x, row), 0);
+    SC_TEXEL b = texelFetch(sc_cache, ivec2(columns.y, row), 0);
+    SC_TEXEL c = texelFetch(sc_cache, ivec2(columns.z, row), 0);
+    SC_TEXEL d = texelFetch(sc_cache, ivec2(columns.w, row), 0);
+    sum += sc_weighted(SC_FLOATS(a), SC_FLOATS(b), SC_FLOATS(c), SC_FLOATS(d), weights);
+#if SC_TARGETS == 2
+    SC_TEXEL a_2 = texelFetch(sc_cache_2, ivec2(columns.x, row), 0);
+    SC_TEXEL b_2 = texelFetch(sc_cache_2, ivec2(columns.y, row), 0);
+    SC_TEXEL c_2 = texelFetch(sc_cache_2, ivec2(columns.z, row), 0);
+    SC_TEXEL d_2 = texelFetch(sc_cache_2, ivec2(columns.w, row), 0);
+    sum_2 += sc_weighted(SC_FLOATS(a_2), SC_FLOATS(b_2), SC_FLOATS(c_2), SC_FLOATS(d_2), weights);
+#endif
+#if SC_IDS
+    own = own && SC_IDS_OF_FOUR == ivec4(sc_object);
+#endif
+    return SC_DEPTHS;
+}
+
+// A filtered texel within the range of four others: what a sharp filter adds to waves it would add
+// again in each frame, and in the end nothing else would be left.
+SC_TEXEL sc_within(SC_TEXEL a, SC_TEXEL b, SC_TEXEL c, SC_TEXEL d, vec4 sum) {
+    vec4 least = min(min(SC_FLOATS(a), SC_FLOATS(b)), min(SC_FLOATS(c), SC_FLOATS(d)));
+    vec4 most = max(max(SC_FLOATS(a), SC_FLOATS(b)), max(SC_FLOATS(c), SC_FLOATS(d)));
+    return SC_OF_FLOATS(clamp(sum, least, most));
+}
+#endif
