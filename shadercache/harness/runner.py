@@ -121,7 +121,7 @@ class VariantRunner(Runner):
         self.cuts = CutWatch()
         self._roles: list[Role] = []
         formats = as_precise_as(bundle.cache.formats, self.options.cache_format)
-        self._fixed_numbers = _fixed_numbers(bundle, stage.scene.camera, formats[0])
+        self._fixed_numbers = _fixed_numbers(stage.scene.camera, formats[0])
         self._caches = stage.targets.lend_cache(formats)
         self._holds_caches = True
         try:
@@ -283,10 +283,14 @@ class VariantRunner(Runner):
         before = shown if role.before is None else role.before
         item, options = role.prop.item, self.options
         period = min(item.period or options.period, options.period)
+        # What is drawn uncached knows none of these numbers.
+        defaults = role.bundle.defaults if role.caches else {}
         epsilon = options.epsilon
         if epsilon is None:
-            epsilon = role.bundle.defaults.get("epsilon", 0.0) if role.caches else 0.0
-        numbers = self._fixed_numbers | {
+            epsilon = defaults.get("epsilon", 0.0)
+        numbers = {
+            **defaults,
+            **self._fixed_numbers,
             "clock": frame % period,
             "period": period,
             "block": item.block or options.block,
@@ -302,12 +306,11 @@ class VariantRunner(Runner):
         return frame if self.options.moving else 0
 
 
-def _fixed_numbers(bundle: Bundle, camera: Camera, texel: str) -> dict[str, float]:
-    """What is the same in every frame, by role: what the manifest says, and what follows from the
-    camera and from the format that the cache really has."""
-    held = precision_of(texel)
+def _fixed_numbers(camera: Camera, texel: str) -> dict[str, float]:
+    """What is the same in every frame, by role: what follows from the camera and from the format
+    that the cache really has."""
     depth = 2.0 * camera.near * camera.far / (camera.far - camera.near)
-    return bundle.defaults | {"unit": depth, **asdict(held)}
+    return {"unit": depth, **asdict(precision_of(texel))}
 
 
 def render_original(

@@ -110,6 +110,11 @@ class Scene:
         return self.objects or (SceneObject(self.name, self),)
 
 
+REUSE = ("on", "miss", "off")
+"""What an object does with the cache where variants ask (``mask``): it reuses; it misses and stores
+anew; it misses, and what it stores is not reused either."""
+
+
 @dataclass(frozen=True, eq=False)
 class SceneObject:
     """One object: ``scene`` is the scene as far as it concerns this object, without others.
@@ -117,8 +122,8 @@ class SceneObject:
     ``own_shader``: it is not drawn by the scene's shaders; ``node`` (an id, or several joined by
     ``+``) is then what is cached of it, if anything is. Without ``cached`` its original draws it.
     ``block`` goes before that of a run, ``period`` if it is shorter. ``mask`` is for the uniform of
-    that role: 0 forces a miss. ``bounds``: a box in object space that it never leaves, so that it
-    need not be drawn while that is outside of the picture.
+    that role, an index of :data:`REUSE`. ``bounds``: a box in object space that it never leaves, so
+    that it need not be drawn while that is outside of the picture.
     """
 
     name: str
@@ -128,7 +133,7 @@ class SceneObject:
     cached: bool = True
     period: int | None = None
     block: int | None = None
-    mask: float = 1.0
+    mask: int = 0
     bounds: tuple[tuple[float, ...], tuple[float, ...]] | None = None
 
 
@@ -226,7 +231,7 @@ def _object(table: Table, scene: Scene, shared: Uniforms) -> SceneObject:
         cached=cached and (node is not None or not own),
         period=table.whole("period", None, least=1) if table.has("period") else None,
         block=table.whole("block", None, least=2) if table.has("block") else None,
-        mask=table.number("mask", 1.0),
+        mask=REUSE.index(table.text("reuse", REUSE[0], REUSE)),
         bounds=_bounds(table),
     )
 
