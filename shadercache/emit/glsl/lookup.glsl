@@ -17,6 +17,9 @@ uniform float sc_unit;           // 2 near far / (far - near), what 1/w is in de
 uniform float sc_magnification;  // how many times larger a surface may have become
 uniform int sc_object;           // number of the object that is drawn
 uniform int sc_mask;             // 1: the draw reuses nothing; 2: and nobody reuses it
+#if SC_AGE
+float sc_age = 0.0;  // frames since the payload was computed
+#endif
 
 SC_DECLARE_PAYLOADS;
 bool sc_moved = false;  // is the payload not just that of this place?
@@ -30,9 +33,11 @@ int sc_look_up(SC_OUT_TEXELS) {
 #if SC_TARGETS == 2
     texel_2 = texelFetch(sc_cache_2, own, 0);
 #endif
+#if !SC_AGE
     if (sc_due()) {
         return SC_REFRESH;
     }
+#endif
 #if SC_MASK
     if (sc_mask != 0) {
         return SC_OPTED_OUT;
@@ -47,7 +52,7 @@ int sc_look_up(SC_OUT_TEXELS) {
         return SC_ID;
     }
 #endif
-    return SC_HIT;
+    return SC_FOUND;
 }
 #else
 // Reprojection: where the surface point was, whether it was seen there, and what was stored.
@@ -111,9 +116,11 @@ int sc_look_up(SC_OUT_TEXELS) {
 #endif
 #endif
 #endif
+#if !SC_AGE
     if (sc_due()) {
         return SC_REFRESH;
     }
+#endif
 #if SC_MASK
     if (sc_mask != 0) {
         return SC_OPTED_OUT;
@@ -141,7 +148,7 @@ int sc_look_up(SC_OUT_TEXELS) {
         return SC_ID;
     }
 #endif
-    return SC_HIT;
+    return SC_FOUND;
 #else
 #if SC_ASIDE
     // What each texel is off, where the surface slopes on as it does at the pixel.
@@ -190,7 +197,7 @@ int sc_look_up(SC_OUT_TEXELS) {
         texel_2 = top ? (right ? d_2 : c_2) : (right ? b_2 : a_2);
 #endif
         sc_moved = true;
-        return SC_HIT;
+        return SC_FOUND;
     }
 #else
     // All depths are 1/w. The blended one must agree closely, each single one roughly: else a front
@@ -242,7 +249,7 @@ int sc_look_up(SC_OUT_TEXELS) {
         }
     }
 #endif
-    return SC_HIT;
+    return SC_FOUND;
 #endif
 }
 #endif

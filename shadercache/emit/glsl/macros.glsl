@@ -173,6 +173,16 @@
 #define SC_EMPTY vec4(0.0, 0.0, 0.0, SC_NO_DEPTH)
 #endif
 
+// SC_FOUND is what a look-up says whose texels have passed: with ages (the mean of all that the
+// filter took) they may be too old yet.
+#if SC_AGE
+#define SC_AGING sc_stagger();
+#define SC_FOUND sc_judge(SC_AGE_IN(texel, texel_2))
+#else
+#define SC_AGING
+#define SC_FOUND SC_HIT
+#endif
+
 #if SC_TARGETS == 2
 #define SC_TEXELS SC_LOCAL_1, SC_LOCAL_2
 #define SC_DECLARE_TEXELS SC_TEXEL SC_LOCAL_1; SC_TEXEL SC_LOCAL_2
@@ -185,11 +195,12 @@
 #define SC_STORE_AGAIN sc_store = sc_texel()
 #endif
 
-// What is computed anew is guarded; what was reused has been, and filters keep to its range.
+// What is computed anew is guarded; what was reused has been, and filters keep to its range. Only
+// passes that compute are drawn after a reset.
 #if SC_GUARD_OFF
-#define SC_STORE SC_STORE_AGAIN
+#define SC_STORE SC_AGING SC_STORE_AGAIN
 #else
-#define SC_STORE SC_STORE_AGAIN; sc_guard()
+#define SC_STORE SC_AGING SC_STORE_AGAIN; sc_guard()
 #endif
 
 #if SC_TARGETS == 2
