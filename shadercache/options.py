@@ -29,7 +29,7 @@ FilterKind: TypeAlias = Literal["bilinear", "nearest", "bilateral", "lanczos2", 
 """How payloads are resampled between texels."""
 
 DepthKind: TypeAlias = Literal["inverse-w", "ndc", "linear"]
-"""What is kept of the depth: 1/w, z/w or w of the clip-space position."""
+"""What is kept of the depth, of the clip-space position: 1/w (times 16), z/w or w."""
 
 ToleranceKind: TypeAlias = Literal["relative", "akeley-su", "fixed"]
 """What a cached depth may be off: a share of the depth, what the format's resolution and

@@ -2,14 +2,14 @@
 
 Three channels of the first texel and four of the second hold the payloads, one behind the other and
 each scalar by scalar in the order of a constructor's arguments; the first texel's last channel
-holds 1/w. What is made of floats
-alone lies in floats and is filtered. As soon as there is an integer or a boolean inside, all lies
-in 32-bit unsigned integers: bits of integers do not survive in float channels, whose NaNs a driver
-may change and whose smallest numbers it may flush to zero (GLSL 4.60 section 4.7.1)::
+holds the depth. What is made of floats alone lies in floats and is filtered. As soon as there is an
+integer or a boolean inside, all lies in 32-bit unsigned integers: bits of integers do not survive
+in float channels, whose NaNs a driver may change and whose smallest numbers it may flush to zero
+(GLSL 4.60 section 4.7.1)::
 
-    vec4                   (x, y, z, 1/w) (w)
-    vec2 and vec3          (x, y, x of the other, 1/w) (y, z)
-    struct { vec2 a; bool b; }    (bits of a.x, bits of a.y, b, bits of 1/w)
+    vec4                   (x, y, z, depth) (w)
+    vec2 and vec3          (x, y, x of the other, depth) (y, z)
+    struct { vec2 a; bool b; }    (bits of a.x, bits of a.y, b, bits of the depth)
 
 What a guard keeps beside the payloads (:class:`Extra`: an object's id) lies behind them, one
 channel each. It is never part of what is unpacked; the look-up asks for it by name.

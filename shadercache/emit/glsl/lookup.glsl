@@ -7,7 +7,7 @@ in vec4 sc_previous;  // clip-space position of the same surface point in the pr
 vec4 sc_current;  // clip-space position in this frame, by the user's function
 #endif
 
-uniform SC_SAMPLER sc_cache;    // what the previous frame stored: payload and 1/w
+uniform SC_SAMPLER sc_cache;    // what the previous frame stored: payload and depth
 #if SC_TARGETS == 2
 uniform SC_SAMPLER sc_cache_2;  // the rest of the payload
 #endif
@@ -39,7 +39,7 @@ int sc_look_up(SC_OUT_TEXELS) {
     }
 #endif
     // A comparison with NaN is false and so a miss.
-    if (!(abs(SC_FLOAT(texel.w) - SC_DEPTH_OF_PIXEL) <= SC_TOLERANCE * SC_UNIT)) {
+    if (!(abs(SC_FLOAT(texel.w) - SC_DEPTH_OF_PIXEL) <= SC_TOLERANCE * (SC_UNIT))) {
         return SC_MISS_OF_ONE;
     }
 #if SC_IDS
@@ -193,8 +193,8 @@ int sc_look_up(SC_OUT_TEXELS) {
         return SC_HIT;
     }
 #else
-    // All depths are 1/w. The blended one must agree closely, each single one roughly: else a front
-    // and a back could blend to just the right depth. A comparison with NaN is false and so a miss.
+    // The blended depth must agree closely, each single one roughly: else a front and a back could
+    // blend to just the right depth. A comparison with NaN is false and so a miss.
     vec4 each = abs(SC_OFF(SC_DEPTHS));
     if (!(abs(SC_OFF(SC_FLOAT(texel.w))) <= SC_TOLERANCE
             && all(lessThanEqual(each, vec4(SC_ROUGHLY))))) {

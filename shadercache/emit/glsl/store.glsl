@@ -1,6 +1,7 @@
-// What a pass writes into the cache: the payloads, padded to three channels, and 1/w; what does not
-// fit there goes to the second texture. Where not every fragment has a payload (SC_WHOLE) a texel may
-// be empty, which matches nothing; so does one that lacks one of several payloads (SC_MASKED).
+// What a pass writes into the cache: the payloads, padded to three channels, and the depth; what
+// does not fit there goes to the second texture. Where not every fragment has a payload (SC_WHOLE) a
+// texel may be empty, which matches nothing; so does one that lacks one of several payloads
+// (SC_MASKED).
 
 #if SC_SURFACE
 in vec4 sc_current;  // clip-space position in this frame

@@ -90,8 +90,8 @@ int sc_look_up(out uvec4 texel, out uvec4 texel_2) {
     if (!(sc_previous.w > 0.0 && all(greaterThanEqual(corner, vec2(0.0))) && all(lessThanEqual(corner, vec2(last))))) {
         return 3;
     }
-    vec4 each = abs(vec4(uintBitsToFloat(a.w), uintBitsToFloat(b.w), uintBitsToFloat(c.w), uintBitsToFloat(d.w)) * sc_previous.w - 1.0);
-    if (!(abs(uintBitsToFloat(texel.w) * sc_previous.w - 1.0) <= sc_epsilon && all(lessThanEqual(each, vec4(24.0 * sc_epsilon))))) {
+    vec4 each = abs(0.0625 * sc_previous.w * vec4(uintBitsToFloat(a.w), uintBitsToFloat(b.w), uintBitsToFloat(c.w), uintBitsToFloat(d.w)) - 1.0);
+    if (!(abs(0.0625 * sc_previous.w * uintBitsToFloat(texel.w) - 1.0) <= sc_epsilon && all(lessThanEqual(each, vec4(24.0 * sc_epsilon))))) {
         return 4;
     }
     if (!sc_same(a_2, b_2, c_2, d_2, uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu))) {
@@ -101,7 +101,7 @@ int sc_look_up(out uvec4 texel, out uvec4 texel_2) {
 }
 
 uvec4 sc_texel() {
-    return uvec4(floatBitsToUint(sc_payload.pair.a), floatBitsToUint(sc_payload.pair.b), floatBitsToUint(1.0 / sc_current.w));
+    return uvec4(floatBitsToUint(sc_payload.pair.a), floatBitsToUint(sc_payload.pair.b), floatBitsToUint(16.0 / sc_current.w));
 }
 
 uvec4 sc_texel_2() {

@@ -26,7 +26,7 @@ void sc_compute() {
 }
 
 uvec4 sc_texel() {
-    return uvec4(floatBitsToUint(sc_payload.pair.a), floatBitsToUint(sc_payload.pair.b), floatBitsToUint(1.0 / sc_current.w));
+    return uvec4(floatBitsToUint(sc_payload.pair.a), floatBitsToUint(sc_payload.pair.b), floatBitsToUint(16.0 / sc_current.w));
 }
 
 uvec4 sc_texel_2() {

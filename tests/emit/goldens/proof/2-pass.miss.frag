@@ -34,7 +34,7 @@ void sc_shade() {
 }
 
 vec4 sc_texel() {
-    precise vec4 sc_exact_1 = vec4(sc_payload, 0.0, 0.0, 1.0 / sc_current.w);
+    precise vec4 sc_exact_1 = vec4(sc_payload, 0.0, 0.0, 16.0 / sc_current.w);
     return sc_exact_1;
 }
 

@@ -99,15 +99,15 @@ int sc_look_up(out vec4 texel, out vec4 texel_2) {
     if (!(sc_previous.w > 0.0 && all(greaterThanEqual(corner, vec2(0.0))) && all(lessThanEqual(corner, vec2(last))))) {
         return 3;
     }
-    vec4 each = abs(vec4(a.w, b.w, c.w, d.w) * sc_previous.w - 1.0);
-    if (!(abs(texel.w * sc_previous.w - 1.0) <= sc_epsilon && all(lessThanEqual(each, vec4(24.0 * sc_epsilon))))) {
+    vec4 each = abs(0.0625 * sc_previous.w * vec4(a.w, b.w, c.w, d.w) - 1.0);
+    if (!(abs(0.0625 * sc_previous.w * texel.w - 1.0) <= sc_epsilon && all(lessThanEqual(each, vec4(24.0 * sc_epsilon))))) {
         return 4;
     }
     return 1;
 }
 
 vec4 sc_texel() {
-    return vec4(sc_payload_1, sc_payload_2.xy, 1.0 / sc_current.w);
+    return vec4(sc_payload_1, sc_payload_2.xy, 16.0 / sc_current.w);
 }
 
 vec4 sc_texel_2() {

@@ -33,7 +33,7 @@ void sc_shade() {
 }
 
 vec4 sc_texel() {
-    return vec4(sc_payload_1, sc_payload_2.xy, 1.0 / sc_current.w);
+    return vec4(sc_payload_1, sc_payload_2.xy, 16.0 / sc_current.w);
 }
 
 vec4 sc_texel_2() {

@@ -30,7 +30,7 @@ void sc_shade() {
 }
 
 vec4 sc_texel() {
-    return vec4(sc_payload, 0.0, 0.0, 1.0 / sc_current.w);
+    return vec4(sc_payload, 0.0, 0.0, 16.0 / sc_current.w);
 }
 
 void main() {

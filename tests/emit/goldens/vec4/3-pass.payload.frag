@@ -13,7 +13,7 @@ void sc_compute() {
 }
 
 vec4 sc_texel() {
-    return vec4(sc_payload.xyz, 1.0 / sc_current.w);
+    return vec4(sc_payload.xyz, 16.0 / sc_current.w);
 }
 
 vec4 sc_texel_2() {
