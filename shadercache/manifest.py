@@ -350,7 +350,7 @@ def _uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[str, A
             for role, meaning, value in (
                 ("resolution", "how much of itself a depth is rounded by", held.resolution),
                 ("limit", "the largest payload that the cache holds", held.limit),
-                ("least", "the smallest above zero that it holds precisely", held.least),
+                ("least", "the smallest above zero that it surely holds", held.least),
             )
         ),
     ]

@@ -25,7 +25,7 @@ PREVIOUS_CLIP, CURRENT_CLIP = "scPreviousClip", "scCurrentClip"
 RefreshSchedule: TypeAlias = Literal["random", "none"]
 """Which pixels are recomputed on purpose in a frame: blocks whose hash is due, or none."""
 
-FilterKind: TypeAlias = Literal["bilinear", "nearest", "bilateral", "lanczos2", "mitchell"]
+FilterKind: TypeAlias = Literal["bilateral", "bilinear", "nearest", "lanczos2", "mitchell"]
 """How payloads are resampled between texels."""
 
 DepthKind: TypeAlias = Literal["inverse-w", "ndc", "linear"]
@@ -35,7 +35,7 @@ ToleranceKind: TypeAlias = Literal["relative", "akeley-su", "fixed"]
 """What a cached depth may be off: a share of the depth, what the format's resolution and
 interpolation leave uncertain, or the same everywhere."""
 
-GuardKind: TypeAlias = Literal["off", "miss", "clamp"]
+GuardKind: TypeAlias = Literal["miss", "clamp", "off"]
 """What becomes of payloads that are not finite or do not fit: they are stored as any other, are
 never reused, or are brought into the format's range."""
 
@@ -68,14 +68,14 @@ class CacheOptions:
     """
 
     refresh: RefreshSchedule = "random"
-    filter: FilterKind = "bilinear"
+    filter: FilterKind = "bilateral"
     fallback: bool = False
     magnification: bool = False
     depth: DepthKind = "inverse-w"
     tolerance: ToleranceKind = "relative"
     ids: bool = False
     mask: bool = False
-    guard: GuardKind = "off"
+    guard: GuardKind = "miss"
 
 
 DEFAULT_CACHE = CacheOptions()

@@ -144,7 +144,8 @@ int sc_look_up(SC_OUT_TEXELS) {
     return SC_HIT;
 #else
 #if SC_ASIDE
-    // What each texel is off, where the surface slopes on as it does at the pixel.
+    // What each texel is off, where the surface slopes on as it does at the pixel. Along an edge those
+    // that fit are taken without the others, and what is made of them is marked.
     vec4 aside = SC_OFF(SC_DEPTHS) - slope.x * vec4(-part.x, 1.0 - part.x, -part.x, 1.0 - part.x)
             - slope.y * vec4(-part.y, -part.y, 1.0 - part.y, 1.0 - part.y);
     bvec4 moved = lessThan(SC_SIGNED_DEPTHS, vec4(0.0));
@@ -155,11 +156,15 @@ int sc_look_up(SC_OUT_TEXELS) {
     vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x)
             * vec4(1.0 - part.y, 1.0 - part.y, part.y, part.y);
     float blended = dot(weights, SC_DEPTHS);
-    bool agrees = abs(SC_OFF(blended)) <= SC_TOLERANCE
-            && all(lessThanEqual(abs(SC_OFF(SC_DEPTHS)), vec4(SC_ROUGHLY)));
+    bool one_surface = all(lessThanEqual(abs(SC_OFF(SC_DEPTHS)), vec4(SC_ROUGHLY)));
 #if SC_IDS
-    agrees = agrees && SC_IDS_OF_FOUR == ivec4(sc_object);
+    one_surface = one_surface && SC_IDS_OF_FOUR == ivec4(sc_object);
 #endif
+    bool agrees = one_surface && abs(SC_OFF(blended)) <= SC_TOLERANCE;
+    // A fold: one of its sides must not be taken for the other.
+    if (one_surface && !agrees) {
+        return SC_DEPTH;
+    }
     sc_moved = dot(weights, vec4(moved)) > 0.0;
 #endif
 #if SC_FILTER_BILATERAL

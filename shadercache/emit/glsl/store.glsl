@@ -16,7 +16,7 @@ out SC_TEXEL sc_store_2;
 uniform int sc_object;   // number of the object that is drawn
 uniform int sc_mask;     // 1: the draw reuses nothing; 2: and nobody reuses it
 uniform float sc_limit;  // the largest value that the cache holds
-uniform float sc_least;  // the smallest one above zero that it holds in full precision
+uniform float sc_least;  // the smallest one above zero that it surely holds
 
 SC_DECLARE_PAYLOADS;
 #if SC_WHOLE
@@ -77,7 +77,10 @@ void sc_guard() {
     unfit = unfit || sc_unfit(SC_FLOATS(SC_ONLY_FLOATS(sc_store_2, SC_DISCRETE_2)));
 #endif
     if (unfit && sc_store.w != SC_NO_DEPTH) {
-        sc_store.w = SC_POISON_DEPTH;
+        sc_store = SC_POISONED;
+#if SC_TARGETS == 2
+        sc_store_2 = SC_TEXEL(0);
+#endif
     }
 }
 #elif SC_GUARD_CLAMP
