@@ -6,16 +6,26 @@ it may go round for ever::
 
     for (float t = 0.0; t < 2.0; t += sc_payload)    // sc_payload is 0.0 where nothing was drawn
 
-The analysis works by name, on a module in which every identifier means one thing, and takes no
-account of order: a variable that hangs on the payload anywhere counts everywhere.
+The analysis works by name, on a module in which every identifier of a function means one thing. It
+follows each value to what it is written into, and each condition to what is written under it,
+outside of where that is declared: what is declared under the same condition has no other value. It
+takes no account of order.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
 
-from shadercache.analysis.effects import Does, EffectTable, out_arguments, root_variable
+from shadercache.analysis.effects import (
+    Does,
+    EffectTable,
+    local_names,
+    out_arguments,
+    root_variable,
+)
 from shadercache.ast import nodes as n
+from shadercache.ast.memo import Memo
 from shadercache.ast.walk import children, walk
 
 LOOPS = (n.For, n.While, n.DoWhile)
@@ -23,124 +33,221 @@ Loop = n.For | n.While | n.DoWhile
 
 _SHARED = Does.DERIVATIVE | Does.IMPLICIT_LOD
 _EXITS = Does.RETURN | Does.DISCARD | Does.JUMP
+_NOTHING: frozenset[str] = frozenset()
 
 
-def decided_loops(module: n.Module, names: Iterable[str]) -> frozenset[n.Node]:
-    """The loops that may run for longer or shorter with other values of the named variables.
+def decided_loops(
+    module: n.Module, names: Iterable[str], memo: Memo | None = None
+) -> frozenset[n.Node]:
+    """The loops that may run for longer or shorter with other values of the named globals.
 
     Loops with derivatives inside are not among them: what decides on those is never a payload
-    (SC315).
+    (SC315). ``memo`` keeps what is found out about functions.
     """
-    functions = [decl for decl in module.decls if isinstance(decl, n.FunctionDef)]
-    if not any(isinstance(item, LOOPS) for function in functions for item in walk(function)):
+    table = EffectTable(module, memo)
+    every = _all_flows(table, memo)
+    if not any(flows.loops for flows in every):
         return frozenset()
-    hanging = _Hanging(EffectTable(module), set(names))
-    hanging.all()
-    return frozenset(loop for loop in hanging.loops if not hanging.table.of(loop).does & _SHARED)
+    hanging = _reached(every, names)
+    return frozenset(
+        loop
+        for flows in every
+        for loop, readings in flows.loops
+        if not hanging.isdisjoint(readings) and not table.of(loop).does & _SHARED
+    )
 
 
 def hanging_names(module: n.Module, names: Iterable[str]) -> frozenset[str]:
-    """The variables whose values, and the functions whose results, hang on the named variables."""
-    hanging = _Hanging(EffectTable(module), set(names))
-    hanging.all()
-    return frozenset(hanging.names)
+    """The variables whose values, and the functions whose results, hang on the named globals.
+
+    Of locals the bare name is given: it may be one of another function.
+    """
+    found = _reached(_all_flows(EffectTable(module), None), names)
+    return frozenset(name.rpartition(".")[2].removesuffix("()") for name in found)
 
 
-class _Hanging:
-    """Names of variables, and of functions by what they return, that hang on the given ones."""
+@dataclass(slots=True)
+class _Flows:
+    """Where values go in one function. Names are those of globals, ``f.x`` for the local ``x`` of
+    ``f``, ``f()`` for its result, ``f#0`` for what is given to its first parameter and ``f#0>`` for
+    what comes back from there."""
 
-    def __init__(self, table: EffectTable, names: set[str]) -> None:
-        self.table, self.names = table, names
-        self.loops: set[n.Node] = set()
-        self._function = ""
-        self._left = False
+    targets: dict[str, set[str]] = field(default_factory=dict)
+    loops: list[tuple[n.Node, frozenset[str]]] = field(default_factory=list)
 
-    def all(self) -> None:
-        """Note everything that hangs on the names."""
-        size = -1
-        while size < len(self.names):
-            size = len(self.names)
-            for function in self.table.functions.values():
-                self._note(function)
 
-    def _note(self, function: n.FunctionDef) -> None:
-        self._function, self._left = function.name, False
-        self._statement(function.body, False)
+def _all_flows(table: EffectTable, memo: Memo | None) -> list[_Flows]:
+    kept: dict[object, _Flows] = {} if memo is None else memo.table("flows of functions")
+    found: list[_Flows] = []
+    for name in table.functions:
+        linked = table.linked(name)
+        flows = kept.get(linked)
+        if flows is None:
+            flows = kept[linked] = _Walker(linked.function, table).flows
+        found.append(flows)
+    return found
 
-    def _statement(self, stmt: n.Node, under: bool) -> None:
-        """``under``: whether the statement is executed hangs on the names already."""
-        under = under or self._left
+
+def _reached(every: list[_Flows], names: Iterable[str]) -> set[str]:
+    """All names that a value of the given ones may come to."""
+    found = set(names)
+    waiting = list(found)
+    while waiting:
+        name = waiting.pop()
+        for flows in every:
+            new = flows.targets.get(name, _NOTHING) - found
+            found |= new
+            waiting += new
+    return found
+
+
+class _Walker:
+    """Collects the flows of one function."""
+
+    def __init__(self, function: n.FunctionDef, table: EffectTable) -> None:
+        self.flows = _Flows()
+        self._table, self._function = table, function.name
+        self._locals = local_names(function)
+        self._under: list[frozenset[str]] = []
+        """What the conditions read under which the statement at hand is executed."""
+        self._depths: dict[str, int] = {}
+        """Under how many of them a local is declared; parameters under none."""
+        for i, param in enumerate(function.proto.params):
+            if param.name:
+                self._flow((f"{function.name}#{i}",), self._key(param.name))
+                if param.writes_back:
+                    self._flow((self._key(param.name),), f"{function.name}#{i}>")
+        self._statement(function.body)
+
+    def _key(self, name: str) -> str:
+        return f"{self._function}.{name}" if name in self._locals else name
+
+    def _readings(self, *parts: n.Node) -> frozenset[str]:
+        """What decides on the values of these expressions."""
+        found: set[str] = set()
+        for item in (item for part in parts for item in walk(part)):
+            if isinstance(item, n.Name):
+                found.add(self._key(item.name))
+            elif isinstance(item, n.Call) and item.name in self._table.functions:
+                found.add(f"{item.name}()")
+        return frozenset(found)
+
+    def _flow(self, readings: Iterable[str], key: str) -> None:
+        for name in readings:
+            self.flows.targets.setdefault(name, set()).add(key)
+
+    def _write(self, name: str, readings: Iterable[str], *under: frozenset[str]) -> None:
+        """A variable is written, under what the walk is under and these conditions."""
+        key = self._key(name)
+        self._flow(readings, key)
+        for condition in (*self._under[self._depths.get(name, 0) :], *under):
+            self._flow(condition, key)
+
+    def _statement(self, stmt: n.Node) -> None:
         match stmt:
-            case n.Block():
-                for item in stmt.body:
-                    self._statement(item, under)
-                return
-            case n.If(condition=first) | n.Switch(selector=first):
-                self._plain(first, under)
-                inner = under or self._hangs(first)
+            case n.Block(body=body):
+                self._sequence(body)
+            case n.If(condition=first):
+                self._plain(first)
+                self._inside(stmt, self._readings(first), first)
+            case n.Switch(selector=first, body=body):
+                self._plain(first)
+                self._under.append(self._readings(first))
+                self._sequence(body)
+                self._under.pop()
             case n.For() | n.While() | n.DoWhile():
-                inner = under or self._is_decided(stmt)
+                readings = self._decision(stmt)
+                self.flows.loops.append((stmt, readings))
+                self._inside(stmt, readings, None)
             case _:
-                self._plain(stmt, under)
-                return
-        for part in children(stmt):
-            self._statement(part, inner)
-        # Behind a jump that some fragments take, the others are alone.
-        self._left |= inner and not under and bool(self.table.of(stmt).does & Does.RETURN)
+                self._plain(stmt)
 
-    def _plain(self, node: n.Node, under: bool) -> None:
-        if isinstance(node, n.Return) and (under or (node.value and self._hangs(node.value))):
-            self.names.add(self._function)
-        if under:
-            self.names |= self.table.of(node).writes
+    def _sequence(self, stmts: tuple[n.Stmt, ...]) -> None:
+        size = len(self._under)
+        for stmt in stmts:
+            self._statement(stmt)
+            # Behind a jump that some fragments take, the others are alone.
+            if not isinstance(stmt, n.Return | n.Jump) and self._jumps_out(stmt):
+                self._under.append(frozenset[str]().union(*self._decisions(stmt)))
+        del self._under[size:]
+
+    def _jumps_out(self, stmt: n.Node) -> bool:
+        """Can a statement end with a jump to elsewhere than what follows it?"""
+        does = self._table.of(stmt).does
+        if does & Does.RETURN or isinstance(stmt, n.Jump):
+            return True
+        if not does & Does.JUMP or isinstance(stmt, LOOPS):
+            return False
+        return any(self._jumps_out(part) for part in children(stmt))
+
+    def _decisions(self, stmt: n.Node) -> Iterator[frozenset[str]]:
+        """What the conditions in a statement read that decide on its jumps."""
+        for item in walk(stmt):
+            match item:
+                case n.If(condition=first) | n.Switch(selector=first) if self._jumps_out(item):
+                    yield self._readings(first)
+                case n.For() | n.While() | n.DoWhile() if self._jumps_out(item):
+                    yield self._decision(item)
+
+    def _inside(self, stmt: n.Node, readings: frozenset[str], done: n.Node | None) -> None:
+        self._under.append(readings)
+        for part in children(stmt):
+            if part is not done:
+                self._statement(part)
+        self._under.pop()
+
+    def _decision(self, loop: Loop) -> frozenset[str]:
+        """What decides how long a loop runs: its condition, and those of jumps out of its body."""
+        found = self._readings(loop.condition) if loop.condition is not None else _NOTHING
+        for item in walk(loop.body):
+            if isinstance(item, n.If | n.Switch) and self._table.of(item).does & _EXITS:
+                first = item.condition if isinstance(item, n.If) else item.selector
+                found |= self._readings(first)
+        return found
+
+    def _plain(self, node: n.Node) -> None:
         for item in walk(node):
             match item:
+                case n.Return(value=value):
+                    result = f"{self._function}()"
+                    for readings in (*self._under, self._readings(value) if value else _NOTHING):
+                        self._flow(readings, result)
                 case n.Assign(target=target, value=value):
-                    inner = (*children(target), value)
-                    self._add(target, any(self._hangs(part) for part in inner))
-                case n.Declarator(name=name, init=init) if init is not None and self._hangs(init):
-                    self.names.add(name)
-                case n.Conditional(condition=first) if self._hangs(first):
-                    self.names |= self.table.of(item).writes
-                case n.Binary(op="&&" | "||", left=first, right=other) if self._hangs(first):
-                    self.names |= self.table.of(other).writes
+                    self._target(target, self._readings(*children(target), value))
+                case n.Unary(op="++" | "--", operand=target) | n.Postfix(operand=target):
+                    self._target(target, _NOTHING)
+                case n.Declarator(name=name, init=init):
+                    self._depths[name] = len(self._under)
+                    self._write(name, self._readings(init) if init is not None else _NOTHING)
+                case n.Conditional(condition=first):
+                    self._under_operand(first, item)
+                case n.Binary(op="&&" | "||", left=first, right=other):
+                    self._under_operand(first, other)
                 case n.Call():
                     self._call(item)
 
-    def _call(self, call: n.Call) -> None:
-        function = self.table.functions.get(call.name)
-        outs = out_arguments(call, self.table)
-        if function is None:
-            for arg, out in zip(call.args, outs, strict=True):
-                self._add(arg, out and self._hangs(call))
-            return
-        for arg, param, out in zip(call.args, function.proto.params, outs, strict=True):
-            if param.name and self._hangs(arg):
-                self.names.add(param.name)
-            self._add(arg, out and param.name in self.names)
+    def _under_operand(self, first: n.Expr, other: n.Node) -> None:
+        """What ``other`` writes is written where ``first`` says so."""
+        writes = self._table.of(other).writes
+        if writes:
+            readings = self._readings(first)
+            for name in writes:
+                self._write(name, _NOTHING, readings)
 
-    def _add(self, target: n.Expr, hangs: bool) -> None:
+    def _target(self, target: n.Expr, readings: frozenset[str]) -> None:
         root = root_variable(target)
-        if hangs and root is not None:
-            self.names.add(root)
+        if root is not None:
+            self._write(root, readings)
 
-    def _is_decided(self, loop: Loop) -> bool:
-        if loop not in self.loops and (
-            (loop.condition is not None and self._hangs(loop.condition)) or self._jumps(loop.body)
-        ):
-            self.loops.add(loop)
-        return loop in self.loops
-
-    def _jumps(self, body: n.Stmt) -> bool:
-        """Is there a jump out of the body under a condition that hangs on the names?"""
-        return any(
-            self._hangs(item.condition if isinstance(item, n.If) else item.selector)
-            and bool(self.table.of(item).does & _EXITS)
-            for item in walk(body)
-            if isinstance(item, n.If | n.Switch)
-        )
-
-    def _hangs(self, node: n.Node) -> bool:
-        return any(
-            item.name in self.names for item in walk(node) if isinstance(item, n.Name | n.Call)
-        )
+    def _call(self, call: n.Call) -> None:
+        outs = out_arguments(call, self._table)
+        user = call.name in self._table.functions
+        every = _NOTHING if user else self._readings(*call.args)
+        for i, (arg, out) in enumerate(zip(call.args, outs, strict=True)):
+            if user:
+                self._flow(self._readings(arg), f"{call.name}#{i}")
+            if out:
+                self._target(arg, frozenset((f"{call.name}#{i}>",)) if user else every)
+        if user:
+            for name in self._table.summary(call.name).writes:
+                self._write(name, _NOTHING)

@@ -160,7 +160,7 @@ class PassBuilder:
         parts = [load_part(name, *options) for name in names]
         user = insert_clones(self.program.module, *clones)
         if template in _LATE and self.decides_loops:
-            user = guard_loops(user, decided_loops(user, self.payloads), self.own("lacks"))
+            user = guard_loops(user, self._decided(user), self.own("lacks"))
         module = merge(self.program.module, without_main(user), extra, *parts)
         made = {clone.name for group in clones for _, clone in group.made}
         memo = self.program.memo
@@ -177,7 +177,11 @@ class PassBuilder:
     def decides_loops(self) -> bool:
         """Does a payload decide how long a loop runs?"""
         user = insert_clones(self.program.module, self.shaded("use"))
-        return bool(decided_loops(user, self.payloads))
+        return bool(self._decided(user))
+
+    def _decided(self, user: n.Module) -> frozenset[n.Node]:
+        """The loops that a payload decides on."""
+        return decided_loops(user, self.payloads, self.program.memo)
 
 
 def _fetches(candidates: Candidates, nodes: Sequence[Candidate]) -> list[SharedUse]:

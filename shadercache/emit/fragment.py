@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cached_property
 
 from shadercache.analysis.candidates import Candidate
@@ -17,12 +18,18 @@ from shadercache.transform.specialise import CutKind
 class FragmentEmitter(PassBuilder):
     """Makes the passes of nodes that are cached together. Each method returns a finished shader."""
 
-    def one(self) -> Shader:
-        """One pass: look up, else compute; then shade."""
-        return self._one
+    def made(self, build: Callable[[FragmentEmitter], Shader]) -> Shader:
+        """The pass that one of the following methods builds, built once."""
+        if build not in self._passes:
+            self._passes[build] = build(self)
+        return self._passes[build]
 
     @cached_property
-    def _one(self) -> Shader:
+    def _passes(self) -> dict[Callable[[FragmentEmitter], Shader], Shader]:
+        return {}
+
+    def one(self) -> Shader:
+        """One pass: look up, else compute; then shade."""
         return one_pass(self)
 
     def hit(self) -> Shader:
@@ -86,7 +93,7 @@ class FragmentEmitter(PassBuilder):
 
     def unneeded(self) -> tuple[Candidate, ...]:
         """The nodes that the colour does not need where the others are reused."""
-        named = names_in(self.shade().module)
+        named = names_in(self.made(FragmentEmitter.shade).module)
         return tuple(
             node
             for node, payload in zip(self.nodes, self.payloads, strict=True)
@@ -96,7 +103,7 @@ class FragmentEmitter(PassBuilder):
     def unfit(self, passes: int) -> str | None:
         """Why the nodes cannot be cached in so many passes, if so."""
         if passes == 1:
-            return unfit_for_one_pass(self) or unfit_as_made(self, self._one)
+            return unfit_for_one_pass(self) or unfit_as_made(self, self.made(FragmentEmitter.one))
         if passes == 3 and self.decides_loops:
             return (
                 "the value decides how long a loop runs, and in the last of three passes fragments "

@@ -102,7 +102,7 @@ def emit_programs(
 ) -> ProgramSet:
     """Every pass of the given algorithms for the nodes, with the original and the hit mask."""
     program.memo.trim()
-    emitter = FragmentEmitter(program, nodes, options.fetches, options.cache)
+    emitter = _emitter(program, nodes, options)
     made = ProgramSet(
         previous=vertex.previous_twins(),
         unchanging=vertex.unchanging(),
@@ -112,17 +112,29 @@ def emit_programs(
     about = ", ".join(f"node {node.id}" for node in nodes)
     write = _Writer(made, vertex, options, about, program.unrolled)
     made.original = write.original(program)
-    made.debug = write.add(_HIT_MASK, emitter.hit_mask())
-    made.payload = write.add(_PAYLOAD, emitter.payload_alone())
+    made.debug = write.add(_HIT_MASK, emitter.made(FragmentEmitter.hit_mask))
+    made.payload = write.add(_PAYLOAD, emitter.made(FragmentEmitter.payload_alone))
     for number in algorithms:
         unfit = emitter.unfit(number)
         if unfit is not None:
             made.refused[number] = unfit
             continue
         made.variants[number] = tuple(
-            write.add(item, build(emitter)) for item, build in _PASSES[number]
+            write.add(item, emitter.made(build)) for item, build in _PASSES[number]
         )
     return made
+
+
+def _emitter(
+    program: FragmentProgram, nodes: Sequence[Candidate], options: Options
+) -> FragmentEmitter:
+    """Whoever wants one mode of a variant often wants the other next: only its printing differs."""
+    kept: dict[object, FragmentEmitter] = program.memo.table("last emitter")
+    key = (tuple(nodes), options.fetches, options.cache)
+    if key not in kept:
+        kept.clear()
+        kept[key] = FragmentEmitter(program, nodes, options.fetches, options.cache)
+    return kept[key]
 
 
 def emit_original(program: FragmentProgram, vertex: VertexEmitter, options: Options) -> ProgramSet:

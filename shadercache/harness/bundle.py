@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from shadercache.diagnostics import InputError, UsageError, input_error, usage_error
+from shadercache.options import DEFAULT_EPSILON, Mode, Options, read_cache_options
 from shadercache.source import Source
 
 SCHEMA_VERSION = 1
@@ -36,7 +37,7 @@ class PassSpec:
     on_reset: bool
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class CacheSpec:
     """Formats of a cache's textures (one, or two), what each is cleared to, and their filter."""
 
@@ -68,6 +69,21 @@ class Bundle:
     def mode(self) -> str:
         """``plain`` or ``proof``."""
         return str(_need(self.manifest, "mode"))
+
+    @cached_property
+    def options(self) -> Options:
+        """By which options another shader's variants go together with these (not the fetches)."""
+        mode: Mode = "proof" if self.mode == "proof" else "plain"
+        if "cache" not in self.manifest:
+            return Options(mode)
+        cache = _need(self.manifest, "cache")
+        chosen = [f"{key}={word}" for key, word in cache.get("options", {}).items()]
+        return Options(
+            mode=mode,
+            cache_format="rgba16f" if str(_need(cache, "format")).endswith("16f") else "rgba32f",
+            epsilon=self.defaults.get("epsilon", DEFAULT_EPSILON),
+            cache=read_cache_options(chosen),
+        )
 
     @cached_property
     def algorithms(self) -> tuple[str, ...]:

@@ -47,10 +47,12 @@ class ReferenceLane:
 
     def time_original(self, clock: Clock, frame: int) -> None:
         """Time the original; its image stays in the colour target."""
+        self._stage.prepare(frame)
         self.original[frame] = clock.time(partial(self._original.draw, frame))
 
     def time_geometry(self, clock: Clock, frame: int) -> None:
         """Time the bare geometry."""
+        self._stage.prepare(frame)
         self.geometry[frame] = clock.time(partial(self._geometry.draw, frame))
 
     def keep_image(self, frame: int) -> None:
@@ -130,7 +132,9 @@ class VariantLane:
             algorithm=self.runner.algorithm,
             timing=timing(times),
             speedup=speedup,
+            reset=self.times[0] / reference.original[0],
             outcomes=_mean(self._outcomes),
+            burst=max((shares.get("refresh", 0.0) for shares in self._outcomes), default=0.0),
             hit_rates=tuple(self._hit_rates),
             work=_mean(self._work),
             error=self._error.stats(),

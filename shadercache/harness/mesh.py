@@ -12,7 +12,6 @@ Arrays of a file (n vertices, m triangles):
 
 from __future__ import annotations
 
-import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.diagnostics import InputError, input_error, usage_error
+from shadercache.harness.npz import load_npz
 from shadercache.harness.scene import Scene
 
 _HELPERS = ("bounds", "index", "index_delta")
@@ -81,24 +81,10 @@ def replacement_mesh(scene: Scene, path: Path | None) -> Mesh | None:
 
     Raises as :func:`load_mesh`, and :class:`UsageError` SC008 where the scene has no mesh.
     """
-    if path is not None and scene.mesh is None:
-        raise usage_error("SC008", f"--mesh: {scene.name} is full-screen and draws no mesh")
+    if path is not None and (scene.mesh is None or scene.objects):
+        why = "has several objects" if scene.objects else "is full-screen and draws no mesh"
+        raise usage_error("SC008", f"--mesh: {scene.name} {why}")
     return None if path is None else load_mesh(path)
-
-
-def load_npz(path: Path, code: str, what: str) -> dict[str, NDArray[np.generic]]:
-    """All arrays of an ``.npz`` file; ``what`` and ``code`` go into the error if it is not one."""
-    reason = "it is not an .npz file of plain arrays"
-    try:
-        with path.open("rb") as stream:
-            stored = np.load(stream, allow_pickle=False)
-            if isinstance(stored, np.lib.npyio.NpzFile):
-                return {name: stored[name] for name in stored.files}
-    except OSError as error:
-        reason = error.strerror or str(error)
-    except (ValueError, EOFError, zipfile.BadZipFile):
-        pass
-    raise input_error(code, f"cannot read {what} {path}: {reason}")
 
 
 def _target(key: str) -> str | None:

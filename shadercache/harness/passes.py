@@ -1,4 +1,4 @@
-"""One pass of the manifest bound to a stage: its program, and where each input comes from."""
+"""One pass of the manifest bound to an object: its program, and where each input comes from."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from shadercache.harness.bundle import PassSpec
 from shadercache.harness.cache import CachePair
 from shadercache.harness.camera import Values
 from shadercache.harness.programs import Uniform
+from shadercache.harness.prop import Prop
 from shadercache.harness.stage import Stage
 from shadercache.harness.textures import GlTexture, texture_kind
 from shadercache.source import Source
@@ -51,7 +52,7 @@ NO_NAMES = Naming({}, {})
 class BoundPass:
     """A pass that can be drawn. Everything is looked up once, when it is made."""
 
-    def __init__(self, stage: Stage, spec: PassSpec, naming: Naming) -> None:
+    def __init__(self, stage: Stage, prop: Prop, spec: PassSpec, naming: Naming) -> None:
         """Compile the program and find a source for each of its inputs.
 
         Raises:
@@ -61,6 +62,7 @@ class BoundPass:
         """
         self.name = spec.name
         self._stage = stage
+        self._prop = prop
         self._spec = spec
         self._now: list[tuple[Uniform, str]] = []
         self._before: list[tuple[Uniform, str]] = []
@@ -68,7 +70,7 @@ class BoundPass:
         self._units: list[tuple[Uniform, GlTexture | str]] = []
         self._program = stage.programs.acquire(spec.vertex, spec.fragment)
         try:
-            self._array = stage.vertex_array(self._program)
+            self._array = prop.vertex_array(self._program)
             self._bind(naming)
         except InputError:
             self.release()
@@ -78,7 +80,7 @@ class BoundPass:
     def draw(
         self, inputs: FrameInputs, caches: CachePair | None, depth_test: str | None = None
     ) -> None:
-        """Draw the mesh into the pass's targets; nothing is cleared.
+        """Draw the object into the pass's targets; nothing is cleared.
 
         Args:
             caches: must be given if the pass reads or writes a cache.
@@ -87,6 +89,7 @@ class BoundPass:
         targets = self._targets(caches)
         self._stage.targets.framebuffer(targets, self._spec.depth_write).use()
         self._stage.gpu.ctx.depth_func = depth_test or self._spec.depth_test
+        self._stage.set_culling(self._prop)
         self._load(inputs, caches)
         self._array.render(moderngl.TRIANGLES)
 
@@ -120,7 +123,7 @@ class BoundPass:
         for target in self._spec.targets:
             if target not in ("color", *CACHE_TARGETS, "mask"):
                 problems.append(self._problem("SC525", f"has an unknown target {target!r}"))
-        values = self._stage.values(0)
+        values = self._prop.values(0)
         for name, uniform in self._program.uniforms.items():
             role = naming.roles.get(name)
             if uniform.sampler is not None:
@@ -138,7 +141,7 @@ class BoundPass:
                 return [self._problem("SC525", f"has a sampler of unknown role {role!r}")]
             self._units.append((uniform, role))
             return []
-        texture = self._stage.texture(uniform.name)
+        texture = self._prop.texture(uniform.name)
         if texture is None:
             hint = f"in the scene, add [textures.{uniform.name}] with a file"
             return [self._problem("SC522", f"needs the texture {uniform.name}", hint)]
@@ -163,14 +166,14 @@ class BoundPass:
             hint = f"in the scene, under [uniforms], add: {name} = ..."
             return [self._problem("SC520", f"needs the uniform {name}", hint)]
         try:
-            uniform.encode(values[name], f"{name} of {self._stage.scene.path}")
+            uniform.encode(values[name], f"{name} of {self._prop.scene.path}")
         except InputError as error:
             return list(error.diagnostics)
         (self._now if twin is None else self._before).append((uniform, name))
         return []
 
     def _problem(self, code: str, what: str, hint: str | None = None) -> Diagnostic:
-        place = Source(str(self._stage.scene.path), "")
+        place = Source(str(self._prop.scene.path), "")
         return Diagnostic(code, f"{self._spec.fragment.name} {what}", place, hint=hint)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import OrderedDict
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import moderngl
@@ -72,20 +72,20 @@ class Uniform:
 class Program:
     """A linked program with its active uniforms and vertex attributes (name -> components).
 
-    ``array`` is the stage's mesh as its input, made when it is first drawn.
+    ``arrays`` are meshes as its input, each made when it is first drawn.
     """
 
     name: str
     gl: moderngl.Program
     uniforms: dict[str, Uniform]
     attributes: dict[str, int]
-    array: moderngl.VertexArray | None = None
+    arrays: dict[tuple[int, ...], moderngl.VertexArray] = field(default_factory=dict)
     users: int = 0
 
     def release(self) -> None:
         """Free the GL objects."""
-        if self.array is not None:
-            self.array.release()
+        for array in self.arrays.values():
+            array.release()
         self.gl.release()
 
 

@@ -1,33 +1,54 @@
-"""Draw the original, its bare geometry, and variants, frame by frame, as the manifest says.
+"""Draw variants, frame by frame, as the manifest says.
 
 Arrays that are read back have row 0 at the bottom, as in OpenGL.
 """
 
 from __future__ import annotations
 
-from abc import abstractmethod
-from collections.abc import Iterable
-from dataclasses import asdict, dataclass
-from typing import TypeAlias
+from collections.abc import Iterable, Iterator
+from dataclasses import asdict, dataclass, replace
 
-import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.diagnostics import DiagnosticError
 from shadercache.emit.layout import precision_of
 from shadercache.harness.bundle import Bundle, PassSpec
-from shadercache.harness.cache import as_precise_as
-from shadercache.harness.camera import Values
-from shadercache.harness.owner import Owner
+from shadercache.harness.cache import CachePair, as_precise_as
+from shadercache.harness.cast import algorithm_of
+from shadercache.harness.pass_runners import (
+    CoverageRunner,
+    GeometryRunner,
+    OriginalRunner,
+    PassRunner,
+    PayloadRunner,
+    Runner,
+)
 from shadercache.harness.passes import NO_NAMES, BoundPass, FrameInputs, Naming
+from shadercache.harness.prop import Prop
 from shadercache.harness.scene import Camera
 from shadercache.harness.stage import Stage
 
-Vector: TypeAlias = NDArray[np.float64]
+__all__ = [
+    "NEVER",
+    "CoverageRunner",
+    "GeometryRunner",
+    "OriginalRunner",
+    "PassRunner",
+    "PayloadRunner",
+    "Role",
+    "RunOptions",
+    "VariantRunner",
+    "render_original",
+    "render_variant",
+]
 
 NEVER = 65535
 """The longest refresh period that manifests allow: next to nothing is refreshed on purpose."""
+
+
+ORIGINAL = "original"
+"""The pass of objects that are not cached."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,102 +66,37 @@ class RunOptions:
     moving: bool = True
 
 
-class _Runner(Owner):
-    """What all runners share: a stage, and the right to its colour target after a draw."""
+@dataclass(eq=False)
+class Role:
+    """An object in a run: its passes in order, those of a reset, its caches.
 
-    def __init__(self, stage: Stage) -> None:
-        self.stage = stage
-        self._bound: list[BoundPass] = []
+    These are None for an object that its original draws: it is not to be cached, or its texels are
+    of another kind than the cache's.
 
-    def _bind(self, spec: PassSpec, naming: Naming) -> BoundPass:
-        bound = BoundPass(self.stage, spec, naming)
-        self._bound.append(bound)
-        return bound
+    ``debug_spec`` says what becomes of its pixels. ``before``: the frame that was shown when it was
+    last drawn; None if the last frame did not show it.
+    """
 
-    @abstractmethod
-    def draw(self, frame: int) -> None:
-        """Draw one frame (counted from 0) into the stage's colour target."""
+    prop: Prop
+    bundle: Bundle
+    naming: Naming
+    passes: tuple[BoundPass, ...]
+    on_reset: tuple[BoundPass, ...]
+    debug_spec: PassSpec
+    caches: CachePair | None
+    before: int | None = None
+    debug: BoundPass | None = None
 
-    def image(self, frame: int) -> NDArray[np.float32]:
-        """Draw one frame and read it: (h, w, 4), display-encoded."""
-        self.draw(frame)
-        return self.stage.targets.image()
-
-    def release(self) -> None:
-        """Give programs and caches back to the stage."""
-        for bound in self._bound:
-            bound.release()
-        self._bound.clear()
+    def is_due(self, number: int) -> bool:
+        """Is a pass drawn in the coming frame?"""
+        return self.before is not None or self.passes[number] in self.on_reset
 
 
-class PassRunner(_Runner):
-    """Draws one program that holds nothing but the user's own inputs."""
-
-    def __init__(self, stage: Stage, spec: PassSpec) -> None:
-        """Raises as ``BoundPass``."""
-        super().__init__(stage)
-        self._pass = self._bind(spec, NO_NAMES)
-
-    def draw(self, frame: int) -> None:
-        """Draw one frame into the colour target."""
-        self.stage.begin()
-        self._pass.draw(_plain(self.stage.values(frame)), None)
-
-
-class OriginalRunner(PassRunner):
-    """Draws the unchanged shader."""
-
-    def __init__(self, stage: Stage, bundle: Bundle) -> None:
-        """Raises as ``BoundPass``."""
-        super().__init__(stage, bundle.original)
-
-
-class GeometryRunner(PassRunner):
-    """Draws the bare geometry: the part of a frame's time that no cache can save."""
-
-    def __init__(self, stage: Stage, bundle: Bundle) -> None:
-        """Raises as ``BoundPass``."""
-        super().__init__(stage, bundle.geometry)
-
-
-class PayloadRunner(PassRunner):
-    """Draws the payload alone in place of the colour: P of P/T."""
-
-    def __init__(self, stage: Stage, bundle: Bundle) -> None:
-        """Raises as ``BoundPass``."""
-        super().__init__(stage, bundle.payload)
-
-
-class CoverageRunner(PassRunner):
-    """Tells which pixels the mesh covers, and where two fragments tie for the front."""
-
-    def __init__(self, stage: Stage, bundle: Bundle) -> None:
-        """Raises as ``BoundPass``."""
-        super().__init__(stage, bundle.coverage)
-
-    def coverage(self, frame: int) -> NDArray[np.bool_]:
-        """Which pixels the mesh covers, (h, w)."""
-        self.draw(frame)
-        covered: NDArray[np.bool_] = self.stage.targets.pixels()[..., 3] != 0
-        return covered
-
-    def ties(self, frame: int) -> NDArray[np.bool_]:
-        """Pixels where two fragments share the smallest depth (DESIGN §4, law 4), (h, w).
-
-        Which of the two is seen depends on the order of drawing and the depth function.
-        """
-        self.draw(frame)
-        self.stage.targets.clear_color()
-        ctx = self.stage.gpu.ctx
-        ctx.enable(moderngl.BLEND)
-        ctx.blend_func = (moderngl.ONE, moderngl.ONE)
-        self._pass.draw(_plain(self.stage.values(frame)), None, depth_test="==")
-        ctx.disable(moderngl.BLEND)
-        return self.stage.targets.image()[..., 0] > 0.375
-
-
-class VariantRunner(_Runner):
+class VariantRunner(Runner):
     """Runs one variant as its manifest says. Frames are drawn in order; the cache carries over.
+
+    Objects with shaders of their own are drawn by their own variants, or their originals, in the
+    same frame: all objects finish a pass before the next begins.
 
     ``hit_mask`` and ``work`` look at the frame that is about to be drawn, with the caches as they
     are then, and leave the run as it was: call them before ``draw`` of the same frame.
@@ -152,82 +108,94 @@ class VariantRunner(_Runner):
         """Compile the passes and take a pair of caches; the first frame is a reset frame.
 
         Raises:
-            UsageError: SC026 for an algorithm that the manifest lacks; InputError as ``BoundPass``.
+            UsageError: SC026 for an algorithm that the manifest lacks; InputError as ``BoundPass``
+                and, for other objects' shaders, ``Cast.bundle``.
         """
         super().__init__(stage)
         self.bundle = bundle
         self.algorithm = algorithm
         self.options = RunOptions() if options is None else options
-        self._naming = Naming(bundle.roles, bundle.twins)
-        self._debug: BoundPass | None = None
-        self._before: Values | None = None
-        self._clear = bundle.cache.clear
-        specs = bundle.passes(algorithm)
+        self._roles: list[Role] = []
         formats = as_precise_as(bundle.cache.formats, self.options.cache_format)
-        self._fixed_numbers = _fixed_numbers(bundle, stage.scene.camera, formats[0])
+        self._fixed_numbers = _fixed_numbers(stage.scene.camera, formats[0])
         self._caches = stage.targets.lend_cache(formats)
         self._holds_caches = True
         try:
             self._caches.set_filter(bundle.cache.filter)
-            self._passes = [self._bind(spec, self._naming) for spec in specs]
+            bundle.passes(algorithm)
+            roles = [self._role(prop) for prop in stage.props]
         except DiagnosticError:
             self.release()
             raise
-        self._on_reset = [
-            bound for bound, spec in zip(self._passes, specs, strict=True) if spec.on_reset
-        ]
+        # What is not cached comes first, for what it hides must not be stored: objects drawn before
+        # it would be, those drawn after it would not.
+        self._roles = sorted(roles, key=lambda role: role.caches is not None)
         self.reset()
 
     @property
     def pass_names(self) -> tuple[str, ...]:
-        """The passes, in order."""
-        return tuple(bound.name for bound in self._passes)
+        """The passes, in order; those of other objects' shaders by their own names."""
+        named = [bound.name for role in self._roles for bound in role.passes]
+        return tuple(dict.fromkeys(named))
 
     def reset(self) -> None:
         """Forget everything (first frame, camera cut, resize): the next frame is a reset frame."""
-        self._caches.clear(self._clear)
-        self._before = None
+        self._caches.clear(self.bundle.cache.clear)
+        for role in self._roles:
+            role.before = None
 
     def draw(self, frame: int) -> None:
-        """Draw one frame into the colour target and the cache, and swap the caches."""
-        inputs = self._inputs(frame)
+        """Draw one frame into the colour target and the caches, and swap these.
+
+        At a cut of the scene's camera path the frame is a reset frame.
+        """
+        if frame in self.stage.scene.camera_path.cuts and self.options.moving:
+            self.reset()
         self._begin()
-        for bound in self._due():
-            bound.draw(inputs, self._caches)
+        for bound, inputs, caches in self._turns(frame):
+            bound.draw(inputs, caches)
             self.stage.gpu.submit()
-        self._caches.swap()
-        self._before = inputs.now
+        self._end(frame)
 
     def draw_pass(self, frame: int, name: str) -> None:
-        """Draw one pass alone on cleared targets; the caches are not swapped (for measuring)."""
-        inputs = self._inputs(frame)
+        """Draw one pass alone on cleared targets; the caches are not swapped (for measuring).
+
+        What has no passes is drawn with the first of the others'.
+        """
         self._begin()
-        for bound in self._passes:
-            if bound.name == name:
-                bound.draw(inputs, self._caches)
+        for bound, inputs, caches in self._turns(frame):
+            if bound.name in (name, ORIGINAL):
+                bound.draw(inputs, caches)
 
     def work(self, frame: int) -> dict[str, int]:
         """Fragments that pass the depth test and are not discarded, by pass, in this frame.
 
         Occlusion queries count overdraw. What a pass of the frame would skip counts as 0.
         """
-        inputs = self._inputs(frame)
         counts = dict.fromkeys(self.pass_names, 0)
         self._begin()
         query = self.stage.sample_counter
-        for bound in self._due():
+        for bound, inputs, caches in self._turns(frame):
             with query:
-                bound.draw(inputs, self._caches)
-            counts[bound.name] = int(query.samples)
+                bound.draw(inputs, caches)
+            counts[bound.name] += int(query.samples)
         return counts
 
     def hit_mask(self, frame: int) -> NDArray[np.uint8]:
-        """What becomes of each pixel in this frame, (h, w): 0 uncovered, else ``mask_values``."""
-        if self._debug is None:
-            self._debug = self._bind(self.bundle.debug, self._naming)
+        """What becomes of each pixel in this frame, (h, w): 0 uncovered, else ``mask_values``.
+
+        Objects that are not cached hide what is behind them and count as uncovered.
+        """
         self.stage.begin()
         self.stage.targets.clear_mask()
-        self._debug.draw(self._inputs(frame), self._caches)
+        for role in self._drawn(frame):
+            if role.debug is None:
+                role.debug = self._bind(role.prop, role.debug_spec, role.naming)
+            inputs = self._inputs(role, frame)
+            if role.before is None:
+                # A reset looks nothing up: no depth agrees to within less than nothing.
+                inputs = replace(inputs, numbers={**inputs.numbers, "epsilon": -np.ones(1)})
+            role.debug.draw(inputs, role.caches)
         return self.stage.targets.mask_values()
 
     def cache(self) -> NDArray[np.float32]:
@@ -240,7 +208,7 @@ class VariantRunner(_Runner):
     def restore(self, cache: NDArray[np.float32], frame: int) -> None:
         """Go on as if ``frame`` had been the last one drawn and had stored ``cache``."""
         self._caches.write_previous(cache)
-        self._before = self._values(frame)
+        self._remember(frame)
 
     def release(self) -> None:
         """Give programs and caches back to the stage."""
@@ -249,42 +217,79 @@ class VariantRunner(_Runner):
             self.stage.targets.take_back(self._caches)
             self._holds_caches = False
 
-    def _due(self) -> list[BoundPass]:
-        return self._on_reset if self._before is None else self._passes
+    def _role(self, prop: Prop) -> Role:
+        """How an object is drawn in this run."""
+        bundle = self.stage.cast.bundle(prop.item, self.bundle)
+        chosen = algorithm_of(bundle, self.algorithm) if prop.item.cached else None
+        if chosen is None or bundle.cache != self.bundle.cache:
+            spec = replace(bundle.original, name=ORIGINAL)
+            bound = (self._bind(prop, spec, NO_NAMES),)
+            hidden = replace(bundle.coverage, targets=("mask",))
+            return Role(prop, bundle, NO_NAMES, bound, bound, hidden, None)
+        naming = Naming(bundle.roles, bundle.twins)
+        specs = bundle.passes(chosen)
+        passes = tuple(self._bind(prop, spec, naming) for spec in specs)
+        on_reset = tuple(bound for bound, spec in zip(passes, specs, strict=True) if spec.on_reset)
+        return Role(prop, bundle, naming, passes, on_reset, bundle.debug, self._caches)
+
+    def _drawn(self, frame: int) -> list[Role]:
+        drawn = set(self.stage.drawn(self._shown(frame)))
+        return [role for role in self._roles if role.prop in drawn]
+
+    def _turns(self, frame: int) -> Iterator[tuple[BoundPass, FrameInputs, CachePair | None]]:
+        """Every draw of a frame: all objects finish a pass before the next begins."""
+        drawn = [(role, self._inputs(role, frame)) for role in self._drawn(frame)]
+        for number in range(max((len(role.passes) for role, _ in drawn), default=0)):
+            for role, inputs in drawn:
+                if number < len(role.passes) and role.is_due(number):
+                    yield role.passes[number], inputs, role.caches
 
     def _begin(self) -> None:
         self.stage.begin()
-        self._caches.clear_current(self._clear)
+        self._caches.clear_current(self.bundle.cache.clear)
 
-    def _inputs(self, frame: int) -> FrameInputs:
-        now = self._values(frame)
-        period = self.options.period
-        epsilon = self.options.epsilon
+    def _end(self, frame: int) -> None:
+        self._caches.swap()
+        self._remember(frame)
+
+    def _remember(self, frame: int) -> None:
+        """What was not drawn has nothing in the cache: it begins anew when it is back."""
+        drawn = set(self.stage.drawn(self._shown(frame)))
+        for role in self._roles:
+            role.before = self._shown(frame) if role.prop in drawn else None
+
+    def _inputs(self, role: Role, frame: int) -> FrameInputs:
+        shown = self._shown(frame)
+        before = shown if role.before is None else role.before
+        item, options = role.prop.item, self.options
+        period = min(item.period or options.period, options.period)
+        # What is drawn uncached knows none of these numbers.
+        defaults = role.bundle.defaults if role.caches else {}
+        epsilon = options.epsilon
         if epsilon is None:
-            epsilon = self.bundle.defaults.get("epsilon", 0.0)
-        numbers = self._fixed_numbers | {
-            "clock": np.array([frame % period], np.float64),
-            "period": np.array([period], np.float64),
-            "block": np.array([self.options.block], np.float64),
-            "epsilon": np.array([epsilon], np.float64),
+            epsilon = defaults.get("epsilon", 0.0)
+        numbers = {
+            **defaults,
+            **self._fixed_numbers,
+            "clock": frame % period,
+            "period": period,
+            "block": item.block or options.block,
+            "epsilon": epsilon,
+            "object": role.prop.number,
+            "mask": item.mask,
         }
-        return FrameInputs(now, now if self._before is None else self._before, numbers)
+        given = {name: np.array([value], np.float64) for name, value in numbers.items()}
+        return FrameInputs(role.prop.values(shown), role.prop.values(before), given)
 
-    def _values(self, frame: int) -> Values:
-        return self.stage.values(frame if self.options.moving else 0)
+    def _shown(self, frame: int) -> int:
+        return frame if self.options.moving else 0
 
 
-def _fixed_numbers(bundle: Bundle, camera: Camera, texel: str) -> dict[str, Vector]:
-    """What is the same in every frame, by role: what the manifest says, and what follows from the
-    camera and from the format that the cache really has."""
-    held = precision_of(texel)
+def _fixed_numbers(camera: Camera, texel: str) -> dict[str, float]:
+    """What is the same in every frame, by role: what follows from the camera and from the format
+    that the cache really has."""
     depth = 2.0 * camera.near * camera.far / (camera.far - camera.near)
-    numbers = bundle.defaults | {"unit": depth, **asdict(held)}
-    return {role: np.array([number], np.float64) for role, number in numbers.items()}
-
-
-def _plain(values: Values) -> FrameInputs:
-    return FrameInputs(values, values, {})
+    return {"unit": depth, **asdict(precision_of(texel))}
 
 
 def render_original(

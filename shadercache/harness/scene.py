@@ -1,77 +1,59 @@
-"""A scene: shaders, mesh, camera, motion, uniforms and textures, read from a TOML file.
+"""A scene: shaders, meshes, camera, motion, uniforms and textures, read from a TOML file.
 
-``load_scene`` checks everything that can be checked without OpenGL and without opening the mesh;
+``load_scene`` checks everything that can be checked without OpenGL and without opening a mesh;
 paths in the file are relative to it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any, cast, get_args
+from typing import cast, get_args
 
+from shadercache.harness.animation import Animations
+from shadercache.harness.motion import (
+    REST,
+    RESTING_CAMERA,
+    RESTING_MOTION,
+    Camera,
+    CameraPath,
+    Key,
+    Motion,
+    read_camera,
+    read_motion,
+)
+from shadercache.harness.scene_inputs import (
+    CAUSES,
+    SEMANTICS,
+    TextureSpec,
+    Uniforms,
+    causes,
+    is_text,
+    read_changes,
+    read_strings,
+    read_textures,
+    read_uniforms,
+)
 from shadercache.harness.toml_reader import Table, is_number, read_toml
 from shadercache.options import MappingKind
 
-SEMANTICS = (
-    "model",
-    "view",
-    "projection",
-    "model-view",
-    "view-projection",
-    "model-view-projection",
-    "normal-matrix",
-    "eye",
-    "time",
-    "time-delta",
-    "frame",
-    "resolution",
-    "resolution-aspect",
-)
-"""What a uniform can be tied to; ``camera.semantic_values`` and ``scene_values`` define each."""
-
-CAUSES = ("view", "light", "time")
-"""Why a uniform may change from frame to frame. Those with a semantic tell it by that."""
-
-
-@dataclass(frozen=True, slots=True)
-class Camera:
-    """A perspective camera at rest: world-space points, the vertical angle in degrees."""
-
-    eye: tuple[float, float, float]
-    target: tuple[float, float, float]
-    up: tuple[float, float, float]
-    fov_degrees: float
-    near: float
-    far: float
-
-
-@dataclass(frozen=True, slots=True)
-class Motion:
-    """The object turns about an axis through the origin; ``frames`` is the length of the path."""
-
-    axis: tuple[float, float, float]
-    degrees_per_frame: float
-    start_degrees: float
-    frames: int
-
-
-RESTING_CAMERA = Camera((0.0, 0.0, 3.0), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0), 45.0, 0.1, 100.0)
-RESTING_MOTION = Motion((0.0, 1.0, 0.0), 0.0, 0.0, 64)
-"""Of scenes that are one full-screen triangle, which neither moves."""
-
-
-@dataclass(frozen=True, slots=True)
-class TextureSpec:
-    """A texture file and how it is sampled. ``made``: it is generated, and ``path`` says what."""
-
-    path: Path
-    filter: str
-    mipmap: bool
-    wrap: str
-    anisotropy: float
-    made: bool = False
+__all__ = [
+    "CAUSES",
+    "RESTING_CAMERA",
+    "RESTING_MOTION",
+    "SEMANTICS",
+    "Camera",
+    "CameraPath",
+    "Demo",
+    "Key",
+    "Motion",
+    "Scene",
+    "SceneObject",
+    "TextureSpec",
+    "causes",
+    "load_scene",
+]
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,6 +76,8 @@ class Scene:
     Without a mesh the scene is a triangle that covers the picture, ``mesh.FULL_SCREEN``, and may do
     without a vertex shader. ``mapping`` is how its payloads are found, if the scene says it;
     ``start_time`` are the seconds that its clock shows in frame 0.
+
+    A scene of several ``objects`` draws these; what it says itself is what they have in common.
     """
 
     path: Path
@@ -116,6 +100,41 @@ class Scene:
     unroll: bool = False
     mapping: MappingKind | None = None
     start_time: float = 0.0
+    animated: Animations = field(default_factory=dict)
+    camera_path: CameraPath = REST
+    objects: tuple[SceneObject, ...] = ()
+
+    @property
+    def parts(self) -> tuple[SceneObject, ...]:
+        """What is drawn: the objects, or the scene itself as the only one."""
+        return self.objects or (SceneObject(self.name, self),)
+
+
+REUSE = ("on", "miss", "off")
+"""What an object does with the cache where variants ask (``mask``): it reuses; it misses and stores
+anew; it misses, and what it stores is not reused either."""
+
+
+@dataclass(frozen=True, eq=False)
+class SceneObject:
+    """One object: ``scene`` is the scene as far as it concerns this object, without others.
+
+    ``own_shader``: it is not drawn by the scene's shaders; ``node`` (an id, or several joined by
+    ``+``) is then what is cached of it, if anything is. Without ``cached`` its original draws it.
+    ``block`` goes before that of a run, ``period`` if it is shorter. ``mask`` is for the uniform of
+    that role, an index of :data:`REUSE`. ``bounds``: a box in object space that it never leaves, so
+    that it need not be drawn while that is outside of the picture.
+    """
+
+    name: str
+    scene: Scene
+    own_shader: bool = False
+    node: str | None = None
+    cached: bool = True
+    period: int | None = None
+    block: int | None = None
+    mask: int = 0
+    bounds: tuple[tuple[float, ...], tuple[float, ...]] | None = None
 
 
 def load_scene(path: Path) -> Scene:
@@ -128,34 +147,124 @@ def load_scene(path: Path) -> Scene:
         path = path / "scene.toml"
     source, values = read_toml(path)
     top = Table(source, values)
-    constants, semantics = _uniforms(top.table("uniforms"))
+    uniforms = read_uniforms(top.table("uniforms"))
     mapping = _mapping(top)
-    flat = mapping not in (None, "surface") and not top.has("mesh")
+    many = top.has("objects")
+    flat = mapping not in (None, "surface") and not top.has("mesh") and not many
+    camera, path_of_camera = (RESTING_CAMERA, REST) if flat else read_camera(top.table("camera"))
     scene = Scene(
         path=path,
         name=top.text("name"),
         title=top.text("title", path.parent.name or "scene"),
         fragment=top.file("fragment"),
         vertex=None if flat and not top.has("vertex") else top.file("vertex"),
-        mesh=None if flat else top.file("mesh"),
+        mesh=None if flat or (many and not top.has("mesh")) else top.file("mesh"),
         verify_mesh=top.file("verify_mesh") if top.has("verify_mesh") else None,
-        attributes=_strings(top.table("attributes")),
-        camera=RESTING_CAMERA if flat else _camera(top.table("camera")),
-        motion=RESTING_MOTION if flat else _motion(top.table("motion")),
-        constants=constants,
-        semantics=semantics,
-        textures=_textures(top.table("textures")),
-        nodes=_strings(top.table("nodes")),
+        attributes=read_strings(top.table("attributes")),
+        camera=camera,
+        motion=RESTING_MOTION if flat else read_motion(top.table("motion"), 0.0 if many else 1.0),
+        constants=uniforms.constants,
+        semantics=uniforms.semantics,
+        textures=read_textures(top.table("textures")),
+        nodes=read_strings(top.table("nodes")),
         demo=_demo(top.table("demo")) if top.has("demo") else None,
         cull=top.text("cull", "none", ("none", "back")) == "back",
-        changes=_changes(top.table("changes"), semantics),
+        changes=read_changes(top.table("changes"), uniforms),
         unroll=top.boolean("unroll", False),
         mapping=mapping,
         start_time=top.number("start_time", 0.0),
+        animated=uniforms.animated,
+        camera_path=path_of_camera,
     )
+    scene = replace(scene, objects=_objects(top, scene, uniforms))
     top.refuse_unknown()
     top.raise_problems()
     return scene
+
+
+def _objects(top: Table, scene: Scene, shared: Uniforms) -> tuple[SceneObject, ...]:
+    found: list[SceneObject] = []
+    for table in top.tables("objects"):
+        item = _object(table, scene, shared)
+        places = _places(table)
+        table.refuse_unknown()
+        found += [_copy(item, number, place) for number, place in enumerate(places)] or [item]
+    names = [item.name for item in found]
+    if len(set(names)) != len(names):
+        top.problem("SC505", "objects", "objects must have names of their own")
+    return tuple(found)
+
+
+def _object(table: Table, scene: Scene, shared: Uniforms) -> SceneObject:
+    """One object; what its table does not say is as the scene says it."""
+    uniforms = read_uniforms(table.table("uniforms")).over(shared)
+    mesh = table.file("mesh") if table.has("mesh") or scene.mesh is None else scene.mesh
+    small = table.file("verify_mesh") if table.has("verify_mesh") else None
+    motion = read_motion(table.table("motion"), 0.0) if table.has("motion") else scene.motion
+    own = table.has("fragment") or table.has("vertex")
+    nodes = {**scene.nodes, **read_strings(table.table("nodes"))}
+    own_scene = replace(
+        scene,
+        fragment=table.file("fragment") if table.has("fragment") else scene.fragment,
+        vertex=table.file("vertex") if table.has("vertex") else scene.vertex,
+        mesh=mesh,
+        verify_mesh=small or (scene.verify_mesh if mesh == scene.mesh else None),
+        attributes={**scene.attributes, **read_strings(table.table("attributes"))},
+        motion=motion,
+        constants=uniforms.constants,
+        semantics=uniforms.semantics,
+        animated=uniforms.animated,
+        textures={**scene.textures, **read_textures(table.table("textures"))},
+        nodes=nodes,
+        cull=table.text("cull", "back" if scene.cull else "none", ("none", "back")) == "back",
+    )
+    node = table.text("node") if table.has("node") else None
+    if node is not None and not own:
+        message = f"{table.full('node')}: an object has a node of its own only with its own shader"
+        table.problem("SC505", "node", message)
+    cached = table.boolean("cached", True)
+    return SceneObject(
+        name=table.text("name"),
+        scene=own_scene,
+        own_shader=own,
+        node=None if node is None else "+".join(nodes.get(part, part) for part in node.split("+")),
+        cached=cached and (node is not None or not own),
+        period=table.whole("period", None, least=1) if table.has("period") else None,
+        block=table.whole("block", None, least=2) if table.has("block") else None,
+        mask=REUSE.index(table.text("reuse", REUSE[0], REUSE)),
+        bounds=_bounds(table),
+    )
+
+
+def _places(table: Table) -> list[tuple[float, float, float]]:
+    """Where copies of the object stand, each at its place instead of ``motion.position``."""
+    value = table.values.get("places", [])
+    if table.has("places") and not (isinstance(value, list) and all(map(_is_point, value))):
+        table.problem("SC505", "places", f"{table.full('places')} must be points, not {value!r}")
+        return []
+    return [(float(x), float(y), float(z)) for x, y, z in value]
+
+
+def _copy(item: SceneObject, number: int, place: tuple[float, float, float]) -> SceneObject:
+    motion = replace(item.scene.motion, position=place)
+    scene = replace(item.scene, motion=motion)
+    return replace(item, name=f"{item.name} {number + 1}", scene=scene)
+
+
+def _bounds(table: Table) -> tuple[tuple[float, ...], tuple[float, ...]] | None:
+    value = table.values.get("bounds")
+    if not table.has("bounds"):
+        return None
+    if isinstance(value, list) and len(value) == 2 and all(map(_is_point, value)):
+        low, high = (tuple(map(float, corner)) for corner in value)
+        if all(a <= b for a, b in zip(low, high, strict=True)):
+            return low, high
+    table.problem("SC505", "bounds", f"{table.full('bounds')} must be two corners of a box")
+    return None
+
+
+def _is_point(value: object) -> bool:
+    return isinstance(value, list) and len(value) == 3 and all(map(is_number, value))
 
 
 def _mapping(top: Table) -> MappingKind | None:
@@ -163,130 +272,12 @@ def _mapping(top: Table) -> MappingKind | None:
     return cast(MappingKind, top.text("mapping", known[0], known)) if top.has("mapping") else None
 
 
-def _camera(table: Table) -> Camera:
-    camera = Camera(
-        eye=table.vector("eye"),
-        target=table.vector("target", (0.0, 0.0, 0.0)),
-        up=table.vector("up", (0.0, 1.0, 0.0)),
-        fov_degrees=table.number("fov_degrees"),
-        near=table.number("near"),
-        far=table.number("far"),
-    )
-    table.refuse_unknown()
-    if table.has("fov_degrees") and not 0.0 < camera.fov_degrees < 180.0:
-        table.problem("SC505", "fov_degrees", "camera.fov_degrees must lie between 0 and 180")
-    if table.has("near") and table.has("far") and not 0.0 < camera.near < camera.far:
-        table.problem("SC505", "near", "camera.near must be above 0 and below camera.far")
-    looks = [target - eye for eye, target in zip(camera.eye, camera.target, strict=True)]
-    if table.has("eye") and _parallel(looks, camera.up):
-        table.problem("SC505", "eye", "camera.eye, target and up do not span a view")
-    return camera
-
-
-def _parallel(a: list[float], b: tuple[float, float, float]) -> bool:
-    cross = (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-    return max(map(abs, cross)) <= 1e-9 * max(map(abs, a)) * max(map(abs, b))
-
-
-def _motion(table: Table) -> Motion:
-    motion = Motion(
-        axis=table.vector("axis", (0.0, 1.0, 0.0)),
-        degrees_per_frame=table.number("degrees_per_frame", 1.0),
-        start_degrees=table.number("start_degrees", 0.0),
-        frames=table.whole("frames", 64, least=1),
-    )
-    table.refuse_unknown()
-    if not any(motion.axis):
-        table.problem("SC505", "axis", "motion.axis must not be zero")
-    return motion
-
-
-def _uniforms(table: Table) -> tuple[dict[str, tuple[float, ...]], dict[str, str]]:
-    constants: dict[str, tuple[float, ...]] = {}
-    semantics: dict[str, str] = {}
-    for name, value in table.values.items():
-        if isinstance(value, str) or (isinstance(value, dict) and set(value) == {"semantic"}):
-            word = value if isinstance(value, str) else value["semantic"]
-            semantics[name] = word
-            if word not in SEMANTICS:
-                message = f"{table.full(name)}: unknown semantic {word!r}"
-                table.problem("SC506", name, message, hint=f"one of {', '.join(SEMANTICS)}")
-            continue
-        constant = _constant(value)
-        if constant is None:
-            wanted = "a number, an array of numbers, or a semantic"
-            table.problem("SC505", name, f"{table.full(name)} must be {wanted}, not {value!r}")
-        else:
-            constants[name] = constant
-    return constants, semantics
-
-
-def _constant(value: Any) -> tuple[float, ...] | None:
-    """A number, a vector, or equally long vectors one after another; None if it is neither."""
-    if isinstance(value, bool) or is_number(value):
-        return (float(value),)
-    if not isinstance(value, list) or not value:
-        return None
-    if all(map(is_number, value)):
-        return tuple(map(float, value))
-    if not all(isinstance(row, list) and row and all(map(is_number, row)) for row in value):
-        return None
-    if len({len(row) for row in value}) != 1:
-        return None
-    return tuple(float(number) for row in value for number in row)
-
-
-def _textures(table: Table) -> dict[str, TextureSpec]:
-    specs: dict[str, TextureSpec] = {}
-    for name in table.values:
-        entry = table.table(name)
-        specs[name] = TextureSpec(
-            path=entry.file("file"),
-            filter=entry.text("filter", "linear", ("linear", "nearest")),
-            mipmap=entry.boolean("mipmap", False),
-            wrap=entry.text("wrap", "repeat", ("repeat", "clamp")),
-            anisotropy=entry.number("anisotropy", 1.0),
-        )
-        entry.refuse_unknown()
-    return specs
-
-
-def _strings(table: Table) -> dict[str, str]:
-    return {name: table.text(name) for name in table.values}
-
-
 def _demo(table: Table) -> Demo:
     nodes = table.values.get("nodes", [])
-    if table.has("nodes") and not (isinstance(nodes, list) and all(map(_is_text, nodes))):
+    if table.has("nodes") and not (isinstance(nodes, list) and all(map(is_text, nodes))):
         table.problem("SC505", "nodes", "demo.nodes must be an array of strings")
         nodes = []
     period = table.whole("period", 32, least=1)
     demo = Demo(tuple(nodes), period, table.whole("block", 4, least=2))
     table.refuse_unknown()
     return demo
-
-
-def _changes(table: Table, semantics: Mapping[str, str]) -> dict[str, str]:
-    """``light = ["u_light"]`` and the like, by the names of uniforms, with what semantics tell."""
-    found = causes(semantics)
-    for cause in CAUSES:
-        names = table.values.get(cause, [])
-        if table.has(cause) and not (isinstance(names, list) and all(map(_is_text, names))):
-            table.problem("SC505", cause, f"changes.{cause} must be an array of strings")
-            continue
-        found |= dict.fromkeys(names, cause)
-    table.refuse_unknown()
-    return found
-
-
-def causes(semantics: Mapping[str, str]) -> dict[str, str]:
-    """Why the uniforms with a semantic change, by name; those of the picture's size do not."""
-    return {
-        name: "time" if word in ("time", "time-delta", "frame") else "view"
-        for name, word in semantics.items()
-        if not word.startswith("resolution")
-    }
-
-
-def _is_text(value: Any) -> bool:
-    return isinstance(value, str)

@@ -88,9 +88,14 @@ def with_aliases(scene: Scene, renamed: Mapping[str, str]) -> Scene:
         return scene
     return replace(
         scene,
+        objects=tuple(
+            item if item.own_shader else replace(item, scene=with_aliases(item.scene, renamed))
+            for item in scene.objects
+        ),
         attributes=aliased(scene.attributes),
         constants=aliased(scene.constants),
         semantics=aliased(scene.semantics),
+        animated=aliased(scene.animated),
         textures=aliased(scene.textures),
         changes=aliased(scene.changes),
     )

@@ -2,27 +2,29 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
+from pathlib import Path
 
 import moderngl
-import numpy as np
 
-from shadercache.diagnostics import Diagnostic, InputError
-from shadercache.harness.camera import Values, scene_values
+from shadercache.diagnostics import input_error
+from shadercache.harness.camera import Values
+from shadercache.harness.cast import Cast
 from shadercache.harness.context import Gpu
 from shadercache.harness.mesh import Mesh, scene_mesh
 from shadercache.harness.owner import Owner
-from shadercache.harness.programs import Program, Programs
-from shadercache.harness.scene import Scene
+from shadercache.harness.programs import Programs
+from shadercache.harness.prop import GpuMesh, Prop
+from shadercache.harness.scene import Scene, SceneObject, TextureSpec
 from shadercache.harness.targets import Targets
 from shadercache.harness.textures import GlTexture, upload_texture
-from shadercache.source import Source
-
-_KEPT_FRAMES = 512  # a few kilobytes each; more than any sweep's path
 
 
 class Stage(Owner):
-    """Mesh, textures, programs and render targets of one scene at one size."""
+    """Objects, textures, programs and render targets of one scene at one size.
+
+    ``props`` are the objects; of a scene of one, ``mesh``, ``values`` and ``texture`` are its own.
+    With ``culling`` objects outside of the picture are not drawn.
+    """
 
     def __init__(
         self,
@@ -31,26 +33,35 @@ class Stage(Owner):
         size: tuple[int, int],
         color: str = "rgba8",
         mesh: Mesh | None = None,
+        small: bool = False,
     ) -> None:
-        """Upload the mesh (``mesh`` in place of the scene's own) and make the targets.
+        """Upload the meshes (``mesh`` in place of the scene's own) and make the targets.
 
         Args:
             size: width and height in pixels.
             color: ``rgba8`` for pictures and timing, ``rgba32f`` for proofs.
+            small: take the meshes' low resolution stand-ins where there are any.
 
         Raises:
-            InputError: SC51x for an unusable mesh, SC603 for a format that does not exist.
+            InputError: SC51x for an unusable mesh, SC540 for a mesh in place of those of several
+                objects, SC603 for a format that does not exist.
         """
+        if mesh is not None and scene.objects:
+            message = f"the scene {scene.name} has several objects; one mesh cannot replace theirs"
+            raise input_error("SC540", message)
         self.gpu = gpu
         self.scene = scene
-        self.mesh = scene_mesh(scene) if mesh is None else mesh
-        self._check_attributes()
+        self.culling = True
+        self.cast = Cast()
         self.programs = Programs(gpu)
+        self._meshes: dict[Path | None, GpuMesh] = {}
+        self._textures: dict[TextureSpec, GlTexture] = {}
+        self.props = tuple(
+            self._prop(self.cast.named(item), number + 1, self._mesh(item.scene, mesh, small), size)
+            for number, item in enumerate(scene.parts)
+        )
         self.targets = Targets(gpu.ctx, size, color)
-        self._buffers: dict[str, moderngl.Buffer] = {}
-        self._index = gpu.ctx.buffer(self.mesh.index.tobytes())
-        self._textures: dict[str, GlTexture] = {}
-        self._values: OrderedDict[int, Values] = OrderedDict()
+        self._mixed = len({item.scene.cull for item in scene.parts}) > 1
         # moderngl cannot free a query, so there is one for all runners.
         self.sample_counter = gpu.ctx.query(samples=True)
 
@@ -59,78 +70,73 @@ class Stage(Owner):
         """Width and height in pixels."""
         return self.targets.size
 
+    @property
+    def mesh(self) -> Mesh:
+        """The mesh of the first object."""
+        return self.props[0].mesh
+
     def values(self, frame: int) -> Values:
-        """The scene's uniforms at a frame. Equal frames give the same object."""
-        found = self._values.get(frame)
-        if found is None:
-            found = self._values[frame] = scene_values(self.scene, frame, self.size)
-            if len(self._values) > _KEPT_FRAMES:
-                self._values.popitem(last=False)
-        return found
+        """The uniforms of the first object at a frame. Equal frames give the same values."""
+        return self.props[0].values(frame)
 
     def texture(self, name: str) -> GlTexture | None:
-        """A texture of the scene, uploaded when first wanted; None if the scene has none so named.
+        """A texture of the first object; None if it has none so named. Raises as :meth:`load`."""
+        return self.props[0].texture(name)
+
+    def drawn(self, frame: int) -> tuple[Prop, ...]:
+        """The objects that are drawn in a frame: there, and not outside of the picture."""
+        return tuple(
+            prop
+            for prop in self.props
+            if prop.is_there(frame) and not (self.culling and prop.is_outside(frame))
+        )
+
+    def prepare(self, frame: int) -> None:
+        """Compute all that a frame needs of the CPU, so that timed draws find it done."""
+        for prop in self.drawn(frame):
+            prop.values(frame)
+
+    def load(self, spec: TextureSpec) -> GlTexture:
+        """A texture, uploaded when first wanted.
 
         Raises:
             InputError: SC530, SC531 for a file that is no texture.
         """
-        if name not in self._textures and name in self.scene.textures:
-            self._textures[name] = upload_texture(self.gpu, self.scene.textures[name])
-        return self._textures.get(name)
-
-    def vertex_array(self, program: Program) -> moderngl.VertexArray:
-        """The mesh as the program's input.
-
-        Raises:
-            InputError: SC521, an attribute that the scene does not map to an array.
-        """
-        if program.array is None:
-            content = [self._attribute(program, name) for name in program.attributes]
-            program.array = self.gpu.ctx.vertex_array(program.gl, content, self._index)
-        return program.array
+        if spec not in self._textures:
+            self._textures[spec] = upload_texture(self.gpu, spec)
+        return self._textures[spec]
 
     def begin(self) -> None:
         """Set the state a frame starts from, and clear colour and depth."""
-        flags = moderngl.DEPTH_TEST | (moderngl.CULL_FACE if self.scene.cull else 0)
+        flags = moderngl.DEPTH_TEST | (moderngl.CULL_FACE if self.props[0].scene.cull else 0)
         self.gpu.ctx.enable_only(flags)
         self.targets.clear()
+
+    def set_culling(self, prop: Prop) -> None:
+        """Draw back faces of this object or not, where objects differ in that."""
+        if self._mixed:
+            change = self.gpu.ctx.enable if prop.scene.cull else self.gpu.ctx.disable
+            change(moderngl.CULL_FACE)
 
     def release(self) -> None:
         """Free every GL object of the stage; its runners can draw no more."""
         self.programs.release_all()
-        for buffer in (*self._buffers.values(), self._index):
-            buffer.release()
+        for mesh in self._meshes.values():
+            mesh.release()
         for texture in self._textures.values():
             texture.release()
         self.targets.release()
 
-    def _attribute(self, program: Program, name: str) -> tuple[moderngl.Buffer, str, str]:
-        array_name = self.scene.attributes.get(name)
-        if array_name is None:
-            message = f"{program.name} needs the vertex attribute {name}, which the scene lacks"
-            hint = f'under [attributes], add: {name} = "position" (or another array of the mesh)'
-            raise InputError(Diagnostic("SC521", message, self._place(), hint=hint))
-        array = self.mesh.arrays[array_name]
-        if array_name not in self._buffers:
-            self._buffers[array_name] = self.gpu.ctx.buffer(np.ascontiguousarray(array).tobytes())
-        return self._buffers[array_name], f"{array.shape[1]}f", name
+    def _mesh(self, scene: Scene, given: Mesh | None, small: bool) -> GpuMesh:
+        """What an object draws; objects that draw the same file share it."""
+        path = scene.verify_mesh if small and scene.verify_mesh else scene.mesh
+        if path not in self._meshes:
+            self._meshes[path] = GpuMesh(self.gpu.ctx, given or scene_mesh(scene, small))
+        return self._meshes[path]
 
-    def _check_attributes(self) -> None:
-        problems = [
-            self._missing_array(attribute, array)
-            for attribute, array in self.scene.attributes.items()
-            if array not in self.mesh.arrays
-        ]
-        if problems:
-            raise InputError(problems)
+    def _prop(self, item: SceneObject, number: int, mesh: GpuMesh, size: tuple[int, int]) -> Prop:
+        def texture(name: str) -> GlTexture | None:
+            spec = item.scene.textures.get(name)
+            return None if spec is None else self.load(spec)
 
-    def _missing_array(self, attribute: str, array: str) -> Diagnostic:
-        have = ", ".join(sorted(self.mesh.arrays))
-        message = (
-            f"attributes.{attribute} wants the array {array!r}, "
-            f"which the mesh {self.mesh.name} does not have"
-        )
-        return Diagnostic("SC511", message, self._place(), hint=f"it has: {have}")
-
-    def _place(self) -> Source:
-        return Source(str(self.scene.path), "")
+        return Prop(self.gpu, item, number, mesh, size, texture)

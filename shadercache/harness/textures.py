@@ -17,7 +17,7 @@ from PIL import Image
 
 from shadercache.diagnostics import InputError, input_error
 from shadercache.harness.context import Gpu
-from shadercache.harness.mesh import load_npz
+from shadercache.harness.npz import load_npz
 from shadercache.harness.scene import TextureSpec
 
 GlTexture = moderngl.Texture | moderngl.TextureCube | moderngl.TextureArray

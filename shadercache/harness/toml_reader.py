@@ -16,6 +16,7 @@ from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.source import Source, Span
 
 _AT = re.compile(r"\(at line (\d+), column (\d+)\)")
+_NUMBER = re.compile(r"\[\d+\]")
 _HEADER = re.compile(r"^[ \t]*\[+([^\[\]\n]*)\]+", re.MULTILINE)
 
 
@@ -54,8 +55,10 @@ def locate(source: Source, table: str, key: str) -> Span | None:
     """Where ``key`` of ``table`` ("" is the top level) stands in the text, as far as can be seen.
 
     Only the plain spelling is found (``[table]`` and below it ``key =``); tomllib keeps no places.
+    Tables of an array are called ``name[0]``, ``name[1]``, ...
     """
-    starts = [("", 0)] + [(m[1].strip(), m.end()) for m in _HEADER.finditer(source.text)]
+    headers = list(_HEADER.finditer(source.text))
+    starts = [("", 0), *zip(_full_names(headers), (m.end() for m in headers), strict=True)]
     ends = [start for _, start in starts[1:]] + [len(source.text)]
     for (name, start), end in zip(starts, ends, strict=True):
         if name != table:
@@ -65,8 +68,24 @@ def locate(source: Source, table: str, key: str) -> Span | None:
             at = start + found.end() - len(found[0].lstrip())
             return Span(at, at + len(key))
         if table:
-            return Span(start - 1 - len(name), start - 1)
+            written = len(_NUMBER.sub("", name))
+            return Span(start - 1 - written, start - 1)
     return None
+
+
+def _full_names(headers: list[re.Match[str]]) -> list[str]:
+    """The names of tables, those of arrays with their number: ``objects[1].motion``."""
+    counts: dict[str, int] = {}
+    names: list[str] = []
+    for header in headers:
+        name = header[1].strip()
+        if "[[" in header[0]:
+            counts[name] = counts.get(name, -1) + 1
+        parts = name.split(".")
+        stems = [".".join(parts[: end + 1]) for end in range(len(parts))]
+        marks = [f"[{counts[stem]}]" if stem in counts else "" for stem in stems]
+        names.append(".".join(map("".join, zip(parts, marks, strict=True))))
+    return names
 
 
 class Table:
@@ -109,6 +128,17 @@ class Table:
             self._wrong(key, "a table")
             value = {}
         return Table(self.source, value, self.full(key), self.problems)
+
+    def tables(self, key: str) -> list[Table]:
+        """The tables of an array; none if it is not there."""
+        value = self.values[key] if self.has(key) else []
+        if not (isinstance(value, list) and all(isinstance(item, dict) for item in value)):
+            self._wrong(key, "an array of tables")
+            value = []
+        return [
+            Table(self.source, item, f"{self.full(key)}[{number}]", self.problems)
+            for number, item in enumerate(value)
+        ]
 
     def text(self, key: str, default: str | None = None, choices: tuple[str, ...] = ()) -> str:
         """A string, one of ``choices`` if given."""

@@ -20,7 +20,7 @@ from shadercache.compiler import Analysis, emit_original, rewrite
 from shadercache.diagnostics import InputError, input_error
 from shadercache.harness.bundle import Bundle
 from shadercache.harness.context import Gpu
-from shadercache.harness.mesh import Mesh, scene_mesh
+from shadercache.harness.mesh import Mesh
 from shadercache.harness.runner import (
     CoverageRunner,
     OriginalRunner,
@@ -139,8 +139,7 @@ class Verifier:
         taken. ``cache``: how variants look up, store and refresh.
         """
         self.analysis, self.fetches, self.cache = analysis, fetches, cache
-        mesh = mesh or scene_mesh(scene, small=True)
-        self.stage = Stage(gpu, scene, size, color="rgba32f", mesh=mesh)
+        self.stage = Stage(gpu, scene, size, color="rgba32f", mesh=mesh, small=True)
         self._moving = {mode: self._original(mode) for mode in ("plain", "proof")}
         proof = self._bundle("proof")
         with CoverageRunner(self.stage, proof) as runner:

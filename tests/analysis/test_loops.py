@@ -27,6 +27,11 @@ DECIDED = [
     "vec2 v = vec2(0.0); v.x = x; while (v.y < 1.0) v.y += v.x;",
     "int i = 0; for (float t = 0.0; t < 1.0; t += x) i++; while (i < 9) i++;",
     "float a = 1.0; early(a, x); while (s < a) s += 1.0;",
+    "float a = 1.0; chosen(a, x); while (s < a) s += 1.0;",
+    "float a = 1.0; switch (1) { case 1: if (x > 0.5) break; a = 2.0; } while (s < a) s += 1.0;",
+    "float a; if (x > 0.5) { a = 1.0; if (y > 0.5) a = 2.0; while (s < a) s += a * x; "
+    "while (s < a) { s += 1.0; a -= x; } }",
+    "float sum = x; while (s < noise(sum)) s += 1.0;",
 ]
 NOT_DECIDED = [
     "for (int i = 0; i < 4; i++) s += x;",
@@ -34,6 +39,9 @@ NOT_DECIDED = [
     "float a = x; while (s < 2.0) { s += 1.0; a *= 2.0; }",
     "while (s < twice(y)) s += 1.0;",
     "for (float t = 0.0; t < 2.0; t += x) s += dFdx(t);",
+    "if (x > 0.5) { for (int i = 0; i < 4; i++) s += x; }",
+    "if (x > 0.5) { float a = 1.0; float b = 0.0; while (b < a) b += 1.0; s += b; }",
+    "float sum = x; s += noise(sum); { float b = octaves(y); }",
 ]
 """The last one has a derivative in it: what decides on that is refused as a payload."""
 
@@ -43,6 +51,18 @@ float g;
 float twice(float p) { return 2.0 * p; }
 float kept() { return g; }
 void store(out float r, float p) { r = p; }
+void chosen(inout float r, float p) {
+    switch (2) { case 1: break; case 2: { if (p > 0.5) return; } r = 2.0; }
+}
+float noise(float p) { float sum = 2.0 * p; return sum; }
+float octaves(float p) {
+    float sum = p;
+    for (int i = 0; i < 4; i++) { sum += float(i); }
+    float far = 0.5;
+    if (sum > p) { return sum; }
+    while (far < 4.0) { far *= 2.0; }
+    return sum + far;
+}
 void early(inout float r, float p) { if (p > 0.5) return; r = 2.0; }
 """
 

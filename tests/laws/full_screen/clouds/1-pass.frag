@@ -5,10 +5,10 @@
 // depends on iTime, so the value of the same pixel stays right for ever.
 
 vec4 sc_color;
-uniform sampler2D sc_cache;
 uniform int sc_clock;
 uniform int sc_period;
 uniform int sc_block;
+uniform sampler2D sc_cache;
 uniform float sc_epsilon;
 float sc_payload;
 layout(location = 1) out vec4 sc_store;

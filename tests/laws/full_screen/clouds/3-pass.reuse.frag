@@ -4,10 +4,10 @@
 // A Shadertoy of our own: clouds that stand still above a sea that moves. Of the clouds nothing
 // depends on iTime, so the value of the same pixel stays right for ever.
 
-uniform sampler2D sc_cache;
 uniform int sc_clock;
 uniform int sc_period;
 uniform int sc_block;
+uniform sampler2D sc_cache;
 uniform float sc_epsilon;
 float sc_payload;
 layout(location = 0) out vec4 sc_store;

@@ -1,11 +1,11 @@
 #version 330
 // shadercache: 3-pass.reuse, node main.1-185b7c6a
 
-vec4 sc_current;
-uniform sampler2D sc_cache;
 uniform int sc_clock;
 uniform int sc_period;
 uniform int sc_block;
+vec4 sc_current;
+uniform sampler2D sc_cache;
 uniform float sc_epsilon;
 float sc_payload;
 layout(location = 0) out vec4 sc_store;

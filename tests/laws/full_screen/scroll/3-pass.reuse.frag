@@ -2,10 +2,10 @@
 // shadercache: 3-pass.reuse, node main.20-0b86b19f
 
 precision mediump float;
-uniform highp sampler2D sc_cache;
 uniform highp int sc_clock;
 uniform highp int sc_period;
 uniform highp int sc_block;
+uniform highp sampler2D sc_cache;
 uniform highp float sc_epsilon;
 highp float sc_payload;
 layout(location = 0) out highp vec4 sc_store;

@@ -1,0 +1,90 @@
+"""Paths of cameras and objects, and uniforms that are animated."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from shadercache.diagnostics import InputError
+from shadercache.harness.animation import Ramp, Rows
+from shadercache.harness.bundle import Bundle
+from shadercache.harness.camera import camera_at, model_matrix, scene_values
+from shadercache.harness.context import Gpu
+from shadercache.harness.runner import RunOptions, VariantRunner, render_original
+from shadercache.harness.scene import CameraPath, Key, Motion, Scene
+from shadercache.harness.stage import Stage
+
+
+def key(frame: int, x: float, fov: float = 40.0, cut: bool = False) -> Key:
+    return Key(frame, (x, 0.0, 5.0), (x, 0.0, 0.0), (0.0, 1.0, 0.0), fov, cut)
+
+
+def eye(scene: Scene, frame: int) -> tuple[float, float, float]:
+    return camera_at(scene, frame).eye
+
+
+def test_an_orbit_keeps_its_distance(scene: Scene) -> None:
+    turning = replace(scene, camera_path=CameraPath(degrees_per_frame=10.0))
+    x, y, z = np.subtract(scene.camera.eye, scene.camera.target)
+    moved = np.subtract(eye(turning, 9), scene.camera.target)
+    assert np.allclose(moved, [z, y, -x])
+    assert eye(turning, 0) == pytest.approx(scene.camera.eye)
+    assert eye(scene, 9) == scene.camera.eye
+
+
+def test_keys_are_reached_and_a_shot_ends_at_a_cut(scene: Scene) -> None:
+    keys = (key(2, 0.0), key(6, 4.0), key(10, 8.0, 20.0), key(14, -50.0, cut=True), key(16, -48.0))
+    path = replace(scene, camera_path=CameraPath(keys=keys))
+    assert [eye(path, frame)[0] for frame in (0, 2, 6, 10, 12, 13)] == [0, 0, 4, 8, 8, 8]
+    assert [eye(path, frame)[0] for frame in (14, 16, 99)] == [-50, -48, -48]
+    assert eye(path, 15)[0] == pytest.approx(-49.0)
+    assert 0.0 < eye(path, 3)[0] < eye(path, 4)[0] < eye(path, 5)[0] < 4.0
+    assert camera_at(path, 8).fov_degrees == pytest.approx(30.0)
+    assert path.camera_path.cuts == {14}
+
+
+def test_a_straight_row_of_keys_is_even(scene: Scene) -> None:
+    keys = tuple(key(4 * at, float(at)) for at in range(5))
+    path = replace(scene, camera_path=CameraPath(keys=keys))
+    steps = np.diff([eye(path, frame)[0] for frame in range(4, 13)])
+    assert np.allclose(steps, 0.25)
+
+
+def test_objects_are_scaled_turned_and_put_somewhere() -> None:
+    motion = Motion(
+        (0.0, 1.0, 0.0), 90.0, 0.0, 4, (1.0, 0.0, 0.0), (0.0, 0.5, 0.0), 2.0, ((3, (9.0, 0, 0)),)
+    )
+    assert np.allclose(model_matrix(motion, 1) @ [0, 0, 1, 1], [3.0, 0.5, 0.0, 1.0])
+    assert np.allclose(model_matrix(motion, 4) @ [0, 0, 0, 1], [9.0, 0.5, 0.0, 1.0])
+
+
+def test_animated_uniforms(scene: Scene, tmp_path: Path) -> None:
+    path = tmp_path / "rows.npz"
+    np.savez(path, rows=np.arange(6.0).reshape(3, 2), flat=np.zeros(3), bad=[[np.nan]])
+    table = Rows(path, "rows", rate=0.5)
+    assert [table.at(frame).tolist() for frame in (0, 1, 2, 5, 6)] == [
+        [0.0, 1.0], [1.0, 2.0], [2.0, 3.0], [2.0, 3.0], [0.0, 1.0],
+    ]  # fmt: skip
+    moving = replace(scene, animated={"u_scale": Ramp((5.0,), (0.5,)), "u_rows": table})
+    values = scene_values(moving, 2, (8, 8))
+    assert values["u_scale"].tolist() == [6.0] and values["u_rows"].tolist() == [2.0, 3.0]
+    for wrong in ("flat", "bad", "none"):
+        with pytest.raises(InputError, match="SC541"):
+            Rows(path, wrong).at(0)
+
+
+def test_runners_are_told_of_a_cut(gpu: Gpu, scene: Scene, bundle: Bundle) -> None:
+    near = replace(key(0, 0.1), eye=(0.1, 1.2, 2.6))
+    keys = (near, replace(near, frame=3, eye=(0.4, 1.0, 2.8), cut=True))
+    options = RunOptions(16, cache_format="rgba32f")
+    for told in (True, False):
+        shots = tuple(replace(item, cut=item.cut and told) for item in keys)
+        path = replace(scene, camera_path=CameraPath(keys=shots))
+        with Stage(gpu, path, (96, 64), "rgba32f") as stage:
+            original = render_original(stage, bundle, range(4))
+            with VariantRunner(stage, bundle, "2-pass", options) as runner:
+                cached = [runner.image(frame) for frame in range(4)]
+        assert (original[3].tobytes() == cached[3].tobytes()) == told
