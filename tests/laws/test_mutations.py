@@ -71,7 +71,7 @@ HITS_DISABLED = Replace("    return 1;\n", "    return 4;\n")
 REFRESH_INVERTED = Replace(
     "return phase == 0 || phase == sc_period;", "return !(phase == 0 || phase == sc_period);"
 )
-NOTHING_STORED = Replace("vec4(sc_payload, 1.0", "vec4(vec3(0.0), 1.0")
+NOTHING_STORED = Replace("vec4(sc_payload, ", "vec4(vec3(0.0), ")
 
 
 @pytest.fixture(scope="module")
@@ -182,7 +182,7 @@ LAW_5 = {
         Replace("        return 4;\n", ""),
         ("too far away", "not visible", "other side"),
     ),
-    "depth of another frame stored": (Replace("1.0 / sc_current.w", "1.0"), ("hit rate",)),
+    "depth of another frame stored": (Replace("16.0 / sc_current.w", "16.0"), ("hit rate",)),
     "motion doubled": (Replace(MOTION, f"2.0 * ({MOTION[:-1]});"), ("hit rate",)),
     "motion reversed": (Replace(MOTION, BACKWARDS), ("hit rate",)),
     "half a pixel off": (

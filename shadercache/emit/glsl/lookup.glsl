@@ -7,7 +7,7 @@ in vec4 sc_previous;  // clip-space position of the same surface point in the pr
 vec4 sc_current;  // clip-space position in this frame, by the user's function
 #endif
 
-uniform SC_SAMPLER sc_cache;    // what the previous frame stored: payload and 1/w
+uniform SC_SAMPLER sc_cache;    // what the previous frame stored: payload and depth
 #if SC_TARGETS == 2
 uniform SC_SAMPLER sc_cache_2;  // the rest of the payload
 #endif
@@ -44,7 +44,7 @@ int sc_look_up(SC_OUT_TEXELS) {
     }
 #endif
     // A comparison with NaN is false and so a miss.
-    if (!(abs(SC_FLOAT(texel.w) - SC_DEPTH_OF_PIXEL) <= SC_TOLERANCE * SC_UNIT)) {
+    if (!(abs(SC_FLOAT(texel.w) - SC_DEPTH_OF_PIXEL) <= SC_TOLERANCE * (SC_UNIT))) {
         return SC_MISS_OF_ONE;
     }
 #if SC_IDS
@@ -151,7 +151,8 @@ int sc_look_up(SC_OUT_TEXELS) {
     return SC_FOUND;
 #else
 #if SC_ASIDE
-    // What each texel is off, where the surface slopes on as it does at the pixel.
+    // What each texel is off, where the surface slopes on as it does at the pixel. Along an edge those
+    // that fit are taken without the others, and what is made of them is marked.
     vec4 aside = SC_OFF(SC_DEPTHS) - slope.x * vec4(-part.x, 1.0 - part.x, -part.x, 1.0 - part.x)
             - slope.y * vec4(-part.y, -part.y, 1.0 - part.y, 1.0 - part.y);
     bvec4 moved = lessThan(SC_SIGNED_DEPTHS, vec4(0.0));
@@ -162,11 +163,15 @@ int sc_look_up(SC_OUT_TEXELS) {
     vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x)
             * vec4(1.0 - part.y, 1.0 - part.y, part.y, part.y);
     float blended = dot(weights, SC_DEPTHS);
-    bool agrees = abs(SC_OFF(blended)) <= SC_TOLERANCE
-            && all(lessThanEqual(abs(SC_OFF(SC_DEPTHS)), vec4(SC_ROUGHLY)));
+    bool one_surface = all(lessThanEqual(abs(SC_OFF(SC_DEPTHS)), vec4(SC_ROUGHLY)));
 #if SC_IDS
-    agrees = agrees && SC_IDS_OF_FOUR == ivec4(sc_object);
+    one_surface = one_surface && SC_IDS_OF_FOUR == ivec4(sc_object);
 #endif
+    bool agrees = one_surface && abs(SC_OFF(blended)) <= SC_TOLERANCE;
+    // A fold: one of its sides must not be taken for the other.
+    if (one_surface && !agrees) {
+        return SC_DEPTH;
+    }
     sc_moved = dot(weights, vec4(moved)) > 0.0;
 #endif
 #if SC_FILTER_BILATERAL
@@ -200,8 +205,8 @@ int sc_look_up(SC_OUT_TEXELS) {
         return SC_FOUND;
     }
 #else
-    // All depths are 1/w. The blended one must agree closely, each single one roughly: else a front
-    // and a back could blend to just the right depth. A comparison with NaN is false and so a miss.
+    // The blended depth must agree closely, each single one roughly: else a front and a back could
+    // blend to just the right depth. A comparison with NaN is false and so a miss.
     vec4 each = abs(SC_OFF(SC_DEPTHS));
     if (!(abs(SC_OFF(SC_FLOAT(texel.w))) <= SC_TOLERANCE
             && all(lessThanEqual(each, vec4(SC_ROUGHLY))))) {
