@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 import pytest
-from bench.pan import ages, pan
 
+from bench.pan import ages, pan
 from shadercache.harness.context import Gpu
 from shadercache.harness.runner import RunOptions
 from shadercache.options import CacheOptions, RefreshSchedule

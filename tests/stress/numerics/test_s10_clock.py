@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from bench.pan import pan
 
+from bench.pan import pan
 from shadercache.harness.context import Gpu
 from shadercache.harness.runner import RunOptions
 from shadercache.options import CacheOptions, RefreshSchedule
