@@ -165,7 +165,7 @@ int sc_look_up(SC_OUT_TEXELS) {
     if (one_surface && !agrees) {
         return SC_DEPTH;
     }
-    sc_moved = dot(weights, vec4(moved)) > 0.0;
+    bool marked = dot(weights, vec4(moved)) > 0.0;
 #endif
 #if SC_FILTER_BILATERAL
     if (!agrees) {
@@ -180,7 +180,7 @@ int sc_look_up(SC_OUT_TEXELS) {
 #if SC_TARGETS == 2
         texel_2 = SC_MERGED(SC_OF_FLOATS(SC_WEIGHTED(a_2, b_2, c_2, d_2)), a_2, SC_DISCRETE_2);
 #endif
-        sc_moved = true;
+        marked = true;
     }
 #elif SC_FALLS_BACK
     if (!agrees) {
@@ -222,6 +222,9 @@ int sc_look_up(SC_OUT_TEXELS) {
     if (!sc_same(a_2, b_2, c_2, d_2, SC_DISCRETE_2)) {
         return SC_DEPTH;
     }
+#endif
+#if SC_ASIDE
+    sc_moved = marked;
 #endif
 #if SC_CUBIC
     // Sixteen texels, where all of them show the surface; else the four will do.

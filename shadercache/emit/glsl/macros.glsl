@@ -9,7 +9,7 @@
 // SC_LOCAL_2 (names of main's variables: two texels), SC_ID_IN(first, second) (an extra scalar of a
 // texel, from its two parts); set by emit/runtime.py: SC_SURFACE, SC_SCREEN
 // and SC_USER (one of them is 1: the mapping), SC_OWN_CURRENT (does the user say where the pixel is?),
-// and one for each choice of CacheOptions.
+// one for each choice of CacheOptions, and SC_LOOKS (does the pass look anything up?).
 
 // Is the pixel's own place the clip-space position in this frame?
 #define SC_PIXEL_IS_CURRENT (SC_SCREEN || SC_USER && !SC_OWN_CURRENT)
