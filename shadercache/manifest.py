@@ -67,8 +67,16 @@ FRAME_OF_TWO = (
 
 RESET = (
     "On the first frame, and whenever the last frame does not show the same scene (camera cut, "
-    "resize, new projection, reloaded shader): clear both caches to cache.clear.",
-    "Draw only the passes with on_reset true.",
+    "resize, new projection, reloaded shader, lost context): clear both caches to cache.clear. "
+    "After a resize or a lost context make them anew first, as large as the target.",
+    "Draw only the passes with on_reset true: what was stored is not looked up, and the image is "
+    "the original's.",
+    "Three passes may then be drawn as the one of two passes with on_reset true: image and cache "
+    "are the same, and the geometry is drawn once.",
+    "An object that the last frame did not show, or that jumps, is drawn so by itself; the caches "
+    "stay as they are.",
+    "A cut that is not told is drawn rightly up to what passes the hit test by chance, and costs "
+    "look-ups that find nothing.",
 )
 
 FULL_SCREEN = {"geometry": "full-screen triangle", "mode": "triangles", "vertices": 3}
@@ -257,6 +265,12 @@ def _pass(item: Pass) -> dict[str, Any]:
     }
 
 
+def _periods(layout: Layout, options: Options) -> str:
+    """The range of the period; half floats count no further than this without rounding."""
+    rough = options.cache.age and not layout.bits
+    return f"[1, {MOST_IN_HALF // 2}], with rgba32f [1, 65536)" if rough else "[1, 65536)"
+
+
 def _uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[str, Any]]:
     """Every uniform that the compiler adds, the twins of the user's apart."""
 
@@ -290,9 +304,10 @@ def _uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[str, A
             "period",
             "int",
             "period",
-            "frames between two refreshes of a pixel; 1 refreshes everything in every frame",
+            "frames between two refreshes of a pixel; 1 refreshes everything in every frame. "
+            "Variants that run beside each other may have different ones",
             "frames",
-            range="[1, 65536)",
+            range=_periods(layout, options),
             default=32,
         ),
         entry(
@@ -327,6 +342,14 @@ def _uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[str, A
             "mask",
             "set by each draw. 1: it reuses nothing in this frame; 2: nor is what it stores reused",
             range="[0, 2]",
+            default=0,
+        ),
+        entry(
+            "reset",
+            "int",
+            "reset",
+            "1 in a frame that follows a reset, else 0: payloads then start with different ages",
+            range="0 or 1",
             default=0,
         ),
         entry(

@@ -22,8 +22,10 @@ at its own pixel, or where a function of the user's says (docs/TRANSFORMATIONS.m
 PREVIOUS_CLIP, CURRENT_CLIP = "scPreviousClip", "scCurrentClip"
 """The user's functions that ``user`` calls; without the second the pixel's own place is taken."""
 
-RefreshSchedule: TypeAlias = Literal["random", "none"]
-"""Which pixels are recomputed on purpose in a frame: blocks whose hash is due, or none."""
+RefreshSchedule: TypeAlias = Literal["stratified", "random", "tiled", "surface", "none"]
+"""Which pixels are recomputed on purpose in a frame, each once in a period: blocks, of which each
+group of neighbours has one due in every frame; blocks by a hash; as many tiles as the period has
+frames, one after another; triangles by a hash of their number; none (docs/NUMERICS.md)."""
 
 FilterKind: TypeAlias = Literal["bilateral", "bilinear", "nearest", "lanczos2", "mitchell"]
 """How payloads are resampled between texels."""
@@ -55,7 +57,10 @@ class CacheOptions:
     """How a variant looks up, stores and refreshes payloads: one field for each slot (DESIGN §3).
 
     Each becomes a macro of the ``.glsl`` files (``emit/runtime.py``), so what is not chosen leaves
-    no text. ``refresh``: which pixels are recomputed on purpose.
+    no text.
+
+    Refresh: ``refresh`` says which pixels are recomputed on purpose; with ``age`` the payload's age
+    is kept beside it, and what is older than the period is recomputed as well.
 
     Hit test: ``depth`` is what is kept of it, ``tolerance`` what it may be off; with ``ids`` the
     number of the object is kept as well, and each object reuses only its own; with ``mask`` a
@@ -67,7 +72,8 @@ class CacheOptions:
     Storage: ``guard`` against values that are not finite or do not fit.
     """
 
-    refresh: RefreshSchedule = "random"
+    refresh: RefreshSchedule = "stratified"
+    age: bool = False
     filter: FilterKind = "bilateral"
     fallback: bool = False
     magnification: bool = False

@@ -23,7 +23,7 @@ from functools import cached_property
 from itertools import groupby
 
 from shadercache.analysis.candidates import FIRST_TEXEL, SECOND_TEXEL
-from shadercache.lang.types import INT, Type
+from shadercache.lang.types import FLOAT, INT, Type
 from shadercache.options import CacheFormat, CacheOptions
 
 _XYZW = "xyzw"
@@ -82,7 +82,7 @@ def precision_of(texel: str) -> Precision:
     return PRECISIONS["16f" if texel.endswith("16f") else "32f"]
 
 
-EXTRAS = {"ids": Extra("id", INT, "object")}
+EXTRAS = {"ids": Extra("id", INT, "object"), "age": Extra("age", FLOAT, "age")}
 """Option of :class:`CacheOptions` -> what it keeps beside the payloads."""
 
 MOST_IN_HALF = 2**11

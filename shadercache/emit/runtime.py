@@ -22,7 +22,7 @@ from shadercache.transform.names import PREFIX
 
 OUTCOMES = {
     **{"hit": 1, "refresh": 2, "outside": 3, "depth": 4},
-    **{"id": 5, "poison": 6, "magnified": 7, "opted-out": 8},
+    **{"id": 5, "poison": 6, "magnified": 7, "opted-out": 8, "old": 9},
 }
 """What a look-up says, as the hit mask shows it (0: nothing is drawn there)."""
 
@@ -31,6 +31,7 @@ _OPTIONAL = {
     "poison": lambda options: options.guard == "miss",
     "magnified": lambda options: options.magnification,
     "opted-out": lambda options: options.mask,
+    "old": lambda options: options.age,
 }
 """Outcome -> do look-ups say so with these options? (The others always do.)"""
 

@@ -13,6 +13,7 @@ import numpy as np
 from shadercache.diagnostics import usage_error
 from shadercache.harness.clock import Clock, no_collection, pick_clock
 from shadercache.harness.context import Gpu
+from shadercache.harness.debug_views import Probe
 from shadercache.harness.lanes import PartsLane, ReferenceLane, VariantLane
 from shadercache.harness.measurement import Entry, Group, Measurement, MeasureOptions, Shot
 from shadercache.harness.mesh import Mesh
@@ -50,6 +51,7 @@ def measure(
     groups: list[Group] = []
     shots: list[Shot] = []
     covered: list[float] = []
+    notes: dict[str, None] = {}
     batches = list(_batches(entries, options.group))
     with Stage(gpu, scene, options.size, mesh=mesh) as stage:
         for number, batch in enumerate(batches):
@@ -62,8 +64,11 @@ def measure(
                 run.release()
             shots += run.shots
             covered += run.covered
+            notes |= dict.fromkeys(run.notes)
     share = float(np.mean(covered)) if covered else 0.0
-    return Measurement(scene.name, options, clock.name, share, tuple(groups), tuple(shots))
+    return Measurement(
+        scene.name, options, clock.name, share, tuple(groups), tuple(shots), (*notes,)
+    )
 
 
 def _batches(entries: Sequence[Entry], most: int) -> Iterator[list[Entry]]:
@@ -155,9 +160,12 @@ class _GroupRun:
 
     def _shot(self, lane: VariantLane) -> Shot:
         cached = picture(lane.runner.stage.targets.pixels())
-        outcomes = hit_picture(lane.mask, lane.entry.bundle.mask_values)
+        probe = Probe(
+            lane.mask, lane.entry.bundle.mask_values, lane.runner.ages(), self._options.period
+        )
+        outcomes = hit_picture(lane.mask, probe.values)
         original = picture(self._reference.pixels)
-        return Shot(lane.entry.label, lane.runner.algorithm, original, cached, outcomes)
+        return Shot(lane.entry.label, lane.runner.algorithm, original, cached, outcomes, probe)
 
     def result(self) -> Group:
         """What was measured."""
@@ -169,6 +177,11 @@ class _GroupRun:
         original = [seconds for frame, seconds in reference.original.items() if frame > 0]
         geometry = timing(list(reference.geometry.values()))
         return Group(timing(original), geometry, tuple(nodes))
+
+    @property
+    def notes(self) -> list[str]:
+        """What the runs gave away."""
+        return [str(seen) for lane in self._lanes for seen in lane.runner.cuts.suspicions]
 
     def release(self) -> None:
         """Give everything back to the stage."""

@@ -28,7 +28,7 @@ from shadercache.harness.bundle import Bundle
 from shadercache.harness.context import Gpu
 from shadercache.harness.stage import Stage
 from shadercache.harness.verify import Verdict, Verifier
-from shadercache.options import Options
+from shadercache.options import CacheOptions, Options
 from shadercache.source import Source
 
 pytestmark = pytest.mark.xdist_group("law5")
@@ -252,3 +252,15 @@ def test_law_5_notices_another_body(
     mutation.bundle(bundle_of("v_body", "rgba32f"))
     found = LawFive(*passing, mutation=mutation).findings()
     assert any("another body" in sentence for sentence in found.broken), str(found)
+
+
+UNGUARDED = Replace("        return 9;\n", "")
+
+
+def test_law_7_notices(verifier: Verifier) -> None:
+    nodes = [node for node in verifier.analysis.nodes if node.legal and "sin" in node.text]
+    options = Options("proof", "rgba32f", cache=CacheOptions(age=True))
+    emission = rewrite(verifier.analysis, nodes[0], options, unprofitable=True)
+    guarded = Bundle(emission.manifest, emission.files)
+    assert broken(verifier, guarded) == set()
+    assert every(7) <= broken(verifier, UNGUARDED.bundle(guarded))

@@ -17,6 +17,9 @@ uniform float sc_unit;           // 2 near far / (far - near), what 1/w is in de
 uniform float sc_magnification;  // how many times larger a surface may have become
 uniform int sc_object;           // number of the object that is drawn
 uniform int sc_mask;             // 1: the draw reuses nothing; 2: and nobody reuses it
+#if SC_AGE
+float sc_age = 0.0;  // frames since the payload was computed
+#endif
 
 SC_DECLARE_PAYLOADS;
 bool sc_moved = false;  // is the payload not just that of this place?
@@ -30,9 +33,11 @@ int sc_look_up(SC_OUT_TEXELS) {
 #if SC_TARGETS == 2
     texel_2 = texelFetch(sc_cache_2, own, 0);
 #endif
+#if !SC_AGE
     if (sc_due()) {
         return SC_REFRESH;
     }
+#endif
 #if SC_MASK
     if (sc_mask != 0) {
         return SC_OPTED_OUT;
@@ -47,7 +52,7 @@ int sc_look_up(SC_OUT_TEXELS) {
         return SC_ID;
     }
 #endif
-    return SC_HIT;
+    return SC_FOUND;
 }
 #else
 // Reprojection: where the surface point was, whether it was seen there, and what was stored.
@@ -111,9 +116,11 @@ int sc_look_up(SC_OUT_TEXELS) {
 #endif
 #endif
 #endif
+#if !SC_AGE
     if (sc_due()) {
         return SC_REFRESH;
     }
+#endif
 #if SC_MASK
     if (sc_mask != 0) {
         return SC_OPTED_OUT;
@@ -141,7 +148,7 @@ int sc_look_up(SC_OUT_TEXELS) {
         return SC_ID;
     }
 #endif
-    return SC_HIT;
+    return SC_FOUND;
 #else
 #if SC_ASIDE
     // What each texel is off, where the surface slopes on as it does at the pixel. Along an edge those
@@ -156,9 +163,11 @@ int sc_look_up(SC_OUT_TEXELS) {
     vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x)
             * vec4(1.0 - part.y, 1.0 - part.y, part.y, part.y);
     float blended = dot(weights, SC_DEPTHS);
-    bool one_surface = all(lessThanEqual(abs(SC_OFF(SC_DEPTHS)), vec4(SC_ROUGHLY)));
 #if SC_IDS
-    one_surface = one_surface && SC_IDS_OF_FOUR == ivec4(sc_object);
+    bool near_enough = all(lessThanEqual(abs(SC_OFF(SC_DEPTHS)), vec4(SC_ROUGHLY)));
+    bool one_surface = near_enough && SC_IDS_OF_FOUR == ivec4(sc_object);
+#else
+    bool one_surface = all(lessThanEqual(abs(SC_OFF(SC_DEPTHS)), vec4(SC_ROUGHLY)));
 #endif
     bool agrees = one_surface && abs(SC_OFF(blended)) <= SC_TOLERANCE;
     // A fold: one of its sides must not be taken for the other.
@@ -194,8 +203,7 @@ int sc_look_up(SC_OUT_TEXELS) {
 #if SC_TARGETS == 2
         texel_2 = top ? (right ? d_2 : c_2) : (right ? b_2 : a_2);
 #endif
-        sc_moved = true;
-        return SC_HIT;
+        marked = true;
     }
 #else
     // The blended depth must agree closely, each single one roughly: else a front and a back could
@@ -223,12 +231,9 @@ int sc_look_up(SC_OUT_TEXELS) {
         return SC_DEPTH;
     }
 #endif
-#if SC_ASIDE
-    sc_moved = marked;
-#endif
 #if SC_CUBIC
     // Sixteen texels, where all of them show the surface; else the four will do.
-    if (part != vec2(0.0)) {
+    if (part != vec2(0.0) SC_AND_AGREES) {
         ivec4 columns = clamp(near.x + ivec4(-1, 0, 1, 2), ivec4(0), ivec4(last.x));
         ivec4 lines = clamp(near.y + ivec4(-1, 0, 1, 2), ivec4(0), ivec4(last.y));
         vec4 weights = sc_kernel(part.x);
@@ -250,7 +255,16 @@ int sc_look_up(SC_OUT_TEXELS) {
         }
     }
 #endif
+#if SC_ASIDE && SC_AGE
+    int outcome = SC_FOUND;
+    sc_moved = marked && outcome == SC_HIT;
+    return outcome;
+#elif SC_ASIDE
+    sc_moved = marked;
     return SC_HIT;
+#else
+    return SC_FOUND;
+#endif
 #endif
 }
 #endif

@@ -89,6 +89,11 @@
 #define SC_FALLS_BACK (SC_FALLBACK && !SC_FILTER_NEAREST && !SC_FILTER_BILATERAL && !SC_ANY_DISCRETE)
 #define SC_ASIDE (SC_FILTER_BILATERAL || SC_FALLS_BACK)
 #define SC_SLOPED (SC_SINGLE || SC_ASIDE)
+#if SC_ASIDE
+#define SC_AND_AGREES && agrees
+#else
+#define SC_AND_AGREES
+#endif
 // Where filters make do with a part of their texels, what they make is marked by a negative depth.
 #define SC_SIGNED_DEPTHS vec4(SC_FLOAT(a.w), SC_FLOAT(b.w), SC_FLOAT(c.w), SC_FLOAT(d.w))
 #if SC_ASIDE
@@ -100,11 +105,16 @@
     ivec4(SC_ID_IN(a, a_2), SC_ID_IN(b, b_2), SC_ID_IN(c, c_2), SC_ID_IN(d, d_2))
 #if SC_GUARD_MISS
 #define SC_MISS_OF_ONE (texel.w == SC_POISON_DEPTH ? SC_POISON : SC_DEPTH)
-#define SC_MISS_OF_FOUR (a.w == SC_POISON_DEPTH || b.w == SC_POISON_DEPTH \
+#define SC_NONE_FITS (a.w == SC_POISON_DEPTH || b.w == SC_POISON_DEPTH \
     || c.w == SC_POISON_DEPTH || d.w == SC_POISON_DEPTH ? SC_POISON : SC_DEPTH)
 #else
 #define SC_MISS_OF_ONE SC_DEPTH
-#define SC_MISS_OF_FOUR SC_DEPTH
+#define SC_NONE_FITS SC_DEPTH
+#endif
+#if SC_IDS && SC_ASIDE
+#define SC_MISS_OF_FOUR (near_enough ? SC_ID : SC_NONE_FITS)
+#else
+#define SC_MISS_OF_FOUR SC_NONE_FITS
 #endif
 #define SC_WEIGHTED(a, b, c, d) \
     sc_weighted(SC_FLOATS(a), SC_FLOATS(b), SC_FLOATS(c), SC_FLOATS(d), weights)
@@ -176,6 +186,16 @@
 #define SC_EMPTY vec4(0.0, 0.0, 0.0, SC_NO_DEPTH)
 #endif
 
+// SC_FOUND is what a look-up says whose texels have passed: with ages (the mean of all that the
+// filter took) they may be too old yet.
+#if SC_AGE
+#define SC_AGING sc_stagger();
+#define SC_FOUND sc_judge(SC_AGE_IN(texel, texel_2))
+#else
+#define SC_AGING
+#define SC_FOUND SC_HIT
+#endif
+
 #if SC_TARGETS == 2
 #define SC_TEXELS SC_LOCAL_1, SC_LOCAL_2
 #define SC_DECLARE_TEXELS SC_TEXEL SC_LOCAL_1; SC_TEXEL SC_LOCAL_2
@@ -194,11 +214,12 @@
 #define SC_POISONED vec4(0.0, 0.0, 0.0, SC_POISON_DEPTH)
 #endif
 
-// What is computed anew is guarded; what was reused has been, and filters keep to its range.
+// What is computed anew is guarded; what was reused has been, and filters keep to its range. Only
+// passes that compute are drawn after a reset.
 #if SC_GUARD_OFF
-#define SC_STORE SC_STORE_AGAIN
+#define SC_STORE SC_AGING SC_STORE_AGAIN
 #else
-#define SC_STORE SC_STORE_AGAIN; sc_guard()
+#define SC_STORE SC_AGING SC_STORE_AGAIN; sc_guard()
 #endif
 
 #if SC_TARGETS == 2

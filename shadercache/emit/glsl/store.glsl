@@ -18,6 +18,24 @@ uniform int sc_mask;     // 1: the draw reuses nothing; 2: and nobody reuses it
 uniform float sc_limit;  // the largest value that the cache holds
 uniform float sc_least;  // the smallest one above zero that it surely holds
 
+#if SC_AGE
+uniform int sc_reset;   // 1 in a frame that follows a reset, else 0
+uniform int sc_period;  // frames between two refreshes of a pixel
+uniform int sc_block;   // edge in pixels of the squares that are refreshed together
+float sc_age = 0.0;     // frames since the payload was computed
+
+// After a reset all payloads are new. They start with different ages, or all would be too old in the
+// same frame.
+void sc_stagger() {
+    if (sc_reset != 0) {
+        uvec2 block = uvec2(gl_FragCoord.xy / float(sc_block));
+        uint hashed = (block.x * 1973u + block.y * 9277u + 26699u) * 0x9E3779B9u;
+        hashed = (hashed ^ (hashed >> 15)) * 0x85EBCA6Bu;
+        sc_age = float(((hashed >> 16) * uint(sc_period)) >> 16);
+    }
+}
+#endif
+
 SC_DECLARE_PAYLOADS;
 #if SC_WHOLE
 bool sc_reuse = false;  // are there payloads from the cache?

@@ -25,8 +25,7 @@ highp vec4 scPreviousClip() {
     return vec4(place(u_time) - vec2(SPEED * (u_time - u_time_delta), 0.0), 0.0, 1.0);
 }
 
-highp uint sc_hash(highp uvec2 block) {
-    highp uint x = block.x * 1973u + block.y * 9277u + 26699u;
+highp uint sc_hash(highp uint x) {
     x ^= x << 13;
     x ^= x >> 17;
     x ^= x << 5;
@@ -34,10 +33,38 @@ highp uint sc_hash(highp uvec2 block) {
     return x ^ x >> 15;
 }
 
+highp uint sc_residue(highp uint hashed) {
+    return (hashed >> 16) * uint(sc_period) >> 16;
+}
+
+highp vec2 sc_blocks() {
+    return floor((vec2(textureSize(sc_cache, 0) + sc_block) - 0.5) / float(sc_block));
+}
+
+highp int sc_number(highp vec2 blocks, highp float tall) {
+    highp vec2 block = floor(gl_FragCoord.xy / float(sc_block));
+    highp float bottom = floor((block.y + 0.5) / tall) * tall;
+    highp float column = min(tall, blocks.y - bottom);
+    return int(bottom) * int(blocks.x) + int(block.x * column + block.y - bottom);
+}
+
+highp int sc_swap(highp int slot, highp uint key) {
+    highp int other = int(sc_residue(key)) - slot;
+    other += other < 0 ? sc_period : 0;
+    return ((key + uint(max(slot, other))) * 0x9E3779B9u & 0x80000000u) == 0u ? slot : other;
+}
+
+highp int sc_turn() {
+    highp int number = sc_number(sc_blocks(), floor(sqrt(float(sc_period)) + 0.01));
+    highp int group = int(float(number) / float(sc_period));
+    highp int slot = number - group * sc_period;
+    highp int rest = int(floor((float(slot) + 0.5) / float(sc_period)));
+    highp uint key = sc_hash(uint(group + rest) * 9277u + 26699u);
+    return sc_swap(sc_swap(slot - rest * sc_period, key), key * 0x85EBCA6Bu);
+}
+
 bool sc_due() {
-    highp uvec2 block = uvec2(gl_FragCoord.xy / float(sc_block));
-    highp int h = int((sc_hash(block) >> 16) * uint(sc_period) >> 16);
-    highp int phase = h + sc_clock;
+    highp int phase = sc_turn() + sc_clock;
     return phase == 0 || phase == sc_period;
 }
 
