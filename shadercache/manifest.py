@@ -29,7 +29,7 @@ from shadercache.source import Source
 SCHEMA_VERSION = 1
 
 CLEAR = (0.0, 0.0, 0.0, -1.0)
-"""Of an empty cache texel: 1/w is positive wherever something is drawn, so -1 matches nothing."""
+"""Of an empty cache texel: depths are positive where something is drawn, so -1 matches nothing."""
 
 CLEAR_BITS = (0.0, 0.0, 0.0, 0.0)
 """Where texels are unsigned integers: a depth of zero matches nothing either."""
@@ -43,7 +43,7 @@ CLEAR_NDC = (0.0, 0.0, 0.0, 2.0)
 CLEAR_NDC_BITS = (0.0, 0.0, 0.0, float(0x40000000))
 """The same as an unsigned integer: the bits of 2."""
 
-_DEPTHS = {"inverse-w": "1/w", "ndc": "z/w", "linear": "w"}
+_DEPTHS = {"inverse-w": "16/w", "ndc": "z/w", "linear": "w"}
 
 _ALWAYS = ("previous-cache", "current-cache", "previous-cache-2", "current-cache-2", "epsilon")
 """Roles that are told whether or not a program of the variants at hand has them."""
@@ -373,7 +373,7 @@ def _uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[str, A
             for role, meaning, value in (
                 ("resolution", "how much of itself a depth is rounded by", held.resolution),
                 ("limit", "the largest payload that the cache holds", held.limit),
-                ("least", "the smallest above zero that it holds precisely", held.least),
+                ("least", "the smallest above zero that it surely holds", held.least),
             )
         ),
     ]

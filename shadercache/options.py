@@ -27,17 +27,17 @@ RefreshSchedule: TypeAlias = Literal["stratified", "random", "tiled", "surface",
 group of neighbours has one due in every frame; blocks by a hash; as many tiles as the period has
 frames, one after another; triangles by a hash of their number; none (docs/NUMERICS.md)."""
 
-FilterKind: TypeAlias = Literal["bilinear", "nearest", "bilateral", "lanczos2", "mitchell"]
+FilterKind: TypeAlias = Literal["bilateral", "bilinear", "nearest", "lanczos2", "mitchell"]
 """How payloads are resampled between texels."""
 
 DepthKind: TypeAlias = Literal["inverse-w", "ndc", "linear"]
-"""What is kept of the depth: 1/w, z/w or w of the clip-space position."""
+"""What is kept of the depth, of the clip-space position: 1/w (times 16), z/w or w."""
 
 ToleranceKind: TypeAlias = Literal["relative", "akeley-su", "fixed"]
 """What a cached depth may be off: a share of the depth, what the format's resolution and
 interpolation leave uncertain, or the same everywhere."""
 
-GuardKind: TypeAlias = Literal["off", "miss", "clamp"]
+GuardKind: TypeAlias = Literal["miss", "clamp", "off"]
 """What becomes of payloads that are not finite or do not fit: they are stored as any other, are
 never reused, or are brought into the format's range."""
 
@@ -74,14 +74,14 @@ class CacheOptions:
 
     refresh: RefreshSchedule = "stratified"
     age: bool = False
-    filter: FilterKind = "bilinear"
+    filter: FilterKind = "bilateral"
     fallback: bool = False
     magnification: bool = False
     depth: DepthKind = "inverse-w"
     tolerance: ToleranceKind = "relative"
     ids: bool = False
     mask: bool = False
-    guard: GuardKind = "off"
+    guard: GuardKind = "miss"
 
 
 DEFAULT_CACHE = CacheOptions()

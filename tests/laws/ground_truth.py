@@ -165,7 +165,7 @@ class TrueFrame:
         values = getattr(self, what.removeprefix("v_"))
         if values.ndim == 2:
             values = np.repeat(values[..., None], 3, axis=-1)
-        texels = np.concatenate([values, (1.0 / self.w)[..., None]], axis=-1)
+        texels = np.concatenate([values, (16.0 / self.w)[..., None]], axis=-1)
         texels[~self.covered] = 0.0, 0.0, 0.0, -1.0
         return texels.astype(np.float32)
 

@@ -7,7 +7,7 @@ in vec4 sc_previous;  // clip-space position of the same surface point in the pr
 vec4 sc_current;  // clip-space position in this frame, by the user's function
 #endif
 
-uniform SC_SAMPLER sc_cache;    // what the previous frame stored: payload and 1/w
+uniform SC_SAMPLER sc_cache;    // what the previous frame stored: payload and depth
 #if SC_TARGETS == 2
 uniform SC_SAMPLER sc_cache_2;  // the rest of the payload
 #endif
@@ -44,7 +44,7 @@ int sc_look_up(SC_OUT_TEXELS) {
     }
 #endif
     // A comparison with NaN is false and so a miss.
-    if (!(abs(SC_FLOAT(texel.w) - SC_DEPTH_OF_PIXEL) <= SC_TOLERANCE * SC_UNIT)) {
+    if (!(abs(SC_FLOAT(texel.w) - SC_DEPTH_OF_PIXEL) <= SC_TOLERANCE * (SC_UNIT))) {
         return SC_MISS_OF_ONE;
     }
 #if SC_IDS
@@ -151,7 +151,8 @@ int sc_look_up(SC_OUT_TEXELS) {
     return SC_FOUND;
 #else
 #if SC_ASIDE
-    // What each texel is off, where the surface slopes on as it does at the pixel.
+    // What each texel is off, where the surface slopes on as it does at the pixel. Along an edge those
+    // that fit are taken without the others, and what is made of them is marked.
     vec4 aside = SC_OFF(SC_DEPTHS) - slope.x * vec4(-part.x, 1.0 - part.x, -part.x, 1.0 - part.x)
             - slope.y * vec4(-part.y, -part.y, 1.0 - part.y, 1.0 - part.y);
     bvec4 moved = lessThan(SC_SIGNED_DEPTHS, vec4(0.0));
@@ -162,12 +163,18 @@ int sc_look_up(SC_OUT_TEXELS) {
     vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x)
             * vec4(1.0 - part.y, 1.0 - part.y, part.y, part.y);
     float blended = dot(weights, SC_DEPTHS);
-    bool agrees = abs(SC_OFF(blended)) <= SC_TOLERANCE
-            && all(lessThanEqual(abs(SC_OFF(SC_DEPTHS)), vec4(SC_ROUGHLY)));
 #if SC_IDS
-    agrees = agrees && SC_IDS_OF_FOUR == ivec4(sc_object);
+    bool near_enough = all(lessThanEqual(abs(SC_OFF(SC_DEPTHS)), vec4(SC_ROUGHLY)));
+    bool one_surface = near_enough && SC_IDS_OF_FOUR == ivec4(sc_object);
+#else
+    bool one_surface = all(lessThanEqual(abs(SC_OFF(SC_DEPTHS)), vec4(SC_ROUGHLY)));
 #endif
-    sc_moved = dot(weights, vec4(moved)) > 0.0;
+    bool agrees = one_surface && abs(SC_OFF(blended)) <= SC_TOLERANCE;
+    // A fold: one of its sides must not be taken for the other.
+    if (one_surface && !agrees) {
+        return SC_DEPTH;
+    }
+    bool marked = dot(weights, vec4(moved)) > 0.0;
 #endif
 #if SC_FILTER_BILATERAL
     if (!agrees) {
@@ -182,7 +189,7 @@ int sc_look_up(SC_OUT_TEXELS) {
 #if SC_TARGETS == 2
         texel_2 = SC_MERGED(SC_OF_FLOATS(SC_WEIGHTED(a_2, b_2, c_2, d_2)), a_2, SC_DISCRETE_2);
 #endif
-        sc_moved = true;
+        marked = true;
     }
 #elif SC_FALLS_BACK
     if (!agrees) {
@@ -196,12 +203,11 @@ int sc_look_up(SC_OUT_TEXELS) {
 #if SC_TARGETS == 2
         texel_2 = top ? (right ? d_2 : c_2) : (right ? b_2 : a_2);
 #endif
-        sc_moved = true;
-        return SC_FOUND;
+        marked = true;
     }
 #else
-    // All depths are 1/w. The blended one must agree closely, each single one roughly: else a front
-    // and a back could blend to just the right depth. A comparison with NaN is false and so a miss.
+    // The blended depth must agree closely, each single one roughly: else a front and a back could
+    // blend to just the right depth. A comparison with NaN is false and so a miss.
     vec4 each = abs(SC_OFF(SC_DEPTHS));
     if (!(abs(SC_OFF(SC_FLOAT(texel.w))) <= SC_TOLERANCE
             && all(lessThanEqual(each, vec4(SC_ROUGHLY))))) {
@@ -227,7 +233,7 @@ int sc_look_up(SC_OUT_TEXELS) {
 #endif
 #if SC_CUBIC
     // Sixteen texels, where all of them show the surface; else the four will do.
-    if (part != vec2(0.0)) {
+    if (part != vec2(0.0) SC_AND_AGREES) {
         ivec4 columns = clamp(near.x + ivec4(-1, 0, 1, 2), ivec4(0), ivec4(last.x));
         ivec4 lines = clamp(near.y + ivec4(-1, 0, 1, 2), ivec4(0), ivec4(last.y));
         vec4 weights = sc_kernel(part.x);
@@ -249,7 +255,16 @@ int sc_look_up(SC_OUT_TEXELS) {
         }
     }
 #endif
+#if SC_ASIDE && SC_AGE
+    int outcome = SC_FOUND;
+    sc_moved = marked && outcome == SC_HIT;
+    return outcome;
+#elif SC_ASIDE
+    sc_moved = marked;
+    return SC_HIT;
+#else
     return SC_FOUND;
+#endif
 #endif
 }
 #endif

@@ -11,7 +11,10 @@ uniform int sc_block;
 uniform sampler2D sc_cache;
 uniform float sc_epsilon;
 float sc_payload;
+bool sc_moved = false;
 layout(location = 1) out vec4 sc_store;
+uniform float sc_limit;
+uniform float sc_least;
 uniform vec3 iResolution;
 uniform float iTime;
 uniform sampler2D iChannel0;
@@ -116,14 +119,26 @@ int sc_look_up(out vec4 texel) {
     if (sc_due()) {
         return 2;
     }
-    if (!(abs(texel.w - gl_FragCoord.w) <= sc_epsilon * gl_FragCoord.w)) {
-        return 4;
+    if (!(abs(texel.w - 16.0 * gl_FragCoord.w) <= sc_epsilon * (16.0 * gl_FragCoord.w))) {
+        return texel.w == 32768.0 ? 6 : 4;
     }
     return 1;
 }
 
 vec4 sc_texel() {
-    return vec4(sc_payload, 0.0, 0.0, gl_FragCoord.w);
+    return vec4(sc_payload, 0.0, 0.0, sc_moved ? -(16.0 * gl_FragCoord.w) : 16.0 * gl_FragCoord.w);
+}
+
+bool sc_unfit(vec4 values) {
+    vec4 sizes = abs(values);
+    return any(isnan(values)) || any(greaterThan(sizes, vec4(sc_limit))) || any(lessThan(sizes, sc_least * vec4(notEqual(values, vec4(0.0)))));
+}
+
+void sc_guard() {
+    bool unfit = sc_unfit(sc_store);
+    if (unfit && sc_store.w != 0.0) {
+        sc_store = vec4(0.0, 0.0, 0.0, 32768.0);
+    }
 }
 
 void main() {
@@ -135,4 +150,5 @@ void main() {
     }
     sc_shade();
     sc_store = sc_texel();
+    sc_guard();
 }

@@ -10,6 +10,7 @@ uniform int sc_block;
 uniform sampler2D sc_cache;
 uniform float sc_epsilon;
 float sc_payload;
+bool sc_moved = false;
 layout(location = 0) out vec4 sc_store;
 
 uint sc_hash(uint x) {
@@ -61,14 +62,14 @@ int sc_look_up(out vec4 texel) {
     if (sc_due()) {
         return 2;
     }
-    if (!(abs(texel.w - gl_FragCoord.w) <= sc_epsilon * gl_FragCoord.w)) {
-        return 4;
+    if (!(abs(texel.w - 16.0 * gl_FragCoord.w) <= sc_epsilon * (16.0 * gl_FragCoord.w))) {
+        return texel.w == 32768.0 ? 6 : 4;
     }
     return 1;
 }
 
 vec4 sc_texel() {
-    return vec4(sc_payload, 0.0, 0.0, gl_FragCoord.w);
+    return vec4(sc_payload, 0.0, 0.0, sc_moved ? -(16.0 * gl_FragCoord.w) : 16.0 * gl_FragCoord.w);
 }
 
 void main() {
