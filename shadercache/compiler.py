@@ -228,7 +228,7 @@ def _check_room(analysis: Analysis, nodes: Sequence[Candidate], options: CacheOp
         message = (
             "the filter marks texels by the sign of their depth, which depths from -1 to 1 use"
         )
-        raise input_error("SC432", message, "take depth=inverse-w")
+        raise input_error("SC432", message, "take filter=bilinear or another depth")
     layout = Layout(tuple(node.type for node in nodes), extras=extras_of(options))
     if layout.fits:
         return

@@ -105,13 +105,14 @@ def load_part(
     whole: bool = False,
     located: Located = ON_SURFACE,
     options: CacheOptions = DEFAULT_CACHE,
+    looks: bool = True,
 ) -> tuple[n.Decl, ...]:
     """The declarations of one file, for payloads of this layout, with the given name prefix.
 
-    ``whole``: not every fragment has the payloads.
+    ``whole``: not every fragment has the payloads. ``looks``: is there a look-up in the pass?
     """
     macros = layout.macros(prefix, whole) | located.macros | _NUMBERS
-    macros |= option_macros(options)
+    macros |= option_macros(options) | {"LOOKS": str(int(looks))}
     macros |= {_word(key): str(value) for key, value in OUTCOMES.items()}
     # Names of the user's can stand in what a macro means; none begins with the prefix.
     capitals = prefix.upper()

@@ -28,6 +28,8 @@ OUTCOME_COLORS: Mapping[str, Color] = {
     "depth": (214, 75, 60),
     "id": (96, 176, 88),
     "poison": (232, 232, 236),
+    "magnified": (70, 96, 200),
+    "opted-out": (150, 150, 156),
     "old": (236, 130, 40),
 }
 """Colours of the hit map: told apart in grey and by most colour-blind people."""
@@ -39,6 +41,8 @@ OUTCOME_WORDS: Mapping[str, str] = {
     "depth": "miss: was hidden, or another surface",
     "id": "miss: another object",
     "poison": "miss: not finite, or out of range",
+    "magnified": "miss: has become too large",
+    "opted-out": "miss: by the draw's mask",
     "old": "refresh: older than the period",
 }
 """The legend of the hit map."""

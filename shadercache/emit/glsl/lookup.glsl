@@ -163,16 +163,18 @@ int sc_look_up(SC_OUT_TEXELS) {
     vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x)
             * vec4(1.0 - part.y, 1.0 - part.y, part.y, part.y);
     float blended = dot(weights, SC_DEPTHS);
-    bool one_surface = all(lessThanEqual(abs(SC_OFF(SC_DEPTHS)), vec4(SC_ROUGHLY)));
 #if SC_IDS
-    one_surface = one_surface && SC_IDS_OF_FOUR == ivec4(sc_object);
+    bool near_enough = all(lessThanEqual(abs(SC_OFF(SC_DEPTHS)), vec4(SC_ROUGHLY)));
+    bool one_surface = near_enough && SC_IDS_OF_FOUR == ivec4(sc_object);
+#else
+    bool one_surface = all(lessThanEqual(abs(SC_OFF(SC_DEPTHS)), vec4(SC_ROUGHLY)));
 #endif
     bool agrees = one_surface && abs(SC_OFF(blended)) <= SC_TOLERANCE;
     // A fold: one of its sides must not be taken for the other.
     if (one_surface && !agrees) {
         return SC_DEPTH;
     }
-    sc_moved = dot(weights, vec4(moved)) > 0.0;
+    bool marked = dot(weights, vec4(moved)) > 0.0;
 #endif
 #if SC_FILTER_BILATERAL
     if (!agrees) {
@@ -187,7 +189,7 @@ int sc_look_up(SC_OUT_TEXELS) {
 #if SC_TARGETS == 2
         texel_2 = SC_MERGED(SC_OF_FLOATS(SC_WEIGHTED(a_2, b_2, c_2, d_2)), a_2, SC_DISCRETE_2);
 #endif
-        sc_moved = true;
+        marked = true;
     }
 #elif SC_FALLS_BACK
     if (!agrees) {
@@ -201,8 +203,7 @@ int sc_look_up(SC_OUT_TEXELS) {
 #if SC_TARGETS == 2
         texel_2 = top ? (right ? d_2 : c_2) : (right ? b_2 : a_2);
 #endif
-        sc_moved = true;
-        return SC_FOUND;
+        marked = true;
     }
 #else
     // The blended depth must agree closely, each single one roughly: else a front and a back could
@@ -232,7 +233,7 @@ int sc_look_up(SC_OUT_TEXELS) {
 #endif
 #if SC_CUBIC
     // Sixteen texels, where all of them show the surface; else the four will do.
-    if (part != vec2(0.0)) {
+    if (part != vec2(0.0) SC_AND_AGREES) {
         ivec4 columns = clamp(near.x + ivec4(-1, 0, 1, 2), ivec4(0), ivec4(last.x));
         ivec4 lines = clamp(near.y + ivec4(-1, 0, 1, 2), ivec4(0), ivec4(last.y));
         vec4 weights = sc_kernel(part.x);
@@ -254,7 +255,16 @@ int sc_look_up(SC_OUT_TEXELS) {
         }
     }
 #endif
+#if SC_ASIDE && SC_AGE
+    int outcome = SC_FOUND;
+    sc_moved = marked && outcome == SC_HIT;
+    return outcome;
+#elif SC_ASIDE
+    sc_moved = marked;
+    return SC_HIT;
+#else
     return SC_FOUND;
+#endif
 #endif
 }
 #endif

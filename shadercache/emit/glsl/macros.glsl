@@ -9,7 +9,7 @@
 // SC_LOCAL_2 (names of main's variables: two texels), SC_ID_IN(first, second) (an extra scalar of a
 // texel, from its two parts); set by emit/runtime.py: SC_SURFACE, SC_SCREEN
 // and SC_USER (one of them is 1: the mapping), SC_OWN_CURRENT (does the user say where the pixel is?),
-// and one for each choice of CacheOptions.
+// one for each choice of CacheOptions, and SC_LOOKS (does the pass look anything up?).
 
 // Is the pixel's own place the clip-space position in this frame?
 #define SC_PIXEL_IS_CURRENT (SC_SCREEN || SC_USER && !SC_OWN_CURRENT)
@@ -89,6 +89,11 @@
 #define SC_FALLS_BACK (SC_FALLBACK && !SC_FILTER_NEAREST && !SC_FILTER_BILATERAL && !SC_ANY_DISCRETE)
 #define SC_ASIDE (SC_FILTER_BILATERAL || SC_FALLS_BACK)
 #define SC_SLOPED (SC_SINGLE || SC_ASIDE)
+#if SC_ASIDE
+#define SC_AND_AGREES && agrees
+#else
+#define SC_AND_AGREES
+#endif
 // Where filters make do with a part of their texels, what they make is marked by a negative depth.
 #define SC_SIGNED_DEPTHS vec4(SC_FLOAT(a.w), SC_FLOAT(b.w), SC_FLOAT(c.w), SC_FLOAT(d.w))
 #if SC_ASIDE
@@ -100,11 +105,16 @@
     ivec4(SC_ID_IN(a, a_2), SC_ID_IN(b, b_2), SC_ID_IN(c, c_2), SC_ID_IN(d, d_2))
 #if SC_GUARD_MISS
 #define SC_MISS_OF_ONE (texel.w == SC_POISON_DEPTH ? SC_POISON : SC_DEPTH)
-#define SC_MISS_OF_FOUR (a.w == SC_POISON_DEPTH || b.w == SC_POISON_DEPTH \
+#define SC_NONE_FITS (a.w == SC_POISON_DEPTH || b.w == SC_POISON_DEPTH \
     || c.w == SC_POISON_DEPTH || d.w == SC_POISON_DEPTH ? SC_POISON : SC_DEPTH)
 #else
 #define SC_MISS_OF_ONE SC_DEPTH
-#define SC_MISS_OF_FOUR SC_DEPTH
+#define SC_NONE_FITS SC_DEPTH
+#endif
+#if SC_IDS && SC_ASIDE
+#define SC_MISS_OF_FOUR (near_enough ? SC_ID : SC_NONE_FITS)
+#else
+#define SC_MISS_OF_FOUR SC_NONE_FITS
 #endif
 #define SC_WEIGHTED(a, b, c, d) \
     sc_weighted(SC_FLOATS(a), SC_FLOATS(b), SC_FLOATS(c), SC_FLOATS(d), weights)

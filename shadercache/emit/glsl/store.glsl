@@ -44,7 +44,7 @@ SC_DECLARE_VALID;       // is there a payload to store?
 bool sc_lacks = false;  // was a payload needed, and none there?
 bool sc_moved = false;  // is the payload not just that of this place?
 
-#if SC_ASIDE
+#if SC_ASIDE && SC_LOOKS
 #define SC_MARKED_DEPTH SC_MARKED(SC_KEPT_DEPTH)
 #else
 #define SC_MARKED_DEPTH SC_KEPT_DEPTH

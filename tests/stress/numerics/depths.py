@@ -77,7 +77,9 @@ def told(
     """Ask at so many depths from near to far; ``apart`` counts separations of false hits."""
     near, far = planes
     numbers = {"unit": 2.0 * near * far / (far - near)}
-    cached = CacheOptions(refresh="none", depth=depth, tolerance=tolerance, fallback=depth != "ndc")
+    cached = CacheOptions(
+        refresh="none", filter="bilinear", depth=depth, tolerance=tolerance, fallback=depth != "ndc"
+    )
     made = plane(gpu, cached, form, numbers=numbers)
     made.values["u_depth"] = projection(near, far)
     found = Told()

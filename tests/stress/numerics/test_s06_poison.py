@@ -55,6 +55,10 @@ def test_none_is_stored_and_the_pixel_is_right(gpu: Gpu, form: CacheFormat, algo
             # Drivers may flush it, before the guard or behind it.
             assert 0.0 <= image[at, at, 0] < 1e-37
             expected[0] = image[at, at, 0]
+        if name == "small":
+            # The third pass reads what half floats made of it.
+            assert image[at, at, 0] == pytest.approx(expected[0], abs=2.0**-25)
+            expected[0] = image[at, at, 0]
         assert np.array_equal(image[at, at], expected, equal_nan=True), name
         held = stored(made)
         assert np.isfinite(held).all(), name

@@ -145,8 +145,10 @@ def test_a_cut_that_was_not_told_is_noticed(gpu: Gpu, stress: Criteria, degrees:
 
 def test_every_reason_is_one(gpu: Gpu) -> None:
     assert len(REASONS) == 6
-    with subject(gpu, "trashcan", (32, 32)) as made:
-        with VariantRunner(made.stage, made.bundle, "2-pass") as runner:
-            for reason in REASONS:
-                runner.reset(reason)
-            assert runner.resets[1:] == list(REASONS)
+    with (
+        subject(gpu, "trashcan", (32, 32)) as made,
+        VariantRunner(made.stage, made.bundle, "2-pass") as runner,
+    ):
+        for reason in REASONS:
+            runner.reset(reason)
+        assert runner.resets[1:] == list(REASONS)

@@ -2,7 +2,6 @@
 // shadercache: 3-pass.payload, node main.11-a0ace7bc
 
 in vec4 sc_current;
-bool sc_moved = false;
 layout(location = 1) out uvec4 sc_store;
 layout(location = 2) out uvec4 sc_store_2;
 uniform float sc_limit;
@@ -33,7 +32,7 @@ void sc_shade() {
 }
 
 uvec4 sc_texel() {
-    return uvec4(floatBitsToUint(sc_payload.pair.a), floatBitsToUint(sc_payload.pair.b), floatBitsToUint(16.0 / sc_current.w) | (sc_moved ? 0x80000000u : 0u));
+    return uvec4(floatBitsToUint(sc_payload.pair.a), floatBitsToUint(sc_payload.pair.b), floatBitsToUint(16.0 / sc_current.w));
 }
 
 uvec4 sc_texel_2() {

@@ -3,7 +3,6 @@
 
 in vec4 sc_current;
 vec3 sc_payload;
-bool sc_moved = false;
 layout(location = 1) out vec4 sc_store;
 uniform float sc_limit;
 uniform float sc_least;
@@ -33,7 +32,7 @@ void sc_shade() {
 }
 
 vec4 sc_texel() {
-    return vec4(sc_payload, sc_moved ? -(16.0 / sc_current.w) : 16.0 / sc_current.w);
+    return vec4(sc_payload, 16.0 / sc_current.w);
 }
 
 bool sc_unfit(vec4 values) {

@@ -48,6 +48,18 @@ void sc_guard() {
     }
 }
 
+bool sc_unfit(vec4 values) {
+    vec4 sizes = abs(values);
+    return any(isnan(values)) || any(greaterThan(sizes, vec4(sc_limit))) || any(lessThan(sizes, sc_least * vec4(notEqual(values, vec4(0.0)))));
+}
+
+void sc_guard() {
+    bool unfit = sc_unfit(sc_store);
+    if (unfit && sc_store.w != 0.0) {
+        sc_store = vec4(0.0, 0.0, 0.0, 32768.0);
+    }
+}
+
 void main() {
     sc_shade();
     sc_store = sc_texel();

@@ -3,7 +3,6 @@
 
 in vec4 sc_current;
 vec4 sc_payload;
-bool sc_moved = false;
 layout(location = 1) out vec4 sc_store;
 layout(location = 2) out vec4 sc_store_2;
 uniform float sc_limit;
@@ -20,7 +19,7 @@ void sc_shade() {
 }
 
 vec4 sc_texel() {
-    return vec4(sc_payload.xyz, sc_moved ? -(16.0 / sc_current.w) : 16.0 / sc_current.w);
+    return vec4(sc_payload.xyz, 16.0 / sc_current.w);
 }
 
 vec4 sc_texel_2() {

@@ -5,7 +5,6 @@
 // depends on iTime, so the value of the same pixel stays right for ever.
 
 float sc_payload;
-bool sc_moved = false;
 layout(location = 1) out vec4 sc_store;
 uniform float sc_limit;
 uniform float sc_least;
@@ -57,7 +56,7 @@ void sc_shade() {
 }
 
 vec4 sc_texel() {
-    return vec4(sc_payload, 0.0, 0.0, sc_moved ? -(16.0 * gl_FragCoord.w) : 16.0 * gl_FragCoord.w);
+    return vec4(sc_payload, 0.0, 0.0, 16.0 * gl_FragCoord.w);
 }
 
 bool sc_unfit(vec4 values) {

@@ -106,6 +106,13 @@ vec2 sc_blocks() {
     return floor((vec2(textureSize(sc_cache, 0) + sc_block) - 0.5) / float(sc_block));
 }
 
+int sc_number(vec2 blocks, float tall) {
+    vec2 block = floor(gl_FragCoord.xy / float(sc_block));
+    float bottom = floor((block.y + 0.5) / tall) * tall;
+    float column = min(tall, blocks.y - bottom);
+    return int(bottom) * int(blocks.x) + int(block.x * column + block.y - bottom);
+}
+
 int sc_swap(int slot, uint key) {
     int other = int(sc_residue(key)) - slot;
     other += other < 0 ? sc_period : 0;
@@ -113,8 +120,7 @@ int sc_swap(int slot, uint key) {
 }
 
 int sc_turn() {
-    vec2 block = floor(gl_FragCoord.xy / float(sc_block));
-    int number = int(block.y) * int(sc_blocks().x) + int(block.x);
+    int number = sc_number(sc_blocks(), floor(sqrt(float(sc_period)) + 0.01));
     int group = int(float(number) / float(sc_period));
     int slot = number - group * sc_period;
     int rest = int(floor((float(slot) + 0.5) / float(sc_period)));
@@ -128,20 +134,7 @@ bool sc_due() {
 }
 
 vec4 sc_weighted(vec4 a, vec4 b, vec4 c, vec4 d, vec4 weights) {
-    vec4 sum = vec4(0.0);
-    if (weights.x != 0.0) {
-        sum += weights.x * a;
-    }
-    if (weights.y != 0.0) {
-        sum += weights.y * b;
-    }
-    if (weights.z != 0.0) {
-        sum += weights.z * c;
-    }
-    if (weights.w != 0.0) {
-        sum += weights.w * d;
-    }
-    return sum;
+    return weights.x * a + weights.y * b + weights.z * c + weights.w * d;
 }
 
 int sc_look_up(out vec4 texel) {
@@ -176,7 +169,7 @@ int sc_look_up(out vec4 texel) {
     if (one_surface && !agrees) {
         return 4;
     }
-    sc_moved = dot(weights, vec4(moved)) > 0.0;
+    bool marked = dot(weights, vec4(moved)) > 0.0;
     if (!agrees) {
         weights *= single;
         float total = dot(weights, vec4(1.0));
@@ -185,8 +178,9 @@ int sc_look_up(out vec4 texel) {
         }
         weights /= total;
         texel = sc_weighted(a, b, c, d, weights);
-        sc_moved = true;
+        marked = true;
     }
+    sc_moved = marked;
     return 1;
 }
 

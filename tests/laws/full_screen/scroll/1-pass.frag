@@ -57,6 +57,13 @@ highp vec2 sc_blocks() {
     return floor((vec2(textureSize(sc_cache, 0) + sc_block) - 0.5) / float(sc_block));
 }
 
+highp int sc_number(highp vec2 blocks, highp float tall) {
+    highp vec2 block = floor(gl_FragCoord.xy / float(sc_block));
+    highp float bottom = floor((block.y + 0.5) / tall) * tall;
+    highp float column = min(tall, blocks.y - bottom);
+    return int(bottom) * int(blocks.x) + int(block.x * column + block.y - bottom);
+}
+
 highp int sc_swap(highp int slot, highp uint key) {
     highp int other = int(sc_residue(key)) - slot;
     other += other < 0 ? sc_period : 0;
@@ -64,8 +71,7 @@ highp int sc_swap(highp int slot, highp uint key) {
 }
 
 highp int sc_turn() {
-    highp vec2 block = floor(gl_FragCoord.xy / float(sc_block));
-    highp int number = int(block.y) * int(sc_blocks().x) + int(block.x);
+    highp int number = sc_number(sc_blocks(), floor(sqrt(float(sc_period)) + 0.01));
     highp int group = int(float(number) / float(sc_period));
     highp int slot = number - group * sc_period;
     highp int rest = int(floor((float(slot) + 0.5) / float(sc_period)));
@@ -79,20 +85,7 @@ bool sc_due() {
 }
 
 highp vec4 sc_weighted(highp vec4 a, highp vec4 b, highp vec4 c, highp vec4 d, highp vec4 weights) {
-    highp vec4 sum = vec4(0.0);
-    if (weights.x != 0.0) {
-        sum += weights.x * a;
-    }
-    if (weights.y != 0.0) {
-        sum += weights.y * b;
-    }
-    if (weights.z != 0.0) {
-        sum += weights.z * c;
-    }
-    if (weights.w != 0.0) {
-        sum += weights.w * d;
-    }
-    return sum;
+    return weights.x * a + weights.y * b + weights.z * c + weights.w * d;
 }
 
 highp int sc_look_up(out highp vec4 texel) {
@@ -129,7 +122,7 @@ highp int sc_look_up(out highp vec4 texel) {
     if (one_surface && !agrees) {
         return 4;
     }
-    sc_moved = dot(weights, vec4(moved)) > 0.0;
+    bool marked = dot(weights, vec4(moved)) > 0.0;
     if (!agrees) {
         weights *= single;
         highp float total = dot(weights, vec4(1.0));
@@ -138,8 +131,9 @@ highp int sc_look_up(out highp vec4 texel) {
         }
         weights /= total;
         texel = sc_weighted(a, b, c, d, weights);
-        sc_moved = true;
+        marked = true;
     }
+    sc_moved = marked;
     return 1;
 }
 

@@ -3,7 +3,6 @@
 
 precision mediump float;
 highp float sc_payload;
-bool sc_moved = false;
 layout(location = 1) out highp vec4 sc_store;
 uniform highp float sc_limit;
 uniform highp float sc_least;
@@ -29,7 +28,7 @@ void sc_shade() {
 }
 
 highp vec4 sc_texel() {
-    return vec4(sc_payload, 0.0, 0.0, sc_moved ? -(16.0 * gl_FragCoord.w) : 16.0 * gl_FragCoord.w);
+    return vec4(sc_payload, 0.0, 0.0, 16.0 * gl_FragCoord.w);
 }
 
 bool sc_unfit(highp vec4 values) {
