@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import cast, get_args
 
 from shadercache.harness.animation import Animations
+from shadercache.harness.engine import PLAIN, Engine, read_engine
 from shadercache.harness.motion import (
     REST,
     RESTING_CAMERA,
@@ -46,6 +47,7 @@ __all__ = [
     "Camera",
     "CameraPath",
     "Demo",
+    "Engine",
     "Key",
     "Motion",
     "Scene",
@@ -102,6 +104,7 @@ class Scene:
     start_time: float = 0.0
     animated: Animations = field(default_factory=dict)
     camera_path: CameraPath = REST
+    engine: Engine = PLAIN
     objects: tuple[SceneObject, ...] = ()
 
     @property
@@ -175,6 +178,7 @@ def load_scene(path: Path) -> Scene:
         start_time=top.number("start_time", 0.0),
         animated=uniforms.animated,
         camera_path=path_of_camera,
+        engine=read_engine(top.table("engine")) if top.has("engine") else PLAIN,
     )
     scene = replace(scene, objects=_objects(top, scene, uniforms))
     top.refuse_unknown()

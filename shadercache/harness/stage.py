@@ -60,7 +60,7 @@ class Stage(Owner):
             self._prop(self.cast.named(item), number + 1, self._mesh(item.scene, mesh, small), size)
             for number, item in enumerate(scene.parts)
         )
-        self.targets = Targets(gpu.ctx, size, color)
+        self.targets = Targets(gpu.ctx, size, color, scene.engine.empty_depth)
         self._mixed = len({item.scene.cull for item in scene.parts}) > 1
         # moderngl cannot free a query, so there is one for all runners.
         self.sample_counter = gpu.ctx.query(samples=True)
@@ -110,6 +110,7 @@ class Stage(Owner):
         """Set the state a frame starts from, and clear colour and depth."""
         flags = moderngl.DEPTH_TEST | (moderngl.CULL_FACE if self.props[0].scene.cull else 0)
         self.gpu.ctx.enable_only(flags)
+        self.scene.engine.apply(self.gpu.ctx)
         self.targets.clear()
 
     def set_culling(self, prop: Prop) -> None:
