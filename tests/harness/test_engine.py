@@ -11,7 +11,7 @@ import pytest
 from shadercache.diagnostics import InputError
 from shadercache.harness.bundle import Bundle
 from shadercache.harness.context import Gpu
-from shadercache.harness.engine import PLAIN, Engine
+from shadercache.harness.engine import FUNCTIONS, PLAIN, Engine
 from shadercache.harness.runner import (
     CoverageRunner,
     RunOptions,
@@ -21,6 +21,7 @@ from shadercache.harness.runner import (
 )
 from shadercache.harness.scene import Scene, load_scene
 from shadercache.harness.stage import Stage
+from shadercache.manifest import DEPTH_FUNCTIONS
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -164,3 +165,12 @@ def test_it_is_read_from_a_scene_file(scene_folder: Path) -> None:
         path.write_text(text.replace("[nodes]", f"{table.replace(old, new)}[nodes]", 1))
         with pytest.raises(InputError, match="SC505"):
             load_scene(path)
+
+
+def test_the_manifest_says_what_is_done_here(engine: Engine) -> None:
+    said = DEPTH_FUNCTIONS[engine.depth]
+    words = {"less": "<", "lequal": "<=", "greater": ">", "gequal": ">="}
+    assert engine.function("<") == words[said["less"]]
+    assert engine.function("<=") == words[said["lequal"]]
+    assert engine.empty_depth == said["clear"]
+    assert set(FUNCTIONS) == set(DEPTH_FUNCTIONS)
