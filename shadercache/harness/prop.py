@@ -67,6 +67,10 @@ class Prop:
         self._there: dict[int, bool] = {}
         self._check_attributes()
 
+    def seen_as(self, item: SceneObject) -> Prop:
+        """The same mesh and textures for another scene's object."""
+        return Prop(self._gpu, item, self.number, self._mesh, self._size, self.texture)
+
     def values(self, frame: int, jittered: int | None = None) -> Values:
         """The object's uniforms at a frame. Equal frames give the same object.
 

@@ -112,6 +112,13 @@ class Scene:
         """What is drawn: the objects, or the scene itself as the only one."""
         return self.objects or (SceneObject(self.name, self),)
 
+    def seen_from(self, camera: Camera, path: CameraPath = REST) -> Scene:
+        """The same scene before another camera."""
+        objects = tuple(
+            replace(item, scene=item.scene.seen_from(camera, path)) for item in self.objects
+        )
+        return replace(self, camera=camera, camera_path=path, objects=objects)
+
 
 REUSE = ("on", "miss", "off")
 """What an object does with the cache where variants ask (``mask``): it reuses; it misses and stores
