@@ -18,6 +18,8 @@ HEADER = (
     "P/T",
     "variant",
     "time ms",
+    "p95/p99",
+    "reset",
     "ratio",
     "interval",
     "hits",
@@ -25,12 +27,8 @@ HEADER = (
     "PSNR dB",
     "floor ms",
     "eff.",
-    "p95 ms",
-    "p99 ms",
-    "cut",
-    "burst",
 )
-RIGHT = "P/T ratio hits RMSE eff. cut burst"
+RIGHT = "P/T ratio hits RMSE eff."
 
 
 def parse_size(text: str) -> tuple[int, int]:
@@ -137,6 +135,8 @@ def _row(node: NodeResult, variant: VariantResult, label: str) -> tuple[str, ...
         f"{node.ratio:.3f}" if label and node.ratio is not None else "",
         variant.algorithm,
         f"{variant.timing.median * 1e3:.1f}",
+        f"{variant.timing.p95 * 1e3:.0f}/{variant.timing.p99 * 1e3:.0f}",
+        f"{variant.reset:.2f}x",
         f"{ratio.median:.2f}x",
         f"{ratio.low:.2f}-{ratio.high:.2f}",
         f"{variant.hit_rate:.1%}",
@@ -144,8 +144,4 @@ def _row(node: NodeResult, variant: VariantResult, label: str) -> tuple[str, ...
         psnr,
         "" if variant.floor is None else f"{variant.floor * 1e3:.1f}",
         "" if variant.efficiency is None else f"{variant.efficiency:.2f}",
-        f"{variant.timing.p95 * 1e3:.1f}",
-        f"{variant.timing.p99 * 1e3:.1f}",
-        f"{variant.cut:.2f}",
-        "" if node.curve is None else f"{node.curve.burst:.1%}",
     )

@@ -104,7 +104,7 @@ class VariantLane:
         self._frame_rmse: list[float] = []
         self._outcomes: list[dict[str, float]] = []
         self._work: list[dict[str, int]] = []
-        self._cuts: list[float] = []
+        self._resets: list[float] = []
 
     def warm_up(self, frame: int) -> None:
         """Draw a reset frame and one more, so that every pass has been drawn, then forget."""
@@ -117,11 +117,11 @@ class VariantLane:
         """Time the next frame of the run; its image stays in the colour target."""
         self.times[frame] = clock.time(partial(self.runner.draw, frame))
 
-    def time_cut(self, clock: Clock, frame: int, reference: ReferenceLane) -> None:
+    def time_reset(self, clock: Clock, frame: int, reference: ReferenceLane) -> None:
         """Time the frame after a reset, beside the original of the same frame."""
         original = reference.time_again(clock, frame)
         self.runner.reset()
-        self._cuts.append(clock.time(partial(self.runner.draw, frame)) / original)
+        self._resets.append(clock.time(partial(self.runner.draw, frame)) / original)
 
     def look(self, frame: int) -> None:
         """Take the hit mask of the frame that is about to be drawn."""
@@ -155,14 +155,15 @@ class VariantLane:
             algorithm=self.runner.algorithm,
             timing=timing(times),
             speedup=speedup,
+            reset=float(np.median(self._resets)),
             outcomes=_mean(self._outcomes),
+            burst=max((shares.get("refresh", 0.0) for shares in self._outcomes), default=0.0),
             hit_rates=tuple(self._hit_rates),
             work=_mean(self._work),
             error=self._error.stats(),
             frame_rmse=tuple(self._frame_rmse),
             floor=None if floor is None else floor * float(np.median(original)),
             efficiency=None if floor is None else floor * speedup.median,
-            cut=float(np.median(self._cuts)),
         )
 
     def _floor(self, reference: ReferenceLane, hit: dict[int, float]) -> float | None:

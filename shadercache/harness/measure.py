@@ -24,7 +24,7 @@ from shadercache.harness.scene import Scene
 from shadercache.harness.stage import Stage
 from shadercache.harness.stats import timing
 
-CUTS = 6
+RESETS = 6
 """About how many frames after a reset are timed."""
 
 Progress = Callable[[int, int, str], None]
@@ -140,7 +140,7 @@ class _GroupRun:
                 tell(frame + 2, "timing")
             for frame in self._few_frames:
                 for lane in self._lanes:
-                    lane.time_cut(self._clock, frame, self._reference)
+                    lane.time_reset(self._clock, frame, self._reference)
 
     def _draw(self, frame: int) -> None:
         compared = frame >= self._options.first_compared
@@ -180,7 +180,7 @@ class _GroupRun:
     def _few_frames(self) -> list[int]:
         """Some frames of the second half, for what need not be timed at all of them."""
         first, end = self._options.first_compared, self._options.frames
-        return list(range(first, end, max(1, (end - first) // CUTS)))
+        return list(range(first, end, max(1, (end - first) // RESETS)))
 
     def result(self, curves: bool) -> Group:
         """What was measured; with ``curves`` the outcomes of every frame are counted now."""

@@ -120,23 +120,25 @@ class Curve:
 class VariantResult:
     """One variant against the original.
 
-    ``speedup`` is original / variant; ``cut`` is variant / original in the frame after a reset.
-    ``outcomes``: share of the covered visible pixels that were a
-    hit, a refresh, a miss by cause. ``work``: fragments per frame by pass, overdraw included.
-    ``floor`` in seconds and ``efficiency`` = floor / time as DESIGN §7 says, None without parts.
+    ``speedup`` is original / variant. ``outcomes``: share of the covered visible pixels that were a
+    hit, a refresh, a miss by cause; ``burst`` the largest share of refreshes in any probed frame.
+    ``reset`` is the time of the frame behind a reset over the original's (the median of a few).
+    ``work``: fragments per frame by pass, overdraw included. ``floor`` in seconds and
+    ``efficiency`` = floor / time as DESIGN §7 says, None without parts.
     """
 
     algorithm: str
     timing: Timing
     speedup: Ratio
+    reset: float
     outcomes: Mapping[str, float]
+    burst: float
     hit_rates: tuple[float, ...]
     work: Mapping[str, float]
     error: ErrorStats
     frame_rmse: tuple[float, ...]
     floor: float | None
     efficiency: float | None
-    cut: float
 
     @property
     def hit_rate(self) -> float:

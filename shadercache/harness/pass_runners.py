@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from shadercache.diagnostics import DiagnosticError
 from shadercache.harness.bundle import Bundle, PassSpec
+from shadercache.harness.engine import ORIGINALS
 from shadercache.harness.owner import Owner
 from shadercache.harness.passes import NO_NAMES, BoundPass, FrameInputs, Naming
 from shadercache.harness.prop import Prop
@@ -79,7 +80,26 @@ class OriginalRunner(PassRunner):
 
     def __init__(self, stage: Stage, bundle: Bundle) -> None:
         """Raises as ``BoundPass`` and, for other objects' shaders, ``Cast.bundle``."""
-        super().__init__(stage, *(found.original for found in _bundles(stage, bundle)))
+        bundles = _bundles(stage, bundle)
+        super().__init__(stage, *(found.original for found in bundles))
+        self._before: CoverageRunner | None = None
+        if stage.scene.engine.depth == "equal":
+            self._before = CoverageRunner(stage, bundle)
+
+    def draw(self, frame: int) -> None:
+        """Draw one frame into the colour target, with the application's own depth function."""
+        engine = self.stage.scene.engine
+        if self._before is None:
+            self.stage.begin()
+        else:
+            self._before.draw(frame)
+        self._draw_objects(frame, ORIGINALS[engine.depth])
+
+    def release(self) -> None:
+        """Give programs back to the stage."""
+        super().release()
+        if self._before is not None:
+            self._before.release()
 
 
 class GeometryRunner(PassRunner):

@@ -1,4 +1,4 @@
-"""Numbers about samples of time: median, minimum, and the ratio of two series with its interval."""
+"""Numbers about samples of time: median, tail, and the ratio of two series with its interval."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ RESAMPLES = 2000
 class Timing:
     """Seconds per frame, in the order they were taken, and what is said about them.
 
-    ``p95`` and ``p99`` are percentiles, interpolated: of few samples they come near the slowest.
+    ``p95`` and ``p99``: what 95 and 99 of 100 frames do not exceed; of fewer than 20 or 100 samples
+    these are nearly the largest.
     """
 
     samples: tuple[float, ...]
@@ -39,15 +40,9 @@ class Ratio:
 
 
 def timing(samples: Sequence[float]) -> Timing:
-    """Median, minimum and the slow end of at least one sample."""
-    slow = np.percentile(samples, (95.0, 99.0))
-    return Timing(
-        tuple(samples),
-        float(np.median(samples)),
-        float(np.min(samples)),
-        float(slow[0]),
-        float(slow[1]),
-    )
+    """Median, minimum and tail of at least one sample."""
+    least, median, p95, p99 = (float(q) for q in np.quantile(samples, (0.0, 0.5, 0.95, 0.99)))
+    return Timing(tuple(samples), median, least, p95, p99)
 
 
 def paired_ratio(first: Sequence[float], second: Sequence[float], seed: int = 1) -> Ratio:
