@@ -1,7 +1,7 @@
 """S17: a camera that cuts, rolls, dives through bodies and goes to 1e6 and back, before bodies that
 appear, vanish and jump. Law 5 holds in every frame; what breaks it is listed pixel by pixel.
 
-``python -m tests.stress.numerics.test_s17_path_of_horrors --seeds N`` tries more seeds.
+``PYTHONPATH=tests python -m tests.stress.numerics.test_s17_path_of_horrors --seeds N`` tries more.
 """
 
 from __future__ import annotations
