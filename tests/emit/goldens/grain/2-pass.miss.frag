@@ -3,7 +3,6 @@
 
 in vec4 sc_current;
 vec3 sc_payload;
-bool sc_moved = false;
 layout(location = 1) out vec4 sc_store;
 uniform float sc_limit;
 uniform float sc_least;
@@ -33,19 +32,7 @@ void sc_shade() {
 }
 
 vec4 sc_texel() {
-    return vec4(sc_payload, sc_moved ? -(16.0 / sc_current.w) : 16.0 / sc_current.w);
-}
-
-bool sc_unfit(vec4 values) {
-    vec4 sizes = abs(values);
-    return any(isnan(values)) || any(greaterThan(sizes, vec4(sc_limit))) || any(lessThan(sizes, sc_least * vec4(notEqual(values, vec4(0.0)))));
-}
-
-void sc_guard() {
-    bool unfit = sc_unfit(sc_store);
-    if (unfit && sc_store.w != 0.0) {
-        sc_store = vec4(0.0, 0.0, 0.0, 32768.0);
-    }
+    return vec4(sc_payload, 16.0 / sc_current.w);
 }
 
 bool sc_unfit(vec4 values) {

@@ -3,7 +3,6 @@
 
 invariant in vec4 sc_current;
 precise float sc_payload;
-bool sc_moved = false;
 layout(location = 1) precise out vec4 sc_store;
 uniform float sc_limit;
 uniform float sc_least;
@@ -37,7 +36,7 @@ void sc_shade() {
 }
 
 vec4 sc_texel() {
-    precise vec4 sc_exact_1 = vec4(sc_payload, 0.0, 0.0, sc_moved ? -(16.0 / sc_current.w) : 16.0 / sc_current.w);
+    precise vec4 sc_exact_1 = vec4(sc_payload, 0.0, 0.0, 16.0 / sc_current.w);
     return sc_exact_1;
 }
 

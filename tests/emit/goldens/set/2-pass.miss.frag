@@ -4,7 +4,6 @@
 in vec4 sc_current;
 float sc_payload_1;
 vec3 sc_payload_2;
-bool sc_moved = false;
 layout(location = 1) out vec4 sc_store;
 layout(location = 2) out vec4 sc_store_2;
 uniform float sc_limit;
@@ -36,7 +35,7 @@ void sc_shade() {
 }
 
 vec4 sc_texel() {
-    return vec4(sc_payload_1, sc_payload_2.xy, sc_moved ? -(16.0 / sc_current.w) : 16.0 / sc_current.w);
+    return vec4(sc_payload_1, sc_payload_2.xy, 16.0 / sc_current.w);
 }
 
 vec4 sc_texel_2() {
