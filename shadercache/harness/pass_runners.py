@@ -80,9 +80,9 @@ class OriginalRunner(PassRunner):
 
     def __init__(self, stage: Stage, bundle: Bundle) -> None:
         """Raises as ``BoundPass`` and, for other objects' shaders, ``Cast.bundle``."""
+        self._before: CoverageRunner | None = None
         bundles = _bundles(stage, bundle)
         super().__init__(stage, *(found.original for found in bundles))
-        self._before: CoverageRunner | None = None
         if stage.scene.engine.depth == "equal":
             self._before = CoverageRunner(stage, bundle)
 
