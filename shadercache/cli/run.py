@@ -29,9 +29,9 @@ from shadercache.cli.reading import (
     UnrollOption,
     read_options,
 )
-from shadercache.cli.scenes import choose_nodes, find_scene
+from shadercache.cli.scenes import cache_options, choose_nodes, find_scene
 from shadercache.front.options import MAX_TOKENS
-from shadercache.options import DEFAULT_EPSILON, CacheFormat, Options, read_cache_options
+from shadercache.options import DEFAULT_EPSILON, CacheFormat, Options
 
 
 def command(
@@ -105,7 +105,7 @@ def command(
         cache_format=cache_format,
         epsilon=epsilon,
         fetches=fetches,
-        cache=read_cache_options(cache or ()),
+        cache=cache_options(scene, cache),
     )
     entry = make_entry(analysis, label, chosen, options, (passes,), unprofitable=unprofitable)
     how = MeasureOptions(extent, frame + 1, period=every, block=edge, picture_frame=frame)
