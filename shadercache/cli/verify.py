@@ -154,7 +154,7 @@ def _law_1(round_trip: Difference | None) -> str:
 def _text(
     verdicts: Sequence[Verdict], round_trip: Difference | None, ties: float, equal: int
 ) -> str:
-    from shadercache.harness.verify import MAX_TIES
+    from shadercache.harness.verify import MAX_TIES, PERIOD
 
     rows = [_row(verdict) for verdict in verdicts]
     right = "p99.9 changed"
@@ -167,6 +167,9 @@ def _text(
         f"law 1: {_law_1(round_trip)}",
         f"laws 2-4: {len(verdicts) - broken} of {len(verdicts)} nodes exact in proof mode",
     ]
+    ages = [age for verdict in verdicts for age in verdict.ages.values()]
+    if ages:
+        lines.append(f"law 7: the oldest payload was {max(ages):g} frames old, of {PERIOD}")
     if any(verdict.plain for verdict in verdicts):
         lines.append(f"plain mode changes bits for {plain} of {len(verdicts)} nodes")
     if equal:

@@ -90,3 +90,10 @@ def test_every_node_is_checked_where_that_is_asked_for(shell: Shell, scene: Path
     report = done.json
     assert report["equal_to_checked"] == 0
     assert [node["text"] for node in report["nodes"]].count("wave(v_position)") == 2
+
+
+def test_ages_are_told_where_they_are_kept(shell: Shell, scene: Path) -> None:
+    outcome = shell("verify", scene, "--proof-only", "--cache", "age=on")
+    assert outcome.status == 0, outcome.err
+    assert "law 7: the oldest payload was" in outcome.out
+    assert "law 7" not in shell("verify", scene, "--proof-only").out

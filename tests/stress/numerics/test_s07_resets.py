@@ -100,8 +100,8 @@ def test_resets_draw_only_passes_that_compute(gpu: Gpu) -> None:
 @pytest.mark.parametrize("algorithm", ["2-pass", "3-pass"])
 @pytest.mark.parametrize("scene", ["dragon", "trashcan"])
 def test_what_a_reset_costs(gpu: Gpu, stress: Criteria, scene: str, algorithm: str) -> None:
-    """The frame after a reset against the original, drawn in turns. It is told, and demanded only
-    in the long form: other work on the machine decides it."""
+    """The frame after a reset against the original, drawn in turns. Small pictures tell nothing;
+    and three passes draw the geometry once more (docs/NUMERICS.md)."""
     size, frames = ((512, 512), 60) if stress.deep else ((128, 128), 8)
     found, bundle, plain = programs(scene, mode="plain")
     clock = pick_clock(gpu)
@@ -116,7 +116,11 @@ def test_what_a_reset_costs(gpu: Gpu, stress: Criteria, scene: str, algorithm: s
             runner.reset("cut")
             ratios.append(clock.time(partial(runner.draw, frame)) / base)
     median = float(np.median(ratios[2:]))
-    stress.tell("time of the frame after a reset, of the original's", median)
+    what = "time of the frame after a reset, of the original's"
+    if stress.deep and algorithm == "2-pass":
+        stress.at_most(what, median, MOST_COST)
+    else:
+        stress.tell(what, median)
     assert len(runner.resets) == frames + 1
 
 
