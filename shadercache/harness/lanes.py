@@ -115,7 +115,7 @@ class VariantLane:
         shares = {name: float(counts[value]) / covered for name, value in values.items()}
         self._outcomes.append(shares)
         self._hit_rates.append(shares.get("hit", 0.0))
-        self.runner.cuts.hit(frame, self._hit_rates[-1])
+        self.runner.note_hits(frame, self._hit_rates[-1])
         self._work.append(self.runner.work(frame))
 
     def compare(self, reference: ReferenceLane) -> None:

@@ -156,7 +156,7 @@ class VariantRunner(Runner):
 
         At a cut of the scene's camera path the frame is a reset frame.
         """
-        if frame in self.stage.scene.camera_path.cuts and self.options.moving:
+        if self._is_cut(frame):
             self.reset("cut")
         self._watch(frame)
         self._begin()
@@ -256,6 +256,15 @@ class VariantRunner(Runner):
             for role, inputs in drawn:
                 if number < len(role.passes) and role.is_due(number):
                     yield role.passes[number], inputs, role.caches
+
+    def note_hits(self, frame: int, rate: float) -> None:
+        """Tell the run the share of hits of the frame that is about to be drawn: where it falls
+        without a cut of the scene, ``cuts`` has it."""
+        if not self._is_cut(frame):
+            self.cuts.hit(frame, rate)
+
+    def _is_cut(self, frame: int) -> bool:
+        return self.options.moving and frame in self.stage.scene.camera_path.cuts
 
     def _watch(self, frame: int) -> None:
         """Does what an object is seen from leap, though no reset was told?"""

@@ -11,6 +11,7 @@ import pytest
 from shadercache.harness.clock import pick_clock
 from shadercache.harness.context import Gpu
 from shadercache.harness.cuts import REASONS, ResetReason
+from shadercache.harness.motion import CameraPath, Key
 from shadercache.harness.runner import OriginalRunner, RunOptions, VariantRunner
 from shadercache.harness.stage import Stage
 from shadercache.options import CacheOptions
@@ -131,7 +132,7 @@ def test_a_cut_that_was_not_told_is_noticed(gpu: Gpu, stress: Criteria, degrees:
             for frame in [*range(12), *range(jump, jump + 12)]:
                 if frame not in (0,):
                     mask = runner.hit_mask(frame)
-                    runner.cuts.hit(frame, float((mask == hits).sum() / max(1, (mask > 0).sum())))
+                    runner.note_hits(frame, float((mask == hits).sum() / max(1, (mask > 0).sum())))
                 runner.draw(frame)
             seen = runner.cuts.suspicions
     stress.demand(
@@ -152,3 +153,23 @@ def test_every_reason_is_one(gpu: Gpu) -> None:
         for reason in REASONS:
             runner.reset(reason)
         assert runner.resets[1:] == list(REASONS)
+
+
+def test_a_cut_that_the_scene_tells_is_no_suspicion(gpu: Gpu) -> None:
+    with subject(gpu, "trashcan", (48, 48)) as made:
+        scene = made.stage.scene
+        camera = scene.camera
+        there = Key(4, (5.0, 2.0, 0.1), camera.target, camera.up, camera.fov_degrees, cut=True)
+        here = Key(0, camera.eye, camera.target, camera.up, camera.fov_degrees)
+        path = CameraPath(keys=(here, dataclasses.replace(here, frame=3), there))
+        made.stage.scene = dataclasses.replace(scene, camera_path=path)
+        made.stage.props[0].scene = dataclasses.replace(scene, camera_path=path)
+        with VariantRunner(made.stage, made.bundle, "2-pass", RunOptions(32)) as runner:
+            hits = runner.bundle.mask_values["hit"]
+            for frame in range(7):
+                mask = runner.hit_mask(frame)
+                if frame:
+                    runner.note_hits(frame, float((mask == hits).sum() / max(1, (mask > 0).sum())))
+                runner.draw(frame)
+            assert runner.resets == ["first frame", "cut"]
+            assert not runner.cuts.suspicions
