@@ -55,7 +55,8 @@ FRAME = (
     "Clear the depth buffer to 1, the colour target to the background, and the cache that is "
     "written in this frame to cache.clear.",
     "Set the uniforms. A name among the values of 'previous' gets what its key had in the last "
-    "frame; the clock is the frame number modulo the period, reduced on the CPU.",
+    "frame (of a jittered projection: with the jitter of this frame, which is no motion); the "
+    "clock is the frame number modulo the period, reduced on the CPU.",
     "Draw the passes of the variant in order. All objects finish a pass before the next begins. "
     "Bind targets[i] at colour attachment i; do not blend.",
 )
@@ -84,12 +85,28 @@ FULL_SCREEN = {"geometry": "full-screen triangle", "mode": "triangles", "vertice
 
 RELIES_ON = (
     "opaque geometry, drawn without blending, alpha to coverage or multisampling",
-    "the depth function 'less' in the application, with depth cleared to 1",
+    "the depth function 'less' in the application, with depth cleared to 1; for any other, "
+    "depth_functions says what the passes' are and what depth is cleared to",
     "one colour output; colours are written as the shader computes them, with no conversion to "
     "sRGB between the passes",
     "a viewport that covers the whole target and begins at (0, 0), as large as the cache",
     "the same geometry, in the same order, in every pass of a frame",
 )
+
+
+_FORWARD: dict[str, Any] = {"less": "less", "lequal": "lequal", "clear": 1}
+_REVERSED: dict[str, Any] = {"less": "greater", "lequal": "gequal", "clear": 0}
+
+DEPTH_FUNCTIONS: dict[str, dict[str, Any]] = {
+    "less": _FORWARD,
+    "lequal": _FORWARD,
+    "greater": _REVERSED,
+    "gequal": _REVERSED,
+    "equal": _FORWARD,
+}
+"""An application's depth function -> what a pass's ``depth.test`` is there.
+
+An application with ``equal`` has drawn depth first; the variants do without that."""
 
 
 def build_manifest(
@@ -146,6 +163,7 @@ def build_manifest(
         "frame": [*FRAME, *[FRAME_OF_TWO] * layout.second],
         "reset": list(RESET),
         "relies_on": relies,
+        "depth_functions": {name: dict(found) for name, found in DEPTH_FUNCTIONS.items()},
     }
 
 

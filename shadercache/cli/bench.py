@@ -31,10 +31,10 @@ from shadercache.cli.reading import (
     UnrollOption,
     read_options,
 )
-from shadercache.cli.scenes import choose_nodes, find_scene, split_list
+from shadercache.cli.scenes import cache_options, choose_nodes, find_scene, split_list
 from shadercache.cli.tables import shorten
 from shadercache.front.options import MAX_TOKENS
-from shadercache.options import DEFAULT_EPSILON, CacheFormat, Options, read_cache_options
+from shadercache.options import DEFAULT_EPSILON, CacheFormat, Options
 
 if TYPE_CHECKING:
     from shadercache.analysis.candidates import Candidate
@@ -91,7 +91,8 @@ def command(
     number. --nodes measures what it is given.
 
     Everything is drawn interleaved in one process; the ratio's interval is a 95 % bootstrap.
-    Writes JSON (with raw samples), CSV and two plots for each period and block into DIR.
+    Writes JSON (with raw samples), CSV and plots for each period and block into DIR; of few nodes
+    also the hit rate of every frame.
     """
     from shadercache.analysis.groups import one_of_each
     from shadercache.harness.context import open_context
@@ -118,7 +119,7 @@ def command(
         cache_format=cache_format,
         epsilon=epsilon,
         fetches=fetches,
-        cache=read_cache_options(cache or ()),
+        cache=cache_options(scene, cache),
     )
     entries = [
         replace(
@@ -154,7 +155,7 @@ def _label(node: NodeResult) -> str:
 
 def _store(out: Path, found: Measurement, report: dict[str, Any]) -> None:
     from shadercache.harness.files import write_bytes
-    from shadercache.harness.plots import plot_error, plot_time
+    from shadercache.harness.plots import plot_error, plot_hits, plot_time
     from shadercache.harness.results import to_csv, write_json
 
     options = found.options
@@ -163,3 +164,6 @@ def _store(out: Path, found: Measurement, report: dict[str, Any]) -> None:
     write_bytes(out / f"{stem}.csv", to_csv(found).encode())
     write_bytes(out / f"{stem}-time.png", plot_time(found))
     write_bytes(out / f"{stem}-error.png", plot_error(found))
+    hits = plot_hits(found)
+    if hits is not None:
+        write_bytes(out / f"{stem}-hits.png", hits)

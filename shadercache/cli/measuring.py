@@ -105,6 +105,13 @@ def summary(measurement: Measurement) -> str:
             f"original {original * 1e3:.1f} ms, geometry alone {geometry * 1e3:.1f} ms "
             f"({original / geometry:.1f}x), {measurement.covered:.0%} of the frame covered"
         )
+        if group.skipped is not None:
+            skipped = group.skipped
+            lines.append(
+                f"{skipped.objects} objects; {skipped.outside:.1f} of them outside of the picture "
+                f"and not drawn, which saves the original {skipped.saved:.0%}; "
+                f"{skipped.uncached} drawn by their originals"
+            )
     options = measurement.options
     lines.append(
         f"{options.size[0]}x{options.size[1]}, {options.frames} frames, period {options.period}, "

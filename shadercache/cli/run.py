@@ -29,9 +29,9 @@ from shadercache.cli.reading import (
     UnrollOption,
     read_options,
 )
-from shadercache.cli.scenes import choose_nodes, find_scene
+from shadercache.cli.scenes import cache_options, choose_nodes, find_scene
 from shadercache.front.options import MAX_TOKENS
-from shadercache.options import DEFAULT_EPSILON, CacheFormat, Options, read_cache_options
+from shadercache.options import DEFAULT_EPSILON, CacheFormat, Options
 
 
 def command(
@@ -107,7 +107,7 @@ def command(
         cache_format=cache_format,
         epsilon=epsilon,
         fetches=fetches,
-        cache=read_cache_options(cache or ()),
+        cache=cache_options(scene, cache),
     )
     context.obj.show(depth_warnings(options, scene.camera.near, scene.camera.far))
     entry = make_entry(analysis, label, chosen, options, (passes,), unprofitable=unprofitable)

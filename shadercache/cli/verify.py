@@ -22,10 +22,9 @@ from shadercache.cli.reading import (
     UnrollOption,
     read_options,
 )
-from shadercache.cli.scenes import choose_nodes, find_scene
+from shadercache.cli.scenes import cache_options, choose_nodes, find_scene
 from shadercache.cli.tables import format_table, shorten, terminal_width
 from shadercache.front.options import MAX_TOKENS
-from shadercache.options import read_cache_options
 
 if TYPE_CHECKING:
     from shadercache.harness.verify import Difference, Verdict
@@ -86,9 +85,9 @@ def command(
 
     equal = 0
     options = read_options(define, undefine, include, dialect, max_tokens, unroll)
-    cached = read_cache_options(cache or ())
     path = find_scene(target)
     scene, analysis = open_scene(path, options, mapping)
+    cached = cache_options(scene, cache)
     if node:
         chosen = [found for _, found in choose_nodes(scene, analysis, node)]
     else:

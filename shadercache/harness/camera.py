@@ -21,8 +21,12 @@ Values = Mapping[str, NDArray[np.float64]]
 FRAMES_PER_SECOND = 60.0
 
 
-def semantic_values(scene: Scene, frame: int, aspect: float) -> dict[str, Matrix]:
+def semantic_values(
+    scene: Scene, frame: int, aspect: float, shift: tuple[float, float] = (0.0, 0.0)
+) -> dict[str, Matrix]:
     """Every semantic's value at a frame (counted from 0); ``aspect`` is width / height.
+
+    ``shift`` is the jitter, in halves of the picture's width and height.
 
     ``normal-matrix`` is the inverse transpose of the model-view matrix (3x3), ``eye`` the camera's
     place in the world, ``time`` seconds at 60 frames a second, ``time-delta`` those since the last
@@ -31,7 +35,7 @@ def semantic_values(scene: Scene, frame: int, aspect: float) -> dict[str, Matrix
     camera = camera_at(scene, frame)
     model = model_matrix(scene.motion, frame)
     view = look_at(camera)
-    project = perspective(camera, aspect)
+    project = scene.engine.projection(perspective(camera, aspect), shift)
     model_view = view @ model
     return {
         "model": model,
@@ -48,13 +52,19 @@ def semantic_values(scene: Scene, frame: int, aspect: float) -> dict[str, Matrix
     }
 
 
-def scene_values(scene: Scene, frame: int, size: tuple[int, int]) -> Values:
+def scene_values(
+    scene: Scene, frame: int, size: tuple[int, int], jittered: int | None = None
+) -> Values:
     """The value of every uniform of the scene at a frame, in a picture of a size in pixels.
+
+    ``jittered``: the frame whose jitter it has, if it is another.
 
     ``resolution`` is that size, ``resolution-aspect`` the same with the shape of a pixel, 1.
     """
     width, height = size
-    values = semantic_values(scene, frame, width / height) | {
+    x, y = scene.engine.shift(frame if jittered is None else jittered)
+    shift = (2.0 * x / width, 2.0 * y / height)
+    values = semantic_values(scene, frame, width / height, shift) | {
         "resolution": np.array([width, height], np.float64),
         "resolution-aspect": np.array([width, height, 1.0]),
     }

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from shadercache.harness.cache import MOST_IN_HALF
 from shadercache.harness.clock import Clock
 from shadercache.harness.image import ErrorSum, Pixels
-from shadercache.harness.measurement import Entry, MeasureOptions, NodeResult, VariantResult
+from shadercache.harness.measurement import Curve, Entry, MeasureOptions, NodeResult, VariantResult
 from shadercache.harness.runner import (
     NEVER,
     CoverageRunner,
@@ -50,6 +50,20 @@ class ReferenceLane:
         """Time the original; its image stays in the colour target."""
         self._stage.prepare(frame)
         self.original[frame] = clock.time(partial(self._original.draw, frame))
+
+    def time_again(self, clock: Clock, frame: int) -> float:
+        """The time of the original, which is not kept."""
+        self._stage.prepare(frame)
+        return clock.time(partial(self._original.draw, frame))
+
+    def time_all_objects(self, clock: Clock, frame: int) -> float:
+        """How many times as long the original takes with objects outside of the picture."""
+        alone = self.time_again(clock, frame)
+        self._stage.culling = False
+        try:
+            return self.time_again(clock, frame) / alone
+        finally:
+            self._stage.culling = True
 
     def time_geometry(self, clock: Clock, frame: int) -> None:
         """Time the bare geometry."""
@@ -90,6 +104,7 @@ class VariantLane:
         self._frame_rmse: list[float] = []
         self._outcomes: list[dict[str, float]] = []
         self._work: list[dict[str, int]] = []
+        self._resets: list[float] = []
 
     def warm_up(self, frame: int) -> None:
         """Draw a reset frame and one more, so that every pass has been drawn, then forget."""
@@ -101,6 +116,12 @@ class VariantLane:
     def time(self, clock: Clock, frame: int) -> None:
         """Time the next frame of the run; its image stays in the colour target."""
         self.times[frame] = clock.time(partial(self.runner.draw, frame))
+
+    def time_reset(self, clock: Clock, frame: int, reference: ReferenceLane) -> None:
+        """Time the frame after a reset, beside the original of the same frame."""
+        original = reference.time_again(clock, frame)
+        self.runner.reset()
+        self._resets.append(clock.time(partial(self.runner.draw, frame)) / original)
 
     def look(self, frame: int) -> None:
         """Take the hit mask of the frame that is about to be drawn."""
@@ -134,7 +155,7 @@ class VariantLane:
             algorithm=self.runner.algorithm,
             timing=timing(times),
             speedup=speedup,
-            reset=self.times[0] / reference.original[0],
+            reset=float(np.median(self._resets)),
             outcomes=_mean(self._outcomes),
             burst=max((shares.get("refresh", 0.0) for shares in self._outcomes), default=0.0),
             hit_rates=tuple(self._hit_rates),
@@ -195,7 +216,11 @@ class PartsLane:
             self._hit.release()
 
     def result(
-        self, reference: ReferenceLane, entry: Entry, lanes: list[VariantLane]
+        self,
+        reference: ReferenceLane,
+        entry: Entry,
+        lanes: list[VariantLane],
+        curve: Curve | None,
     ) -> NodeResult:
         """The node with all its variants."""
         bundle = entry.bundle
@@ -211,6 +236,7 @@ class PartsLane:
             hit=_timing(self.hit),
             variants=tuple(lane.result(reference, self.hit) for lane in lanes),
             equal=entry.equal,
+            curve=curve,
         )
 
     def _ratio(self, reference: ReferenceLane) -> float | None:

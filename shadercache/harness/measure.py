@@ -7,12 +7,14 @@ see the same drift of the machine. Nothing is printed; progress goes to a callba
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 
 import numpy as np
 
 from shadercache.diagnostics import usage_error
 from shadercache.harness.clock import Clock, no_collection, pick_clock
 from shadercache.harness.context import Gpu
+from shadercache.harness.curves import outcome_curve, skipped_of
 from shadercache.harness.debug_views import Probe
 from shadercache.harness.lanes import PartsLane, ReferenceLane, VariantLane
 from shadercache.harness.measurement import Entry, Group, Measurement, MeasureOptions, Shot
@@ -21,6 +23,9 @@ from shadercache.harness.pictures import hit_picture, picture
 from shadercache.harness.scene import Scene
 from shadercache.harness.stage import Stage
 from shadercache.harness.stats import timing
+
+RESETS = 6
+"""About how many frames after a reset are timed."""
 
 Progress = Callable[[int, int, str], None]
 """Called with (steps done, steps in all, what is being done)."""
@@ -59,7 +64,7 @@ def measure(
             run = _GroupRun(stage, batch, options, clock)
             try:
                 run.draw_all(tell)
-                groups.append(run.result())
+                groups.append(run.result(len(entries) <= options.curves))
             finally:
                 run.release()
             shots += run.shots
@@ -102,6 +107,7 @@ class _GroupRun:
     def __init__(
         self, stage: Stage, entries: list[Entry], options: MeasureOptions, clock: Clock
     ) -> None:
+        self._stage = stage
         self._options = options
         self._clock = clock
         self._entries = entries
@@ -132,6 +138,9 @@ class _GroupRun:
             for frame in range(self._options.frames):
                 self._draw(frame)
                 tell(frame + 2, "timing")
+            for frame in self._few_frames:
+                for lane in self._lanes:
+                    lane.time_reset(self._clock, frame, self._reference)
 
     def _draw(self, frame: int) -> None:
         compared = frame >= self._options.first_compared
@@ -167,16 +176,26 @@ class _GroupRun:
         original = picture(self._reference.pixels)
         return Shot(lane.entry.label, lane.runner.algorithm, original, cached, outcomes, probe)
 
-    def result(self) -> Group:
-        """What was measured."""
-        reference = self._reference
+    @property
+    def _few_frames(self) -> list[int]:
+        """Some frames of the second half, for what need not be timed at all of them."""
+        first, end = self._options.first_compared, self._options.frames
+        return list(range(first, end, max(1, (end - first) // RESETS)))
+
+    def result(self, curves: bool) -> Group:
+        """What was measured; with ``curves`` the outcomes of every frame are counted now."""
+        reference, stage = self._reference, self._stage
         nodes = []
         for entry, parts in zip(self._entries, self._parts, strict=True):
             lanes = [lane for lane in self._lanes if lane.entry is entry]
-            nodes.append(parts.result(reference, entry, lanes))
+            curve = outcome_curve(stage, entry, self._options) if curves else None
+            nodes.append(parts.result(reference, entry, lanes, curve))
         original = [seconds for frame, seconds in reference.original.items() if frame > 0]
         geometry = timing(list(reference.geometry.values()))
-        return Group(timing(original), geometry, tuple(nodes))
+        with no_collection():
+            slowed = partial(reference.time_all_objects, self._clock)
+            skipped = skipped_of(stage, self._few_frames, slowed)
+        return Group(timing(original), geometry, tuple(nodes), skipped)
 
     @property
     def notes(self) -> list[str]:

@@ -43,6 +43,7 @@ class MeasureOptions:
     are taken as well (they cost extra draws); oftener in a short run, so that there are eight.
     ``group``: how many variants are interleaved at once; more need more memory for caches.
     ``picture_frame``: the frame whose pictures are kept; None keeps none.
+    ``curves``: of at most so many nodes what becomes of the pixels is counted in every frame.
     """
 
     size: tuple[int, int] = (1024, 1024)
@@ -55,6 +56,7 @@ class MeasureOptions:
     cache_format: str | None = None
     group: int = 12
     picture_frame: int | None = None
+    curves: int = 8
 
     @property
     def first_compared(self) -> int:
@@ -91,14 +93,38 @@ class Shot:
 
 
 @dataclass(frozen=True, slots=True)
+class Curve:
+    """What became of the visible pixels of cached objects: their shares, by frame from frame 0."""
+
+    hit: tuple[float, ...]
+    refresh: tuple[float, ...]
+
+    @property
+    def hit_rate(self) -> float:
+        """The mean share of hits, without the reset frame."""
+        return float(np.mean(self.hit[1:]))
+
+    @property
+    def found_rate(self) -> float:
+        """The same of what is not refreshed on purpose: what reprojection finds again."""
+        pairs = zip(self.hit[1:], self.refresh[1:], strict=True)
+        return float(np.mean([hit / max(1e-9, 1.0 - refresh) for hit, refresh in pairs]))
+
+    @property
+    def burst(self) -> float:
+        """The greatest share that is refreshed in one frame."""
+        return max(self.refresh[1:])
+
+
+@dataclass(frozen=True, slots=True)
 class VariantResult:
     """One variant against the original.
 
     ``speedup`` is original / variant. ``outcomes``: share of the covered visible pixels that were a
     hit, a refresh, a miss by cause; ``burst`` the largest share of refreshes in any probed frame.
-    ``reset`` is the time of the frame behind a reset over the original's. ``work``: fragments per
-    frame by pass, overdraw included. ``floor`` in seconds and ``efficiency`` = floor / time as
-    DESIGN §7 says, None without parts.
+    ``reset`` is the time of the frame behind a reset over the original's (the median of a few).
+    ``work``: fragments per frame by pass, overdraw included. ``floor`` in seconds and
+    ``efficiency`` = floor / time as DESIGN §7 says, None without parts.
     """
 
     algorithm: str
@@ -139,6 +165,22 @@ class NodeResult:
     hit: Timing | None
     variants: tuple[VariantResult, ...]
     equal: int = 1
+    curve: Curve | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Skipped:
+    """What a scene of several objects does without, on average over the frames.
+
+    ``objects`` there are; ``outside`` of them lie outside of the picture or are not there, so are
+    not drawn; ``uncached`` are drawn by their originals. ``saved``: the share of the original's
+    time that drawing all of them takes more.
+    """
+
+    objects: int
+    outside: float
+    uncached: int
+    saved: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,6 +193,7 @@ class Group:
     original: Timing
     geometry: Timing
     nodes: tuple[NodeResult, ...]
+    skipped: Skipped | None = None
 
 
 @dataclass(frozen=True, eq=False)

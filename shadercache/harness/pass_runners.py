@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from shadercache.diagnostics import DiagnosticError
 from shadercache.harness.bundle import Bundle, PassSpec
-from shadercache.harness.camera import Values
+from shadercache.harness.engine import ORIGINALS
 from shadercache.harness.owner import Owner
 from shadercache.harness.passes import NO_NAMES, BoundPass, FrameInputs, Naming
 from shadercache.harness.prop import Prop
@@ -51,14 +51,14 @@ class Runner(Owner):
 class PassRunner(Runner):
     """Draws programs that hold nothing but the user's own inputs, one for each object."""
 
-    def __init__(self, stage: Stage, *specs: PassSpec) -> None:
+    def __init__(self, stage: Stage, *specs: PassSpec, naming: Naming = NO_NAMES) -> None:
         """Args: ``specs`` are one for all objects, or as many. Raises as ``BoundPass``."""
         super().__init__(stage)
         many = specs * len(stage.props) if len(specs) == 1 else specs
         self._passes: dict[Prop, BoundPass] = {}
         try:
             for prop, spec in zip(stage.props, many, strict=True):
-                self._passes[prop] = self._bind(prop, spec, NO_NAMES)
+                self._passes[prop] = self._bind(prop, spec, naming)
         except DiagnosticError:
             self.release()
             raise
@@ -70,7 +70,9 @@ class PassRunner(Runner):
 
     def _draw_objects(self, frame: int, depth_test: str | None = None) -> None:
         for prop in self.stage.drawn(frame):
-            self._passes[prop].draw(_plain(prop.values(frame)), None, depth_test)
+            values = prop.values(frame)
+            inputs = FrameInputs(values, values, object_numbers(prop))
+            self._passes[prop].draw(inputs, None, depth_test)
 
 
 class OriginalRunner(PassRunner):
@@ -78,7 +80,26 @@ class OriginalRunner(PassRunner):
 
     def __init__(self, stage: Stage, bundle: Bundle) -> None:
         """Raises as ``BoundPass`` and, for other objects' shaders, ``Cast.bundle``."""
-        super().__init__(stage, *(found.original for found in _bundles(stage, bundle)))
+        self._before: CoverageRunner | None = None
+        bundles = _bundles(stage, bundle)
+        super().__init__(stage, *(found.original for found in bundles))
+        if stage.scene.engine.depth == "equal":
+            self._before = CoverageRunner(stage, bundle)
+
+    def draw(self, frame: int) -> None:
+        """Draw one frame into the colour target, with the application's own depth function."""
+        engine = self.stage.scene.engine
+        if self._before is None:
+            self.stage.begin()
+        else:
+            self._before.draw(frame)
+        self._draw_objects(frame, ORIGINALS[engine.depth])
+
+    def release(self) -> None:
+        """Give programs back to the stage."""
+        super().release()
+        if self._before is not None:
+            self._before.release()
 
 
 class GeometryRunner(PassRunner):
@@ -104,6 +125,7 @@ class PayloadRunner(PassRunner):
                 item.payload if prop.item.cached and "payload" in item.manifest else item.geometry
                 for prop, item in found
             ),
+            naming=Naming(bundle.roles, {}),
         )
 
 
@@ -140,5 +162,9 @@ def _bundles(stage: Stage, bundle: Bundle) -> list[Bundle]:
     return [stage.cast.bundle(prop.item, bundle) for prop in stage.props]
 
 
-def _plain(values: Values) -> FrameInputs:
-    return FrameInputs(values, values, {})
+def object_numbers(prop: Prop) -> dict[str, NDArray[np.float64]]:
+    """The numbers that are an object's own, by role."""
+    return {
+        "object": np.array([prop.number], np.float64),
+        "mask": np.array([prop.item.mask], np.float64),
+    }

@@ -88,7 +88,8 @@ class BoundPass:
         """
         targets = self._targets(caches)
         self._stage.targets.framebuffer(targets, self._spec.depth_write).use()
-        self._stage.gpu.ctx.depth_func = depth_test or self._spec.depth_test
+        test = depth_test or self._stage.scene.engine.function(self._spec.depth_test)
+        self._stage.gpu.ctx.depth_func = test
         self._stage.set_culling(self._prop)
         self._load(inputs, caches)
         self._array.render(moderngl.TRIANGLES)

@@ -1,4 +1,4 @@
-"""The two plots of a sweep: time against P/T, and error against time (seed 003, figure 8).
+"""The plots of a sweep: time against P/T, error against time (seed 003, figure 8), hits by frame.
 
 matplotlib takes half a second to import, so it is imported when a plot is made.
 """
@@ -6,12 +6,12 @@ matplotlib takes half a second to import, so it is imported when a plot is made.
 from __future__ import annotations
 
 import io
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shadercache.harness.measurement import Measurement, NodeResult, VariantResult
+from shadercache.harness.measurement import Curve, Measurement, NodeResult, VariantResult
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -68,6 +68,30 @@ def plot_error(measurement: Measurement) -> bytes:
     axes.set_xlim(left=0.0)
     axes.set_xlabel("median time of a frame (ms)")
     axes.set_ylabel("RMSE over covered pixels (display-encoded, 0-1)")
+    return _png(figure, axes)
+
+
+def plot_hits(measurement: Measurement) -> bytes | None:
+    """The share of hits in every frame of each node, after seed 000's figure 6.2; a PNG file.
+
+    None where nothing was counted. The level of full reuse is what random refresh leaves.
+    """
+    known = {node.label: node.curve for node in measurement.nodes if node.curve is not None}
+    title = f"{measurement.scene}: hit rate"
+    return plot_curves(title, known, measurement.options.period) if known else None
+
+
+def plot_curves(title: str, curves: Mapping[str, Curve], period: int) -> bytes:
+    """The share of hits in every frame of each curve, by name; a PNG file."""
+    figure, axes = _axes(title)
+    for label, curve in curves.items():
+        rates = f"mean {curve.hit_rate:.1%}, {curve.found_rate:.1%} of what was not due"
+        axes.plot(range(1, len(curve.hit)), curve.hit[1:], lw=1.2, label=f"{label}: {rates}")
+    axes.axhline(1.0 - 1.0 / period, color="#999999", lw=1.0, ls=":", label="1 - 1/period")
+    axes.axhline(0.9, color="#333333", lw=0.8, ls="--", label="90 %")
+    axes.set_xlabel("frame")
+    axes.set_ylabel("share of the visible pixels of cached objects")
+    axes.set_ylim(0.0, 1.0)
     return _png(figure, axes)
 
 

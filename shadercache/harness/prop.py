@@ -63,15 +63,23 @@ class Prop:
         self.mesh = mesh.mesh
         self.texture = texture
         self._gpu, self._mesh, self._size = gpu, mesh, size
-        self._values: OrderedDict[int, Values] = OrderedDict()
+        self._values: OrderedDict[tuple[int, int], Values] = OrderedDict()
         self._there: dict[int, bool] = {}
         self._check_attributes()
 
-    def values(self, frame: int) -> Values:
-        """The object's uniforms at a frame. Equal frames give the same object."""
-        found = self._values.get(frame)
+    def seen_as(self, item: SceneObject) -> Prop:
+        """The same mesh and textures for another scene's object."""
+        return Prop(self._gpu, item, self.number, self._mesh, self._size, self.texture)
+
+    def values(self, frame: int, jittered: int | None = None) -> Values:
+        """The object's uniforms at a frame. Equal frames give the same object.
+
+        ``jittered``: the frame whose jitter they have, if it is another.
+        """
+        key = (frame, frame if jittered is None or not self.scene.engine.jitter else jittered)
+        found = self._values.get(key)
         if found is None:
-            found = self._values[frame] = scene_values(self.scene, frame, self._size)
+            found = self._values[key] = scene_values(self.scene, frame, self._size, key[1])
             if len(self._values) > _KEPT_FRAMES:
                 self._values.popitem(last=False)
         return found

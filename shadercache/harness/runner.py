@@ -15,8 +15,10 @@ from shadercache.diagnostics import DiagnosticError
 from shadercache.emit.layout import precision_of
 from shadercache.harness.bundle import Bundle, PassSpec
 from shadercache.harness.cache import CachePair, as_precise_as, check_period
+from shadercache.harness.camera import Values
 from shadercache.harness.cast import algorithm_of
 from shadercache.harness.cuts import CutWatch, ResetReason
+from shadercache.harness.idle import Idle
 from shadercache.harness.pass_runners import (
     CoverageRunner,
     GeometryRunner,
@@ -24,6 +26,7 @@ from shadercache.harness.pass_runners import (
     PassRunner,
     PayloadRunner,
     Runner,
+    object_numbers,
 )
 from shadercache.harness.passes import NO_NAMES, BoundPass, FrameInputs, Naming
 from shadercache.harness.prop import Prop
@@ -134,6 +137,7 @@ class VariantRunner(Runner):
             raise
         # What is not cached comes first, for what it hides must not be stored: objects drawn before
         # it would be, those drawn after it would not.
+        self._idle = Idle(bundle.manifest["cache"].get("options", {}), stage.sample_counter)
         self._roles = sorted(roles, key=lambda role: role.caches is not None)
         self.reset()
 
@@ -142,6 +146,11 @@ class VariantRunner(Runner):
         """The passes, in order; those of other objects' shaders by their own names."""
         named = [bound.name for role in self._roles for bound in role.passes]
         return tuple(dict.fromkeys(named))
+
+    @property
+    def skipped(self) -> int:
+        """How many passes were not drawn, since they had nothing to do."""
+        return self._idle.skipped
 
     def reset(self, reason: ResetReason = "first frame") -> None:
         """Forget everything, and why: the next frame is a reset frame."""
@@ -160,9 +169,10 @@ class VariantRunner(Runner):
             self.reset("cut")
         self._watch(frame)
         self._begin()
+        self._idle.begin(*self._to_show(frame))
         for bound, inputs, caches in self._turns(frame):
-            bound.draw(inputs, caches)
-            self.stage.gpu.submit()
+            if not self._idle.skips(bound):
+                self._draw(bound, inputs, caches)
         self._end(frame)
 
     def draw_pass(self, frame: int, name: str) -> None:
@@ -245,6 +255,23 @@ class VariantRunner(Runner):
         on_reset = tuple(bound for bound, spec in zip(passes, specs, strict=True) if spec.on_reset)
         return Role(prop, bundle, naming, passes, on_reset, bundle.debug, self._caches)
 
+    def _draw(self, bound: BoundPass, inputs: FrameInputs, caches: CachePair | None) -> None:
+        query = self._idle.counting(bound)
+        if query is None:
+            bound.draw(inputs, caches)
+        else:
+            with query:
+                bound.draw(inputs, caches)
+            self._idle.counted(bound)
+        self.stage.gpu.submit()
+
+    def _to_show(self, frame: int) -> tuple[list[tuple[Prop, Values]], bool]:
+        """The objects with their uniforms, and whether any of them draws the passes of a reset."""
+        drawn = self._drawn(frame)
+        shown = self._shown(frame)
+        values = [(role.prop, role.prop.values(shown, frame)) for role in drawn]
+        return values, any(role.before is None for role in drawn)
+
     def _drawn(self, frame: int) -> list[Role]:
         drawn = set(self.stage.drawn(self._shown(frame)))
         return [role for role in self._roles if role.prop in drawn]
@@ -304,12 +331,14 @@ class VariantRunner(Runner):
             "period": period,
             "block": item.block or options.block,
             "epsilon": epsilon,
-            "object": role.prop.number,
-            "mask": item.mask,
             "reset": role.before is None,
         }
         given = {name: np.array([value], np.float64) for name, value in numbers.items()}
-        return FrameInputs(role.prop.values(shown), role.prop.values(before), given)
+        given |= object_numbers(role.prop)
+        # Told of the jitter, the last frame's place of a point is the one it had with this frame's.
+        told = self.stage.scene.engine.told or role.before is None
+        last = role.prop.values(before, frame if told else frame - 1)
+        return FrameInputs(role.prop.values(shown, frame), last, given)
 
     def _shown(self, frame: int) -> int:
         return frame if self.options.moving else 0

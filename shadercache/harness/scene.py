@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import cast, get_args
 
 from shadercache.harness.animation import Animations
+from shadercache.harness.engine import PLAIN, Engine, read_engine
 from shadercache.harness.motion import (
     REST,
     RESTING_CAMERA,
@@ -46,6 +47,7 @@ __all__ = [
     "Camera",
     "CameraPath",
     "Demo",
+    "Engine",
     "Key",
     "Motion",
     "Scene",
@@ -102,12 +104,20 @@ class Scene:
     start_time: float = 0.0
     animated: Animations = field(default_factory=dict)
     camera_path: CameraPath = REST
+    engine: Engine = PLAIN
     objects: tuple[SceneObject, ...] = ()
 
     @property
     def parts(self) -> tuple[SceneObject, ...]:
         """What is drawn: the objects, or the scene itself as the only one."""
         return self.objects or (SceneObject(self.name, self),)
+
+    def seen_from(self, camera: Camera, path: CameraPath = REST) -> Scene:
+        """The same scene before another camera."""
+        objects = tuple(
+            replace(item, scene=item.scene.seen_from(camera, path)) for item in self.objects
+        )
+        return replace(self, camera=camera, camera_path=path, objects=objects)
 
 
 REUSE = ("on", "miss", "off")
@@ -175,6 +185,7 @@ def load_scene(path: Path) -> Scene:
         start_time=top.number("start_time", 0.0),
         animated=uniforms.animated,
         camera_path=path_of_camera,
+        engine=read_engine(top.table("engine")) if top.has("engine") else PLAIN,
     )
     scene = replace(scene, objects=_objects(top, scene, uniforms))
     top.refuse_unknown()
@@ -249,6 +260,13 @@ def _copy(item: SceneObject, number: int, place: tuple[float, float, float]) -> 
     motion = replace(item.scene.motion, position=place)
     scene = replace(item.scene, motion=motion)
     return replace(item, name=f"{item.name} {number + 1}", scene=scene)
+
+
+def _mask(table: Table) -> int:
+    mask = table.whole("mask", 0, least=0)
+    if mask > 2:
+        table.problem("SC505", "mask", f"{table.full('mask')} must be 0, 1 or 2")
+    return mask
 
 
 def _bounds(table: Table) -> tuple[tuple[float, ...], tuple[float, ...]] | None:

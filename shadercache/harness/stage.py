@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from copy import copy
+from dataclasses import replace
 from pathlib import Path
 
 import moderngl
@@ -11,10 +13,11 @@ from shadercache.harness.camera import Values
 from shadercache.harness.cast import Cast
 from shadercache.harness.context import Gpu
 from shadercache.harness.mesh import Mesh, scene_mesh
+from shadercache.harness.motion import REST
 from shadercache.harness.owner import Owner
 from shadercache.harness.programs import Programs
 from shadercache.harness.prop import GpuMesh, Prop
-from shadercache.harness.scene import Scene, SceneObject, TextureSpec
+from shadercache.harness.scene import Camera, CameraPath, Scene, SceneObject, TextureSpec
 from shadercache.harness.targets import Targets
 from shadercache.harness.textures import GlTexture, upload_texture
 
@@ -52,6 +55,7 @@ class Stage(Owner):
         self.gpu = gpu
         self.scene = scene
         self.culling = True
+        self._owns = True
         self.cast = Cast()
         self.programs = Programs(gpu)
         self._meshes: dict[Path | None, GpuMesh] = {}
@@ -60,7 +64,7 @@ class Stage(Owner):
             self._prop(self.cast.named(item), number + 1, self._mesh(item.scene, mesh, small), size)
             for number, item in enumerate(scene.parts)
         )
-        self.targets = Targets(gpu.ctx, size, color)
+        self.targets = Targets(gpu.ctx, size, color, scene.engine.empty_depth)
         self._mixed = len({item.scene.cull for item in scene.parts}) > 1
         # moderngl cannot free a query, so there is one for all runners.
         self.sample_counter = gpu.ctx.query(samples=True)
@@ -96,6 +100,21 @@ class Stage(Owner):
         for prop in self.drawn(frame):
             prop.values(frame)
 
+    def seen_from(self, camera: Camera, path: CameraPath = REST) -> Stage:
+        """The same objects before another camera, for a view beside this one.
+
+        It shares all that is on the GPU with this stage, which must outlive it. Runners of several
+        views take turns; each has a cache of its own.
+        """
+        other = copy(self)
+        other._owns = False
+        other.scene = self.scene.seen_from(camera, path)
+        other.props = tuple(
+            prop.seen_as(replace(prop.item, scene=prop.scene.seen_from(camera, path)))
+            for prop in self.props
+        )
+        return other
+
     def load(self, spec: TextureSpec) -> GlTexture:
         """A texture, uploaded when first wanted.
 
@@ -110,6 +129,7 @@ class Stage(Owner):
         """Set the state a frame starts from, and clear colour and depth."""
         flags = moderngl.DEPTH_TEST | (moderngl.CULL_FACE if self.props[0].scene.cull else 0)
         self.gpu.ctx.enable_only(flags)
+        self.scene.engine.apply(self.gpu.ctx)
         self.targets.clear()
 
     def set_culling(self, prop: Prop) -> None:
@@ -119,7 +139,9 @@ class Stage(Owner):
             change(moderngl.CULL_FACE)
 
     def release(self) -> None:
-        """Free every GL object of the stage; its runners can draw no more."""
+        """Free every GL object of the stage; its runners can draw no more. Of a view: nothing."""
+        if not self._owns:
+            return
         self.programs.release_all()
         for mesh in self._meshes.values():
             mesh.release()

@@ -21,8 +21,10 @@ class Targets:
     Runners take turns, so they share colour and depth; a cache outlives the frame and is lent.
     """
 
-    def __init__(self, ctx: moderngl.Context, size: tuple[int, int], color: str) -> None:
-        """Make the colour and depth targets.
+    def __init__(
+        self, ctx: moderngl.Context, size: tuple[int, int], color: str, empty_depth: float = 1.0
+    ) -> None:
+        """Make the colour and depth targets; depth is cleared to ``empty_depth``.
 
         Raises:
             InputError: SC603 for an unknown colour format; GraphicsError: SC603 for a size that
@@ -34,6 +36,7 @@ class Targets:
         self.ctx = ctx
         self.size = size
         self.color_format = color
+        self._empty_depth = empty_depth
         self._framebuffers: dict[tuple[Any, ...], moderngl.Framebuffer] = {}
         self._idle: list[CachePair] = []
         self._pairs: list[CachePair] = []
@@ -55,8 +58,8 @@ class Targets:
         return self._mask
 
     def clear(self) -> None:
-        """Start a frame: colour (0, 0, 0, 0), depth 1."""
-        self._cleared.clear(0.0, 0.0, 0.0, 0.0, depth=1.0)
+        """Start a frame: colour (0, 0, 0, 0), depth empty."""
+        self._cleared.clear(0.0, 0.0, 0.0, 0.0, depth=self._empty_depth)
 
     def clear_color(self) -> None:
         """Clear the colour target and keep the depth."""
@@ -64,7 +67,7 @@ class Targets:
 
     def clear_mask(self) -> None:
         """Mark every pixel as uncovered."""
-        self.framebuffer((self.mask,), True).clear(0.0, 0.0, 0.0, 0.0, depth=1.0)
+        self.framebuffer((self.mask,), True).clear(0.0, 0.0, 0.0, 0.0, depth=self._empty_depth)
 
     def framebuffer(
         self, textures: tuple[moderngl.Texture, ...], depth_write: bool

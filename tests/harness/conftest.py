@@ -37,12 +37,23 @@ def torus(rings: int = 48, sides: int = 24) -> dict[str, np.ndarray]:
     }
 
 
+def bones(frames: int = 12) -> np.ndarray:
+    """Two bones: one at rest, one that swings about z; (frames, 2, 16), column by column."""
+    found = np.tile(np.eye(4), (frames, 2, 1, 1))
+    for frame in range(frames):
+        angle = 0.4 * np.sin(2.0 * np.pi * frame / frames)
+        turn = [[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]
+        found[frame, 1, :2, :2] = turn
+    return found.transpose(0, 1, 3, 2).reshape(frames, 2, 16).astype(np.float32)
+
+
 @pytest.fixture(scope="session")
 def scene_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A copy of the fixtures with the mesh made."""
     folder = tmp_path_factory.mktemp("torus")
     shutil.copytree(FIXTURES, folder, dirs_exist_ok=True)
     np.savez(folder / "torus.npz", **torus())
+    np.savez(folder / "objects" / "bones.npz", bones=bones())
     return folder
 
 

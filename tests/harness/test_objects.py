@@ -35,21 +35,9 @@ NODE = "main.0-7a71c60a"  # bands(v_position)
 SIZE = (96, 80)
 
 
-def bones(frames: int = 12) -> np.ndarray:
-    """Two bones: one at rest, one that swings about z; (frames, 2, 16), column by column."""
-    found = np.tile(np.eye(4), (frames, 2, 1, 1))
-    for frame in range(frames):
-        angle = 0.4 * np.sin(2.0 * np.pi * frame / frames)
-        turn = [[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]
-        found[frame, 1, :2, :2] = turn
-    return found.transpose(0, 1, 3, 2).reshape(frames, 2, 16).astype(np.float32)
-
-
 @pytest.fixture(scope="module")
 def folder(scene_folder: Path) -> Path:
-    made = scene_folder / "objects"
-    np.savez(made / "bones.npz", bones=bones())
-    return made
+    return scene_folder / "objects"
 
 
 @pytest.fixture(scope="module")

@@ -1,0 +1,80 @@
+"""Hit rates by frame of the scenes with several objects, with the options that change them.
+
+``python -m bench.hit_rates --size 1024 -o DIR`` prints a table and writes a plot each.
+Nothing is timed. Frames lie as far apart as they do in the scene; ``--frames`` shortens the path.
+"""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import dataclass
+from pathlib import Path
+
+from shadercache.cli.scenes import cache_options
+from shadercache.harness.context import open_context
+from shadercache.harness.curves import outcome_curve
+from shadercache.harness.files import write_bytes
+from shadercache.harness.measurement import Curve, MeasureOptions
+from shadercache.harness.plots import plot_curves
+from shadercache.harness.shaders import open_scene
+from shadercache.harness.stage import Stage
+from shadercache.harness.sweep import make_entry
+from shadercache.options import Options
+from shadercache.paths import data_path
+
+SCENES = ("heroine", "colonnade")
+CHOICES = ("ids=on", "ids=on,fallback=on", "ids=off")
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What is drawn: the edge of the picture, how many frames at most, and the refresh period."""
+
+    size: int
+    frames: int | None
+    period: int
+
+
+def curves_of(name: str, asked: Asked) -> dict[str, Curve]:
+    """A curve for each of ``CHOICES``, over the scene's whole path or its first frames."""
+    scene, analysis = open_scene(data_path("corpus", name, "scene.toml"))
+    (node,) = scene.nodes.values()
+    frames = min(scene.motion.frames, asked.frames or scene.motion.frames)
+    how = MeasureOptions((asked.size, asked.size), frames, period=asked.period)
+    found: dict[str, Curve] = {}
+    with open_context() as gpu, Stage(gpu, scene, how.size) as stage:
+        for choice in CHOICES:
+            options = Options(cache=cache_options(scene, [choice]))
+            entry = make_entry(analysis, choice, analysis.node(node), options, (2,))
+            curve = outcome_curve(stage, entry, how)
+            assert curve is not None
+            found[choice] = curve
+    return found
+
+
+def main() -> None:
+    """Print the table, write the plots."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--size", type=int, default=512)
+    parser.add_argument("--frames", type=int)
+    parser.add_argument("--period", type=int, default=32)
+    parser.add_argument("-o", "--output", type=Path, default=Path("out/hit-rates"))
+    given = parser.parse_args()
+    asked = Asked(given.size, given.frames, given.period)
+    for name in SCENES:
+        curves = curves_of(name, asked)
+        title = f"{name}, {asked.size} x {asked.size}"
+        write_bytes(
+            given.output / f"{name}-{asked.size}.png", plot_curves(title, curves, asked.period)
+        )
+        for choice, curve in curves.items():
+            worst = min(curve.hit[1:])
+            print(
+                f"{title}, {choice}: hits {curve.hit_rate:.1%} (worst frame {worst:.1%}), "
+                f"{curve.found_rate:.1%} of what was not due, burst {curve.burst:.1%}",
+                flush=True,
+            )
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,160 @@
+"""What an application sets beside its shaders: depth functions, polygon offset, clip space, jitter.
+
+The manifest names the passes' depth functions for an application that draws with ``less``; what
+they are for another is in :data:`FUNCTIONS` here and in ``depth_functions`` there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from ctypes import CFUNCTYPE, c_uint
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Literal, TypeAlias, get_args
+
+import moderngl
+import numpy as np
+from numpy.typing import NDArray
+
+from shadercache.diagnostics import Diagnostic, GraphicsError
+from shadercache.harness.toml_reader import Table
+
+DepthFunction: TypeAlias = Literal["less", "lequal", "greater", "gequal", "equal"]
+ClipSpace: TypeAlias = Literal["symmetric", "zero-to-one"]
+
+FUNCTIONS: Mapping[str, Mapping[str, str]] = {
+    "less": {"<": "<", "<=": "<=", "==": "=="},
+    "lequal": {"<": "<", "<=": "<=", "==": "=="},
+    "equal": {"<": "<", "<=": "<=", "==": "=="},
+    "greater": {"<": ">", "<=": ">=", "==": "=="},
+    "gequal": {"<": ">", "<=": ">=", "==": "=="},
+}
+"""An application's depth function -> a pass's, as the manifest says it -> the pass's there.
+
+``equal`` stands for an application that draws depth first: the variants do without that pass.
+"""
+
+ORIGINALS: Mapping[str, str] = {
+    "less": "<",
+    "lequal": "<=",
+    "equal": "==",
+    "greater": ">",
+    "gequal": ">=",
+}
+"""What the application itself draws with."""
+
+_LOWER_LEFT, _CLIP = 0x8CA1, {"symmetric": 0x935E, "zero-to-one": 0x935F}
+
+
+@dataclass(frozen=True, slots=True)
+class Engine:
+    """State of an application.
+
+    ``offset``: factor and units of the polygon offset. ``jitter``: the picture is shifted by less
+    than half a pixel, by another of so many places in each frame (0: it is not). ``told``: the
+    previous positions are those of this frame's jitter, so that jitter is no motion.
+    """
+
+    depth: DepthFunction = "less"
+    offset: tuple[float, float] = (0.0, 0.0)
+    clip: ClipSpace = "symmetric"
+    jitter: int = 0
+    told: bool = True
+
+    @property
+    def reversed(self) -> bool:
+        """Is what is near the greater depth?"""
+        return self.depth in ("greater", "gequal")
+
+    @property
+    def empty_depth(self) -> float:
+        """What depth is cleared to."""
+        return 0.0 if self.reversed else 1.0
+
+    def function(self, test: str) -> str:
+        """moderngl's depth function of a pass that the manifest gives this one."""
+        return FUNCTIONS[self.depth][test]
+
+    def projection(
+        self, matrix: NDArray[np.float64], shift: tuple[float, float]
+    ) -> NDArray[np.float64]:
+        """A projection (clip z from -w to w) as it is here, shifted by ``shift`` of the picture's
+        half width and height."""
+        made = matrix.copy()
+        if self.clip == "zero-to-one":
+            made[2] = 0.5 * (made[2] + made[3])
+            if self.reversed:
+                made[2] = made[3] - made[2]
+        elif self.reversed:
+            made[2] = -made[2]
+        if self.jitter:
+            made[0] += shift[0] * made[3]
+            made[1] += shift[1] * made[3]
+        return made
+
+    def shift(self, frame: int) -> tuple[float, float]:
+        """The jitter of a frame in pixels, each part within half a pixel of none."""
+        if not self.jitter:
+            return 0.0, 0.0
+        place = frame % self.jitter + 1
+        return _halton(place, 2) - 0.5, _halton(place, 3) - 0.5
+
+    def apply(self, ctx: moderngl.Context) -> None:
+        """Set what is not set with each draw.
+
+        Raises:
+            GraphicsError: SC605, the driver has no clip control.
+        """
+        ctx.polygon_offset = self.offset
+        control = _clip_control(ctx)
+        if control is not None:
+            control(_LOWER_LEFT, _CLIP[self.clip])
+        elif self.clip != "symmetric":
+            message = "this OpenGL has no glClipControl (4.5 has it)"
+            raise GraphicsError(Diagnostic("SC605", message))
+
+
+PLAIN = Engine()
+
+
+def read_engine(table: Table) -> Engine:
+    """``[engine]``; mistakes are noted in the table."""
+    pair = table.values.get("polygon_offset", [0.0, 0.0])
+    if table.has("polygon_offset") and not _is_pair(pair):
+        table.problem("SC505", "polygon_offset", "engine.polygon_offset must be factor and units")
+        pair = [0.0, 0.0]
+    depth = table.text("depth", "less", get_args(DepthFunction))
+    clip = table.text("clip", "symmetric", get_args(ClipSpace))
+    engine = Engine(
+        depth=next(known for known in get_args(DepthFunction) if known == depth),
+        offset=(float(pair[0]), float(pair[1])),
+        clip="zero-to-one" if clip == "zero-to-one" else "symmetric",
+        jitter=table.whole("jitter", 0, least=0),
+        told=table.boolean("jitter_told", True),
+    )
+    table.refuse_unknown()
+    return engine
+
+
+def _is_pair(value: object) -> bool:
+    return (
+        isinstance(value, list)
+        and len(value) == 2
+        and all(isinstance(number, int | float) for number in value)
+    )
+
+
+def _halton(index: int, base: int) -> float:
+    """The radical inverse: 1/2, 1/4, 3/4, ... for base 2."""
+    result, part = 0.0, 1.0 / base
+    while index:
+        result += part * (index % base)
+        index, part = index // base, part / base
+    return result
+
+
+@lru_cache(maxsize=4)
+def _clip_control(ctx: moderngl.Context) -> Callable[[int, int], None] | None:
+    """``glClipControl``, for which moderngl has no name."""
+    address = ctx.mglo._context.load("glClipControl")
+    return CFUNCTYPE(None, c_uint, c_uint)(address) if address else None

@@ -1,0 +1,118 @@
+"""Passes with nothing to do are left out, and the image stays the same, bit for bit."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from shadercache.compiler import Analysis, rewrite
+from shadercache.harness.bundle import Bundle
+from shadercache.harness.context import Gpu
+from shadercache.harness.idle import Idle
+from shadercache.harness.runner import RunOptions, VariantRunner, render_original
+from shadercache.harness.scene import Engine, Motion, Scene
+from shadercache.harness.shaders import open_scene
+from shadercache.harness.stage import Stage
+from shadercache.options import Options, read_cache_options
+
+pytestmark = pytest.mark.xdist_group("gl")
+
+SIZE = (96, 64)
+FOLDER = Path(__file__).parent / "fixtures" / "objects"
+
+
+@pytest.fixture(scope="module")
+def opened(scene_folder: Path) -> tuple[Scene, Analysis]:
+    """Two rings by one shader; the second moves from frame 4 to 5."""
+    scene, analysis = open_scene(scene_folder / "objects" / "scene.toml")
+    still, other = scene.objects[0], scene.objects[1]
+    jump = Motion((0.0, 1.0, 0.0), 0.0, 0.0, 9, (0.6, 0.0, 0.4), jumps=((5, (0.5, 0.1, 0.4)),))
+    rest = replace(
+        still, scene=_unchanging(still.scene, replace(jump, jumps=(), position=(0, 0, 0)))
+    )
+    leaps = replace(other, scene=_unchanging(other.scene, jump))
+    return replace(scene, camera_path=type(scene.camera_path)(), objects=(rest, leaps)), analysis
+
+
+def _unchanging(scene: Scene, motion: Motion) -> Scene:
+    constants = {**scene.constants, "u_tint": (1.0, 0.5, 0.2), "u_time": (0.0,)}
+    semantics = {name: word for name, word in scene.semantics.items() if name != "u_time"}
+    path = type(scene.camera_path)()
+    return replace(
+        scene,
+        motion=motion,
+        constants=constants,
+        semantics=semantics,
+        animated={},
+        camera_path=path,
+    )
+
+
+def bundle_of(analysis: Analysis, cached: str) -> Bundle:
+    node = analysis.node("main.0-7a71c60a")
+    options = Options("proof", "rgba32f", cache=read_cache_options([cached]))
+    emission = rewrite(analysis, node, options, unprofitable=True)
+    return Bundle(emission.manifest, emission.files)
+
+
+@pytest.mark.parametrize(("algorithm", "skipped"), [("1-pass", 0), ("2-pass", 2), ("3-pass", 2)])
+def test_passes_that_compute_rest_while_nothing_moves(
+    gpu: Gpu, opened: tuple[Scene, Analysis], algorithm: str, skipped: int
+) -> None:
+    scene, analysis = opened
+    bundle = bundle_of(analysis, "refresh=none,ids=on")
+    counts = []
+    with Stage(gpu, scene, SIZE, "rgba32f") as stage:
+        original = render_original(stage, bundle, range(10))
+        with VariantRunner(stage, bundle, algorithm) as runner:
+            for frame in range(10):
+                before = runner.skipped
+                image = runner.image(frame)
+                counts.append(runner.skipped - before)
+                if frame < 5:
+                    assert image.tobytes() == original[frame].tobytes()
+            runner.reset()
+            assert runner.image(9).tobytes() == original[9].tobytes()
+            assert runner.skipped == sum(counts), "a reset draws all"
+    # Frame 1 is the first like the one before, and counts; 5 moves, 6 counts again.
+    assert counts == [0, 0, *[skipped] * 3, 0, 0, *[skipped] * 3]
+
+
+def test_with_it_or_without_the_images_are_the_same(
+    gpu: Gpu, opened: tuple[Scene, Analysis], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    scene, analysis = opened
+    bundle = bundle_of(analysis, "refresh=none,ids=on")
+    runs = []
+    for skips in (True, False):
+        if not skips:
+            monkeypatch.setattr(Idle, "skips", lambda self, bound: False)
+        with (
+            Stage(gpu, scene, SIZE, "rgba32f") as stage,
+            VariantRunner(stage, bundle, "3-pass") as runner,
+        ):
+            runs.append([runner.image(frame).tobytes() for frame in range(10)])
+    assert runs[0] == runs[1]
+
+
+@pytest.mark.parametrize("jitter", [0, 4])
+def test_nothing_is_left_out_where_something_may_be_due(
+    gpu: Gpu, opened: tuple[Scene, Analysis], jitter: int
+) -> None:
+    """With refresh on purpose, and under jitter, which moves the picture."""
+    scene, analysis = opened
+    bundle = bundle_of(analysis, "refresh=none" if jitter else "refresh=random")
+    items = tuple(
+        replace(item, scene=replace(item.scene, engine=Engine(jitter=jitter)))
+        for item in scene.objects
+    )
+    made = replace(scene, engine=Engine(jitter=jitter), objects=items)
+    with (
+        Stage(gpu, made, SIZE, "rgba32f") as stage,
+        VariantRunner(stage, bundle, "2-pass", RunOptions(4)) as runner,
+    ):
+        for frame in range(5):
+            runner.draw(frame)
+        assert runner.skipped == 0
