@@ -47,6 +47,7 @@ from shadercache.ast.walk import walk
 from shadercache.diagnostics import Diagnostic, InputError, input_error
 from shadercache.emit import program_set
 from shadercache.emit.builder import FragmentProgram
+from shadercache.emit.depth_range import depth_warnings
 from shadercache.emit.layout import Layout, extras_of
 from shadercache.emit.printer import print_node
 from shadercache.front.options import ReadOptions
@@ -67,6 +68,9 @@ from shadercache.transform.unroll import unroll_loops
 
 _ES_WITH_PRIMITIVES = 320
 """The version of GLSL ES whose fragments know the number of their triangle."""
+
+USUAL_RANGE = (0.1, 100.0)
+"""Near and far plane where no scene is known."""
 
 __all__ = ["Analysis", "Emission", "analyse", "emit_original", "rewrite"]
 
@@ -169,7 +173,10 @@ def rewrite(
         analysis.full_screen,
         analysis.unchanged_for(*nodes),
     )
-    return Emission(programs.files, manifest, notes_on(nodes, analysis.fragment))
+    notes = notes_on(nodes, analysis.fragment)
+    if options.cache.depth == "ndc":  # of other depths it depends on the scene
+        notes += depth_warnings(options, *USUAL_RANGE)
+    return Emission(programs.files, manifest, notes)
 
 
 def emit_original(analysis: Analysis, mode: Mode = "plain") -> Emission:

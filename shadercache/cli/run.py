@@ -35,6 +35,7 @@ from shadercache.options import DEFAULT_EPSILON, CacheFormat, Options
 
 
 def command(
+    context: typer.Context,
     target: Annotated[
         str, typer.Argument(metavar="SCENE|FRAG", help="Scene, or a full-screen shader.")
     ],
@@ -89,6 +90,7 @@ def command(
 
     The hit map, and each further --view, shows in false colours what became of each pixel.
     """
+    from shadercache.emit.depth_range import depth_warnings
     from shadercache.harness.context import open_context
     from shadercache.harness.measure import measure
     from shadercache.harness.measurement import MeasureOptions
@@ -107,6 +109,7 @@ def command(
         fetches=fetches,
         cache=cache_options(scene, cache),
     )
+    context.obj.show(depth_warnings(options, scene.camera.near, scene.camera.far))
     entry = make_entry(analysis, label, chosen, options, (passes,), unprofitable=unprofitable)
     how = MeasureOptions(extent, frame + 1, period=every, block=edge, picture_frame=frame)
     replacement = replacement_mesh(scene, mesh)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from shadercache.diagnostics import Diagnostic, Severity
 from shadercache.emit.layout import precision_of
-from shadercache.options import CacheFormat, DepthKind
+from shadercache.options import CacheFormat, DepthKind, Options
 
 SCALE = 16.0
 """What 1/w is multiplied by where it is kept (``macros.glsl``)."""
@@ -44,3 +45,17 @@ def resolved_until(
         else:
             high = middle
     return low
+
+
+def depth_warnings(options: Options, near: float, far: float) -> tuple[Diagnostic, ...]:
+    """SC431 where the cache cannot tell depths apart in all of a perspective's range."""
+    depth, form = options.cache.depth, options.cache_format
+    until = resolved_until(depth, form, options.epsilon, near, far)
+    if until >= far:
+        return ()
+    message = (
+        f"depth={depth} in {form} is rounded by more than epsilon beyond w = {until:.3g}, and the "
+        f"scene reaches from {near:g} to {far:g}: what lies there is mostly computed anew"
+    )
+    hint = "take depth=inverse-w" if depth != "inverse-w" else "take --format rgba32f"
+    return (Diagnostic("SC431", message, hint=hint, severity=Severity.WARNING),)

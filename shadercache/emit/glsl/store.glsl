@@ -81,11 +81,13 @@ SC_TEXEL sc_texel_2() {
 #endif
 
 #if SC_GUARD_MISS
-// Can the cache not hold a value? Infinity is above the limit, and no comparison finds NaN.
+// Can the cache not hold a value? The bits are compared: they are in the order of the sizes, NaN lies
+// above infinity, and no driver can make less of them than they are.
 bool sc_unfit(vec4 values) {
-    vec4 sizes = abs(values);
-    return any(isnan(values)) || any(greaterThan(sizes, vec4(sc_limit)))
-            || any(lessThan(sizes, sc_least * vec4(notEqual(values, vec4(0.0)))));
+    uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
+    uint least = max(floatBitsToUint(sc_least), 1u) - 1u;
+    return any(greaterThan(sizes, uvec4(floatBitsToUint(sc_limit))))
+            || any(lessThan(sizes - 1u, uvec4(least)));
 }
 
 // Marks a texel that must not be read again: the next frame computes it anew, and so does this one.
@@ -104,7 +106,8 @@ void sc_guard() {
 #elif SC_GUARD_CLAMP
 // Values as near as the cache can hold them; nothing is near to NaN.
 vec4 sc_held(vec4 values) {
-    return mix(clamp(values, vec4(-sc_limit), vec4(sc_limit)), vec4(0.0), isnan(values));
+    bvec4 numbers = lessThanEqual(floatBitsToUint(values) & 0x7FFFFFFFu, uvec4(0x7F800000u));
+    return mix(vec4(0.0), clamp(values, vec4(-sc_limit), vec4(sc_limit)), numbers);
 }
 
 void sc_guard() {

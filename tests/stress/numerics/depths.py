@@ -96,9 +96,9 @@ def told(
 
 
 def drawn(planes: tuple[float, float], w: float) -> bool:
-    """Is what lies there before the far plane, as 32 bits have it? Else nothing is to be seen."""
-    a, b = np.float32(projection(*planes))
-    return bool(a * np.float32(w) + b < np.float32(w))
+    """Is what lies there before the far plane, as a depth buffer has it? Else nothing is drawn."""
+    a, b = projection(*planes)
+    return a + b / w < 1.0 - 2.0**-20
 
 
 def hits(made: Plane, cached: float, expected: float, now: float) -> bool:

@@ -124,8 +124,9 @@ vec4 sc_texel() {
 }
 
 bool sc_unfit(vec4 values) {
-    vec4 sizes = abs(values);
-    return any(isnan(values)) || any(greaterThan(sizes, vec4(sc_limit))) || any(lessThan(sizes, sc_least * vec4(notEqual(values, vec4(0.0)))));
+    uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
+    uint least = max(floatBitsToUint(sc_least), 1u) - 1u;
+    return any(greaterThan(sizes, uvec4(floatBitsToUint(sc_limit)))) || any(lessThan(sizes - 1u, uvec4(least)));
 }
 
 void sc_guard() {
