@@ -69,9 +69,10 @@ class PassRunner(Runner):
         self._draw_objects(frame)
 
     def _draw_objects(self, frame: int, depth_test: str | None = None) -> None:
+        viewport = self.stage.viewport(frame)
         for prop in self.stage.drawn(frame):
             values = prop.values(frame)
-            inputs = FrameInputs(values, values, object_numbers(prop))
+            inputs = FrameInputs(values, values, object_numbers(prop), viewport)
             self._passes[prop].draw(inputs, None, depth_test)
 
 
