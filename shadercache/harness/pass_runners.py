@@ -81,9 +81,8 @@ class OriginalRunner(PassRunner):
 
     def __init__(self, stage: Stage, bundle: Bundle) -> None:
         """Raises as ``BoundPass`` and, for other objects' shaders, ``Cast.bundle``."""
-        bundles = _bundles(stage, bundle)
-        super().__init__(stage, *(found.original for found in bundles))
         self._before: CoverageRunner | None = None
+        super().__init__(stage, *(found.original for found in _bundles(stage, bundle)))
         if stage.scene.engine.depth == "equal":
             self._before = CoverageRunner(stage, bundle)
 
