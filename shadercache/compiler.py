@@ -65,6 +65,9 @@ from shadercache.transform.split import split_declarations
 from shadercache.transform.unique_names import later_keywords, make_names_unique
 from shadercache.transform.unroll import unroll_loops
 
+_ES_WITH_PRIMITIVES = 320
+"""The version of GLSL ES whose fragments know the number of their triangle."""
+
 __all__ = ["Analysis", "Emission", "analyse", "emit_original", "rewrite"]
 
 
@@ -145,13 +148,14 @@ def rewrite(
     Raises :class:`InputError` with the refusal's code for any other refused node, SC402 without a
     vertex shader, SC407 where an algorithm that was asked for alone cannot be used for the node,
     SC408 where a name that has to stay is a keyword in proof mode, SC419 where levels of detail
-    cannot be asked for, SC430 where the cache has no room for what its options keep, SC415 to
-    SC417 for nodes that cannot be cached together.
+    cannot be asked for, SC430 where the cache has no room for what its options keep, SC440 where
+    there are no triangles to refresh by, SC415 to SC417 for nodes that cannot be cached together.
     """
     nodes = (node,) if isinstance(node, Candidate) else tuple(node)
     analysis.require_all(nodes, unprofitable)
     options = options or Options()
     _check_names(analysis, options.mode, options.fetches == "level")
+    _check_schedule(analysis, options.cache)
     _check_room(analysis, nodes, options.cache)
     programs = program_set.emit_programs(
         analysis.program, analysis.vertex_emitter, nodes, options, algorithms
@@ -204,13 +208,27 @@ def _check_names(analysis: Analysis, mode: Mode, queries: bool = False) -> None:
         raise InputError(problems)
 
 
+def _check_schedule(analysis: Analysis, options: CacheOptions) -> None:
+    """SC440: is there a surface, with triangles that have numbers, to refresh by?"""
+    if options.refresh != "surface":
+        return
+    fragment = analysis.program.module
+    if analysis.mapping != "surface":
+        message = "refresh=surface goes by triangles, and there is none but the whole picture"
+    elif fragment.profile == "es" and fragment.version < _ES_WITH_PRIMITIVES:
+        message = "refresh=surface needs gl_PrimitiveID, which GLSL ES has from 3.20 on"
+    else:
+        return
+    raise input_error("SC440", message, "take --cache refresh=stratified")
+
+
 def _check_room(analysis: Analysis, nodes: Sequence[Candidate], options: CacheOptions) -> None:
     """SC430: does what the options keep beside the payload fit into the two texels?"""
     if options.depth == "ndc" and marks_depths(options):
         message = (
             "the filter marks texels by the sign of their depth, which depths from -1 to 1 use"
         )
-        raise input_error("SC432", message, "take depth=inverse-w")
+        raise input_error("SC432", message, "take filter=bilinear or another depth")
     layout = Layout(tuple(node.type for node in nodes), extras=extras_of(options))
     if layout.fits:
         return

@@ -29,7 +29,7 @@ from shadercache.source import Source
 SCHEMA_VERSION = 1
 
 CLEAR = (0.0, 0.0, 0.0, -1.0)
-"""Of an empty cache texel: 1/w is positive wherever something is drawn, so -1 matches nothing."""
+"""Of an empty cache texel: depths are positive where something is drawn, so -1 matches nothing."""
 
 CLEAR_BITS = (0.0, 0.0, 0.0, 0.0)
 """Where texels are unsigned integers: a depth of zero matches nothing either."""
@@ -43,7 +43,7 @@ CLEAR_NDC = (0.0, 0.0, 0.0, 2.0)
 CLEAR_NDC_BITS = (0.0, 0.0, 0.0, float(0x40000000))
 """The same as an unsigned integer: the bits of 2."""
 
-_DEPTHS = {"inverse-w": "1/w", "ndc": "z/w", "linear": "w"}
+_DEPTHS = {"inverse-w": "16/w", "ndc": "z/w", "linear": "w"}
 
 _ALWAYS = ("previous-cache", "current-cache", "previous-cache-2", "current-cache-2", "epsilon")
 """Roles that are told whether or not a program of the variants at hand has them."""
@@ -68,8 +68,16 @@ FRAME_OF_TWO = (
 
 RESET = (
     "On the first frame, and whenever the last frame does not show the same scene (camera cut, "
-    "resize, new projection, reloaded shader): clear both caches to cache.clear.",
-    "Draw only the passes with on_reset true.",
+    "resize, new projection, reloaded shader, lost context): clear both caches to cache.clear. "
+    "After a resize or a lost context make them anew first, as large as the target.",
+    "Draw only the passes with on_reset true: what was stored is not looked up, and the image is "
+    "the original's.",
+    "Three passes may then be drawn as the one of two passes with on_reset true: image and cache "
+    "are the same, and the geometry is drawn once.",
+    "An object that the last frame did not show, or that jumps, is drawn so by itself; the caches "
+    "stay as they are.",
+    "A cut that is not told is drawn rightly up to what passes the hit test by chance, and costs "
+    "look-ups that find nothing.",
 )
 
 FULL_SCREEN = {"geometry": "full-screen triangle", "mode": "triangles", "vertices": 3}
@@ -280,6 +288,12 @@ def _pass(item: Pass) -> dict[str, Any]:
     }
 
 
+def _periods(layout: Layout, options: Options) -> str:
+    """The range of the period; half floats count no further than this without rounding."""
+    rough = options.cache.age and not layout.bits
+    return f"[1, {MOST_IN_HALF // 2}], with rgba32f [1, 65536)" if rough else "[1, 65536)"
+
+
 def _uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[str, Any]]:
     """Every uniform that the compiler adds, the twins of the user's apart."""
 
@@ -313,9 +327,10 @@ def _uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[str, A
             "period",
             "int",
             "period",
-            "frames between two refreshes of a pixel; 1 refreshes everything in every frame",
+            "frames between two refreshes of a pixel; 1 refreshes everything in every frame. "
+            "Variants that run beside each other may have different ones",
             "frames",
-            range="[1, 65536)",
+            range=_periods(layout, options),
             default=32,
         ),
         entry(
@@ -367,6 +382,14 @@ def _uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[str, A
             default=0,
         ),
         entry(
+            "reset",
+            "int",
+            "reset",
+            "1 in a frame that follows a reset, else 0: payloads then start with different ages",
+            range="0 or 1",
+            default=0,
+        ),
+        entry(
             "unit",
             "float",
             "unit",
@@ -387,7 +410,7 @@ def _uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[str, A
             for role, meaning, value in (
                 ("resolution", "how much of itself a depth is rounded by", held.resolution),
                 ("limit", "the largest payload that the cache holds", held.limit),
-                ("least", "the smallest above zero that it holds precisely", held.least),
+                ("least", "the smallest above zero that it surely holds", held.least),
             )
         ),
     ]

@@ -22,20 +22,22 @@ at its own pixel, or where a function of the user's says (docs/TRANSFORMATIONS.m
 PREVIOUS_CLIP, CURRENT_CLIP = "scPreviousClip", "scCurrentClip"
 """The user's functions that ``user`` calls; without the second the pixel's own place is taken."""
 
-RefreshSchedule: TypeAlias = Literal["random", "none"]
-"""Which pixels are recomputed on purpose in a frame: blocks whose hash is due, or none."""
+RefreshSchedule: TypeAlias = Literal["stratified", "random", "tiled", "surface", "none"]
+"""Which pixels are recomputed on purpose in a frame, each once in a period: blocks, of which each
+group of neighbours has one due in every frame; blocks by a hash; as many tiles as the period has
+frames, one after another; triangles by a hash of their number; none (docs/NUMERICS.md)."""
 
-FilterKind: TypeAlias = Literal["bilinear", "nearest", "bilateral", "lanczos2", "mitchell"]
+FilterKind: TypeAlias = Literal["bilateral", "bilinear", "nearest", "lanczos2", "mitchell"]
 """How payloads are resampled between texels."""
 
 DepthKind: TypeAlias = Literal["inverse-w", "ndc", "linear"]
-"""What is kept of the depth: 1/w, z/w or w of the clip-space position."""
+"""What is kept of the depth, of the clip-space position: 1/w (times 16), z/w or w."""
 
 ToleranceKind: TypeAlias = Literal["relative", "akeley-su", "fixed"]
 """What a cached depth may be off: a share of the depth, what the format's resolution and
 interpolation leave uncertain, or the same everywhere."""
 
-GuardKind: TypeAlias = Literal["off", "miss", "clamp"]
+GuardKind: TypeAlias = Literal["miss", "clamp", "off"]
 """What becomes of payloads that are not finite or do not fit: they are stored as any other, are
 never reused, or are brought into the format's range."""
 
@@ -55,7 +57,10 @@ class CacheOptions:
     """How a variant looks up, stores and refreshes payloads: one field for each slot (DESIGN §3).
 
     Each becomes a macro of the ``.glsl`` files (``emit/runtime.py``), so what is not chosen leaves
-    no text. ``refresh``: which pixels are recomputed on purpose.
+    no text.
+
+    Refresh: ``refresh`` says which pixels are recomputed on purpose; with ``age`` the payload's age
+    is kept beside it, and what is older than the period is recomputed as well.
 
     Hit test: ``depth`` is what is kept of it, ``tolerance`` what it may be off; with ``ids`` the
     number of the object is kept as well, and each object reuses only its own; with ``mask`` a
@@ -69,15 +74,16 @@ class CacheOptions:
     Storage: ``guard`` against values that are not finite or do not fit.
     """
 
-    refresh: RefreshSchedule = "random"
-    filter: FilterKind = "bilinear"
+    refresh: RefreshSchedule = "stratified"
+    age: bool = False
+    filter: FilterKind = "bilateral"
     fallback: bool = False
     magnification: bool = False
     depth: DepthKind = "inverse-w"
     tolerance: ToleranceKind = "relative"
     ids: bool = False
     mask: bool = False
-    guard: GuardKind = "off"
+    guard: GuardKind = "miss"
     viewport: bool = False
 
 

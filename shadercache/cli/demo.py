@@ -100,7 +100,7 @@ def _write_pictures(out: Path, scene: Scene, found: Measurement) -> None:
     from shadercache.harness.sheet import contact_sheet
 
     for shot in found.shots:
-        write_pictures(out / scene.name, shot)
+        write_pictures(out / scene.name, shot, ["all"])
     shots = {(shot.label, shot.algorithm): shot for shot in found.shots}
     rows = [_sheet_row(node, shots) for node in found.nodes]
     write_png(out / f"{scene.name}.png", contact_sheet(scene.title, rows))

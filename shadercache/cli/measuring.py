@@ -118,6 +118,7 @@ def summary(measurement: Measurement) -> str:
         f"block {options.block}; errors over covered pixels of frames "
         f"{options.first_compared + 1}-{options.frames}; clock: {measurement.clock}"
     )
+    lines += [f"note: {note}" for note in measurement.notes]
     return "\n".join(lines)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -10,11 +11,12 @@ if TYPE_CHECKING:
     from shadercache.harness.measurement import Shot
 
 
-def write_pictures(folder: Path, shot: Shot) -> list[Path]:
-    """Write original, cached, 10x difference and hit map as PNG; return their paths.
+def write_pictures(folder: Path, shot: Shot, views: Sequence[str] = ("hits",)) -> list[Path]:
+    """Write original, cached, 10x difference and the views as PNG; return their paths.
 
-    Raises :class:`UsageError` SC025 where the folder cannot be written.
+    Raises :class:`UsageError` SC025 where the folder cannot be written, SC442 for an unknown view.
     """
+    from shadercache.harness.debug_views import chosen_views, view_picture
     from shadercache.harness.pictures import difference_picture, write_png
 
     stem = f"{re.sub(r'[^A-Za-z0-9._-]+', '-', shot.label)}-{shot.algorithm}"
@@ -22,7 +24,7 @@ def write_pictures(folder: Path, shot: Shot) -> list[Path]:
         "original": shot.original,
         "cached": shot.cached,
         "difference": difference_picture(shot.original, shot.cached),
-        "hits": shot.outcomes,
+        **{name: view_picture(name, shot.probe) for name in chosen_views(views, shot.probe)},
     }
     paths: list[Path] = []
     for kind, picture in shown.items():

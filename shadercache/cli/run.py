@@ -70,6 +70,14 @@ def command(
     unroll: UnrollOption = False,
     fetches: FetchesOption = "whole",
     cache: CacheOption = None,
+    view: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME",
+            help="Debug view, oftener for several: hits, hit, refresh, clip, depth, id, poison, "
+            "age, or all.",
+        ),
+    ] = None,
     out: Annotated[
         Path,
         typer.Option(
@@ -77,7 +85,10 @@ def command(
         ),
     ] = Path("out/run"),
 ) -> None:
-    """Run a variant from a reset up to a frame; write original, cached, 10x difference, hit map."""
+    """Run a variant from a reset up to a frame; write original, cached, 10x difference, hit map.
+
+    The hit map, and each further --view, shows in false colours what became of each pixel.
+    """
     from shadercache.harness.context import open_context
     from shadercache.harness.measure import measure
     from shadercache.harness.measurement import MeasureOptions
@@ -104,5 +115,5 @@ def command(
     print(f"mapping: {analysis.mapping}")
     print(f"{summary(found)}\n\n{result_table(found, lambda item: item.label)}\n")
     for shot in found.shots:
-        for path in write_pictures(out, shot):
+        for path in write_pictures(out, shot, view or ["hits"]):
             print(path)

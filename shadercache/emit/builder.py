@@ -32,6 +32,10 @@ _LATE = ("passes/here_late", "passes/hit_late")
 """Passes that fragments without a payload go through, up to a discard at the end."""
 
 
+_BLIND = ("passes/miss", "passes/payload")
+"""Passes that store and look nothing up."""
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class FragmentProgram:
     """The user's fragment shader, checked and with unique names, and how to extend it.
@@ -156,7 +160,8 @@ class PassBuilder:
         prefix = self.program.prefix
         # ``main`` comes last: GLSL wants functions declared before they are called.
         names = ("refresh", "filters", "lookup", "wide", "store", template)
-        options = (self.layout, prefix, self.whole, self.program.located, self.cache)
+        looks = template not in _BLIND
+        options = (self.layout, prefix, self.whole, self.program.located, self.cache, looks)
         parts = [load_part(name, *options) for name in names]
         user = insert_clones(self.program.module, *clones)
         if template in _LATE and self.decides_loops:

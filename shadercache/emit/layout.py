@@ -2,14 +2,14 @@
 
 Three channels of the first texel and four of the second hold the payloads, one behind the other and
 each scalar by scalar in the order of a constructor's arguments; the first texel's last channel
-holds 1/w. What is made of floats
-alone lies in floats and is filtered. As soon as there is an integer or a boolean inside, all lies
-in 32-bit unsigned integers: bits of integers do not survive in float channels, whose NaNs a driver
-may change and whose smallest numbers it may flush to zero (GLSL 4.60 section 4.7.1)::
+holds the depth. What is made of floats alone lies in floats and is filtered. As soon as there is an
+integer or a boolean inside, all lies in 32-bit unsigned integers: bits of integers do not survive
+in float channels, whose NaNs a driver may change and whose smallest numbers it may flush to zero
+(GLSL 4.60 section 4.7.1)::
 
-    vec4                   (x, y, z, 1/w) (w)
-    vec2 and vec3          (x, y, x of the other, 1/w) (y, z)
-    struct { vec2 a; bool b; }    (bits of a.x, bits of a.y, b, bits of 1/w)
+    vec4                   (x, y, z, depth) (w)
+    vec2 and vec3          (x, y, x of the other, depth) (y, z)
+    struct { vec2 a; bool b; }    (bits of a.x, bits of a.y, b, bits of the depth)
 
 What a guard keeps beside the payloads (:class:`Extra`: an object's id) lies behind them, one
 channel each. It is never part of what is unpacked; the look-up asks for it by name.
@@ -23,7 +23,7 @@ from functools import cached_property
 from itertools import groupby
 
 from shadercache.analysis.candidates import FIRST_TEXEL, SECOND_TEXEL
-from shadercache.lang.types import INT, Type
+from shadercache.lang.types import FLOAT, INT, Type
 from shadercache.options import CacheFormat, CacheOptions
 
 _XYZW = "xyzw"
@@ -60,8 +60,9 @@ class Extra:
 class Precision:
     """What a channel of floats holds.
 
-    ``limit`` is the largest number, ``least`` the smallest above zero in full precision,
-    ``resolution`` how much of itself a number is rounded by.
+    ``limit`` is the largest number, ``least`` the smallest above zero that drivers may not make
+    zero of, ``resolution`` how much of itself a number is rounded by. Half floats below 2^-14 are
+    rounded, as the format is meant to: by 3e-8, and payloads that change their sign have such.
     """
 
     limit: float
@@ -70,7 +71,7 @@ class Precision:
 
 
 PRECISIONS = {
-    "16f": Precision(65504.0, 2.0**-14, 2.0**-11),
+    "16f": Precision(65504.0, 0.0, 2.0**-11),
     "32f": Precision((2.0 - 2.0**-23) * 2.0**127, 2.0**-126, 2.0**-24),
 }
 """By the end of a format's name; unsigned integers hold the bits of ``32f``."""
@@ -81,7 +82,7 @@ def precision_of(texel: str) -> Precision:
     return PRECISIONS["16f" if texel.endswith("16f") else "32f"]
 
 
-EXTRAS = {"ids": Extra("id", INT, "object")}
+EXTRAS = {"ids": Extra("id", INT, "object"), "age": Extra("age", FLOAT, "age")}
 """Option of :class:`CacheOptions` -> what it keeps beside the payloads."""
 
 MOST_IN_HALF = 2**11

@@ -22,7 +22,7 @@ from shadercache.transform.names import PREFIX
 
 OUTCOMES = {
     **{"hit": 1, "refresh": 2, "outside": 3, "depth": 4},
-    **{"id": 5, "poison": 6, "magnified": 7, "opted-out": 8},
+    **{"id": 5, "poison": 6, "magnified": 7, "opted-out": 8, "old": 9},
 }
 """What a look-up says, as the hit mask shows it (0: nothing is drawn there)."""
 
@@ -31,6 +31,7 @@ _OPTIONAL = {
     "poison": lambda options: options.guard == "miss",
     "magnified": lambda options: options.magnification,
     "opted-out": lambda options: options.mask,
+    "old": lambda options: options.age,
 }
 """Outcome -> do look-ups say so with these options? (The others always do.)"""
 
@@ -104,13 +105,14 @@ def load_part(
     whole: bool = False,
     located: Located = ON_SURFACE,
     options: CacheOptions = DEFAULT_CACHE,
+    looks: bool = True,
 ) -> tuple[n.Decl, ...]:
     """The declarations of one file, for payloads of this layout, with the given name prefix.
 
-    ``whole``: not every fragment has the payloads.
+    ``whole``: not every fragment has the payloads. ``looks``: is there a look-up in the pass?
     """
     macros = layout.macros(prefix, whole) | located.macros | _NUMBERS
-    macros |= option_macros(options)
+    macros |= option_macros(options) | {"LOOKS": str(int(looks))}
     macros |= {_word(key): str(value) for key, value in OUTCOMES.items()}
     # Names of the user's can stand in what a macro means; none begins with the prefix.
     capitals = prefix.upper()

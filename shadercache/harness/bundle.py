@@ -151,6 +151,22 @@ class Bundle:
         clear = tuple(tuple(map(float, _need(texture, "clear"))) for texture in textures)
         return CacheSpec(formats, clear, str(_need(cache, "filter")))
 
+    @property
+    def refreshes(self) -> bool:
+        """Is anything recomputed on purpose, so that a period of 1 means everything, always?"""
+        cache = self.options.cache
+        return cache.refresh != "none" or cache.age
+
+    @cached_property
+    def age_channel(self) -> int | None:
+        """The channel of a cache read back that holds the payload's age, if one does."""
+        cache = _need(self.manifest, "cache")
+        for start, texture in ((0, cache), (4, cache.get("second", {}))):
+            name = texture.get("channels", {}).get("extras", {}).get("age")
+            if name is not None:
+                return start + "xyzw".index(name)
+        return None
+
     @cached_property
     def roles(self) -> dict[str, str]:
         """Added uniform -> its role: previous-cache, current-cache, clock, period, ..."""

@@ -12,7 +12,8 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from shadercache.diagnostics import input_error
+from shadercache.diagnostics import input_error, usage_error
+from shadercache.harness.bundle import Bundle
 
 _KINDS = {"16f": "f2", "32f": "f4", "32ui": "u4"}
 _CHANNELS = {"r": 1, "rg": 2, "rgba": 4}
@@ -22,6 +23,9 @@ _FORMATS = {
     for channels in _CHANNELS
 }
 _FILTERS = {"linear": moderngl.LINEAR, "nearest": moderngl.NEAREST}
+
+MOST_IN_HALF = 1024
+"""Frames that ages in half floats count to: above it, one more frame may be rounded away."""
 
 Textures = tuple[moderngl.Texture, ...]
 
@@ -33,6 +37,15 @@ def as_precise_as(formats: Sequence[str], wanted: str | None) -> tuple[str, ...]
         form.rstrip("0123456789f") + kind if wanted and form.endswith("f") else form
         for form in formats
     )
+
+
+def check_period(bundle: Bundle, formats: Sequence[str], period: int) -> None:
+    """Can the ages in these textures count to the period? Raises UsageError SC441 where not."""
+    channel = bundle.age_channel
+    if channel is None or period <= MOST_IN_HALF or not formats[channel // 4].endswith("16f"):
+        return
+    message = f"ages in half floats count to {MOST_IN_HALF}, and the period is {period}"
+    raise usage_error("SC441", message, "take --format rgba32f")
 
 
 @dataclass(eq=False)

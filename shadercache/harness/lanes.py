@@ -10,6 +10,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from shadercache.harness.cache import MOST_IN_HALF
 from shadercache.harness.clock import Clock
 from shadercache.harness.image import ErrorSum, Pixels
 from shadercache.harness.measurement import Curve, Entry, MeasureOptions, NodeResult, VariantResult
@@ -135,6 +136,7 @@ class VariantLane:
         shares = {name: float(counts[value]) / covered for name, value in values.items()}
         self._outcomes.append(shares)
         self._hit_rates.append(shares.get("hit", 0.0))
+        self.runner.note_hits(frame, self._hit_rates[-1])
         self._work.append(self.runner.work(frame))
 
     def compare(self, reference: ReferenceLane) -> None:
@@ -180,7 +182,8 @@ class PartsLane:
         """Raises as ``VariantRunner``."""
         self.payload: dict[int, float] = {}
         self.hit: dict[int, float] = {}
-        run = RunOptions(NEVER, options.block, options.epsilon, options.cache_format)
+        never = NEVER if entry.bundle.age_channel is None else MOST_IN_HALF
+        run = RunOptions(never, options.block, options.epsilon, options.cache_format)
         have = entry.bundle.algorithms
         self._payload = PayloadRunner(stage, entry.bundle)
         self._hit = VariantRunner(stage, entry.bundle, "2-pass", run) if "2-pass" in have else None

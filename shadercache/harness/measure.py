@@ -15,6 +15,7 @@ from shadercache.diagnostics import usage_error
 from shadercache.harness.clock import Clock, no_collection, pick_clock
 from shadercache.harness.context import Gpu
 from shadercache.harness.curves import outcome_curve, skipped_of
+from shadercache.harness.debug_views import Probe
 from shadercache.harness.lanes import PartsLane, ReferenceLane, VariantLane
 from shadercache.harness.measurement import Entry, Group, Measurement, MeasureOptions, Shot
 from shadercache.harness.mesh import Mesh
@@ -55,6 +56,7 @@ def measure(
     groups: list[Group] = []
     shots: list[Shot] = []
     covered: list[float] = []
+    notes: dict[str, None] = {}
     batches = list(_batches(entries, options.group))
     with Stage(gpu, scene, options.size, mesh=mesh) as stage:
         for number, batch in enumerate(batches):
@@ -67,8 +69,11 @@ def measure(
                 run.release()
             shots += run.shots
             covered += run.covered
+            notes |= dict.fromkeys(run.notes)
     share = float(np.mean(covered)) if covered else 0.0
-    return Measurement(scene.name, options, clock.name, share, tuple(groups), tuple(shots))
+    return Measurement(
+        scene.name, options, clock.name, share, tuple(groups), tuple(shots), (*notes,)
+    )
 
 
 def _batches(entries: Sequence[Entry], most: int) -> Iterator[list[Entry]]:
@@ -164,9 +169,12 @@ class _GroupRun:
 
     def _shot(self, lane: VariantLane) -> Shot:
         cached = picture(lane.runner.stage.targets.pixels())
-        outcomes = hit_picture(lane.mask, lane.entry.bundle.mask_values)
+        probe = Probe(
+            lane.mask, lane.entry.bundle.mask_values, lane.runner.ages(), self._options.period
+        )
+        outcomes = hit_picture(lane.mask, probe.values)
         original = picture(self._reference.pixels)
-        return Shot(lane.entry.label, lane.runner.algorithm, original, cached, outcomes)
+        return Shot(lane.entry.label, lane.runner.algorithm, original, cached, outcomes, probe)
 
     @property
     def _few_frames(self) -> list[int]:
@@ -188,6 +196,11 @@ class _GroupRun:
             slowed = partial(reference.time_all_objects, self._clock)
             skipped = skipped_of(stage, self._few_frames, slowed)
         return Group(timing(original), geometry, tuple(nodes), skipped)
+
+    @property
+    def notes(self) -> list[str]:
+        """What the runs gave away."""
+        return [str(seen) for lane in self._lanes for seen in lane.runner.cuts.suspicions]
 
     def release(self) -> None:
         """Give everything back to the stage."""

@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from shadercache.harness.bundle import Bundle
+from shadercache.harness.debug_views import Probe
 from shadercache.harness.image import ErrorStats
 from shadercache.harness.pictures import Picture
 from shadercache.harness.stats import Ratio, Timing
@@ -81,13 +82,14 @@ class MeasureOptions:
 
 @dataclass(frozen=True, eq=False)
 class Shot:
-    """Pictures of one variant at one frame, row 0 at the top."""
+    """Pictures of one variant at one frame, row 0 at the top; ``probe`` is for further views."""
 
     label: str
     algorithm: str
     original: Picture
     cached: Picture
     outcomes: Picture
+    probe: Probe
 
 
 @dataclass(frozen=True, slots=True)
@@ -197,7 +199,8 @@ class Group:
 
 @dataclass(frozen=True, eq=False)
 class Measurement:
-    """The whole answer. ``covered``: mean share of the frame that the mesh covers."""
+    """The whole answer. ``covered``: mean share of the frame that the mesh covers; ``notes``: what
+    the runs gave away, such as cuts that were not told."""
 
     scene: str
     options: MeasureOptions
@@ -205,6 +208,7 @@ class Measurement:
     covered: float
     groups: tuple[Group, ...]
     shots: tuple[Shot, ...]
+    notes: tuple[str, ...] = ()
 
     @cached_property
     def nodes(self) -> tuple[NodeResult, ...]:

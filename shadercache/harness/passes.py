@@ -24,7 +24,7 @@ CACHE_ROLES = ("previous-cache", "current-cache", "previous-cache-2", "current-c
 CACHE_TARGETS = ("cache", "cache-2")
 NUMBER_ROLES = (
     *("clock", "period", "block", "epsilon", "object", "mask", "unit", "magnification"),
-    *("resolution", "limit", "least", "viewport", "previous-viewport"),
+    *("resolution", "limit", "least", "reset", "viewport", "previous-viewport"),
 )
 
 

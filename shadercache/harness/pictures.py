@@ -19,11 +19,18 @@ from shadercache.harness.image import Pixels
 Picture = NDArray[np.uint8]
 """(h, w, 3) with row 0 at the top."""
 
-OUTCOME_COLORS: Mapping[str, tuple[int, int, int]] = {
+Color = tuple[int, int, int]
+
+OUTCOME_COLORS: Mapping[str, Color] = {
     "hit": (38, 132, 148),
     "refresh": (240, 190, 70),
     "outside": (150, 90, 170),
     "depth": (214, 75, 60),
+    "id": (96, 176, 88),
+    "poison": (232, 232, 236),
+    "magnified": (70, 96, 200),
+    "opted-out": (150, 150, 156),
+    "old": (236, 130, 40),
 }
 """Colours of the hit map: told apart in grey and by most colour-blind people."""
 
@@ -32,8 +39,20 @@ OUTCOME_WORDS: Mapping[str, str] = {
     "refresh": "refresh: recomputed on purpose",
     "outside": "miss: was outside the picture",
     "depth": "miss: was hidden, or another surface",
+    "id": "miss: another object",
+    "poison": "miss: not finite, or out of range",
+    "magnified": "miss: has become too large",
+    "opted-out": "miss: by the draw's mask",
+    "old": "refresh: older than the period",
 }
 """The legend of the hit map."""
+
+
+def outcome_color(name: str, value: int) -> Color:
+    """The colour of an outcome; one that is not known has a colour by its number."""
+    if name in OUTCOME_COLORS:
+        return OUTCOME_COLORS[name]
+    return (60 + 67 * value % 180, 60 + 113 * value % 180, 60 + 31 * value % 180)
 
 
 def picture(pixels: Pixels) -> Picture:
@@ -59,7 +78,7 @@ def hit_picture(mask: NDArray[np.uint8], values: Mapping[str, int]) -> Picture:
     """
     colors = np.zeros((256, 3), np.uint8)
     for outcome, value in values.items():
-        colors[value] = OUTCOME_COLORS.get(outcome, (255, 255, 255))
+        colors[value] = outcome_color(outcome, value)
     return np.ascontiguousarray(colors[mask[::-1]])
 
 

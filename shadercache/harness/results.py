@@ -76,6 +76,7 @@ def to_json(measurement: Measurement, where: Mapping[str, Any]) -> dict[str, Any
         "scene": measurement.scene,
         "options": asdict(measurement.options),
         "covered": measurement.covered,
+        "notes": list(measurement.notes),
         "groups": [_plain(asdict(group)) for group in measurement.groups],
     }
 

@@ -14,9 +14,10 @@ from numpy.typing import NDArray
 from shadercache.diagnostics import DiagnosticError
 from shadercache.emit.layout import precision_of
 from shadercache.harness.bundle import Bundle, PassSpec
-from shadercache.harness.cache import CachePair, as_precise_as
+from shadercache.harness.cache import CachePair, as_precise_as, check_period
 from shadercache.harness.camera import Values
 from shadercache.harness.cast import algorithm_of
+from shadercache.harness.cuts import CutWatch, ResetReason
 from shadercache.harness.idle import Idle
 from shadercache.harness.pass_runners import (
     CoverageRunner,
@@ -111,19 +112,23 @@ class VariantRunner(Runner):
         """Compile the passes and take a pair of caches; the first frame is a reset frame.
 
         Raises:
-            UsageError: SC026 for an algorithm that the manifest lacks; InputError as ``BoundPass``
+            UsageError: SC026 for an algorithm that the manifest lacks, SC441 for a period that
+                the cache's ages cannot count to; InputError as ``BoundPass``
                 and, for other objects' shaders, ``Cast.bundle``.
         """
         super().__init__(stage)
         self.bundle = bundle
         self.algorithm = algorithm
         self.options = RunOptions() if options is None else options
+        self.resets: list[ResetReason] = []
+        self.cuts = CutWatch()
         self._roles: list[Role] = []
         formats = as_precise_as(bundle.cache.formats, self.options.cache_format)
         self._fixed_numbers = _fixed_numbers(stage.scene.camera, formats[0])
         self._caches = stage.targets.lend_cache(formats)
         self._holds_caches = True
         try:
+            check_period(bundle, formats, self.options.period)
             self._caches.set_filter(bundle.cache.filter)
             bundle.passes(algorithm)
             roles = [self._role(prop) for prop in stage.props]
@@ -147,8 +152,10 @@ class VariantRunner(Runner):
         """How many passes were not drawn, since they had nothing to do."""
         return self._idle.skipped
 
-    def reset(self) -> None:
-        """Forget everything (first frame, camera cut, resize): the next frame is a reset frame."""
+    def reset(self, reason: ResetReason = "first frame") -> None:
+        """Forget everything, and why: the next frame is a reset frame."""
+        self.resets.append(reason)
+        self.cuts.reset()
         self._caches.clear(self.bundle.cache.clear)
         for role in self._roles:
             role.before = None
@@ -158,8 +165,9 @@ class VariantRunner(Runner):
 
         At a cut of the scene's camera path the frame is a reset frame.
         """
-        if frame in self.stage.scene.camera_path.cuts and self.options.moving:
-            self.reset()
+        if self._is_cut(frame):
+            self.reset("cut")
+        self._watch(frame)
         self._begin()
         self._idle.begin(*self._to_show(frame))
         for bound, inputs, caches in self._turns(frame):
@@ -214,6 +222,11 @@ class VariantRunner(Runner):
         Channels of unsigned integers come as the floats of the same bits.
         """
         return self._caches.read_previous()
+
+    def ages(self) -> NDArray[np.float32] | None:
+        """How old what the last drawn frame stored is, in frames (h, w), where the cache says."""
+        channel = self.bundle.age_channel
+        return None if channel is None else self.cache()[..., channel]
 
     def restore(self, cache: NDArray[np.float32], frame: int) -> None:
         """Go on as if ``frame`` had been the last one drawn and had stored ``cache``."""
@@ -271,6 +284,22 @@ class VariantRunner(Runner):
                 if number < len(role.passes) and role.is_due(number):
                     yield role.passes[number], inputs, role.caches
 
+    def note_hits(self, frame: int, rate: float) -> None:
+        """Tell the run the share of hits of the frame that is about to be drawn: where it falls
+        without a cut of the scene, ``cuts`` has it."""
+        if not self._is_cut(frame):
+            self.cuts.hit(frame, rate)
+
+    def _is_cut(self, frame: int) -> bool:
+        return self.options.moving and frame in self.stage.scene.camera_path.cuts
+
+    def _watch(self, frame: int) -> None:
+        """Does what an object is seen from leap, though no reset was told?"""
+        for role in self._roles:
+            if role.caches is not None and role.before is not None:
+                before, now = role.prop.values(role.before), role.prop.values(self._shown(frame))
+                self.cuts.moved(frame, before, now, role.bundle.twins.values())
+
     def _begin(self) -> None:
         self.stage.begin()
         self._caches.clear_current(self.bundle.cache.clear)
@@ -302,6 +331,7 @@ class VariantRunner(Runner):
             "period": period,
             "block": item.block or options.block,
             "epsilon": epsilon,
+            "reset": role.before is None,
         }
         given = {name: np.array([value], np.float64) for name, value in numbers.items()}
         given |= object_numbers(role.prop)

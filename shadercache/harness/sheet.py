@@ -60,7 +60,7 @@ def contact_sheet(title: str, rows: Sequence[SheetRow], cell: int = 400) -> Pict
     for row in rows:
         _draw_row(sheet, draw, row, y, (cell, cell_height))
         y += row_height + _GAP
-    _draw_legend(draw, y)
+    _draw_legend(draw, rows, y)
     return np.asarray(sheet, np.uint8)
 
 
@@ -93,10 +93,16 @@ def _fitting(draw: ImageDraw.ImageDraw, text: str, room: float) -> str:
     return kept if kept == text else f"{kept} ..."
 
 
-def _draw_legend(draw: ImageDraw.ImageDraw, y: int) -> None:
+def _legend(rows: Sequence[SheetRow]) -> dict[str, str]:
+    """The outcomes that the rows' variants can have."""
+    possible = {name for row in rows for name in row.shot.probe.values}
+    return {name: words for name, words in OUTCOME_WORDS.items() if name in possible}
+
+
+def _draw_legend(draw: ImageDraw.ImageDraw, rows: Sequence[SheetRow], y: int) -> None:
     x = float(_MARGIN)
     font = _font(_TEXT)
-    for outcome, words in OUTCOME_WORDS.items():
+    for outcome, words in _legend(rows).items():
         draw.rectangle((x, y + 2, x + _TEXT, y + 2 + _TEXT), fill=OUTCOME_COLORS[outcome])
         x += _TEXT + 8
         draw.text((x, y), words, _INK, font)

@@ -40,7 +40,11 @@ PERIOD = 4
 
 MOVING = range(4)
 RESTING = range(5)
+AGEING = range(3 * PERIOD)
 ALWAYS = range(3)
+
+DEPTH = 3
+"""The channel of a cache that holds 1/w."""
 
 MAX_TIES = 1e-4
 """Share of pixels with depth ties above which a scene is reported (law 4)."""
@@ -76,7 +80,9 @@ class Verdict:
 
     ``node`` and what follows it is of all nodes, joined as :meth:`Bundle.node` does it.
     ``refused`` holds the algorithms that the compiler does not offer for the node, and why;
-    ``failure`` says why a variant could not be drawn at all, where one could not.
+    ``ages``: the greatest age in frames that a payload reached at a period of :data:`PERIOD`, where
+    the cache keeps ages. ``failure`` says why a variant could not be drawn at all, where one could
+    not.
     """
 
     node: str
@@ -87,6 +93,7 @@ class Verdict:
     resting: dict[str, Difference] = field(default_factory=dict)
     agreeing: dict[str, Difference] = field(default_factory=dict)
     plain: dict[str, Difference] = field(default_factory=dict)
+    ages: dict[str, float] = field(default_factory=dict)
     refused: dict[str, str] = field(default_factory=dict)
     failure: str = ""
 
@@ -95,12 +102,16 @@ class Verdict:
         """The laws that do not hold, as ``law 2 (1-pass)``; with a failure, that none does."""
         laws = (("law 2", self.always), ("law 3", self.resting), ("law 4", self.agreeing))
         failed = ["cannot be drawn"] if self.failure else []
-        return failed + [
-            f"{law} ({name})"
-            for law, found in laws
-            for name, difference in found.items()
-            if not difference.exact
-        ]
+        return (
+            failed
+            + [
+                f"{law} ({name})"
+                for law, found in laws
+                for name, difference in found.items()
+                if not difference.exact
+            ]
+            + [f"law 7 ({name})" for name, age in self.ages.items() if not age <= PERIOD]
+        )
 
     def to_json(self) -> dict[str, Any]:
         """Plain data, with the list of broken laws."""
@@ -177,7 +188,7 @@ class Verifier:
         return found
 
     def check(self, node: Candidate | Sequence[Candidate], plain: bool = True) -> Verdict:
-        """Laws 2 to 4 for one node in proof mode, and what plain mode changes if ``plain``.
+        """Laws 2 to 4 and 7 for one node in proof mode, and what plain mode changes if ``plain``.
 
         Several nodes are cached together; raises InputError where they cannot be. A variant that
         the driver turns down breaks the laws; it does not end the verifying.
@@ -209,7 +220,7 @@ class Verifier:
                 verdict.plain[name] = self._changed(shipped, name)
 
     def check_bundle(self, bundle: Bundle, verdict: Verdict) -> None:
-        """Laws 2 to 4 for a proof-mode bundle, into ``verdict``."""
+        """Laws 2 to 4 for a proof-mode bundle, and 7 where it keeps ages, into ``verdict``."""
         first: list[tuple[Image, Image]] = []
         for name in bundle.algorithms:
             verdict.always[name] = self._always(bundle, name)
@@ -217,6 +228,8 @@ class Verifier:
             run = self._reusing(bundle, name)
             first = first or run
             verdict.agreeing[name] = self._agreement(run, first)
+            if bundle.age_channel is not None:
+                verdict.ages[name] = self._oldest(bundle, name, bundle.age_channel)
 
     def close(self) -> None:
         """Free everything on the GPU."""
@@ -240,6 +253,8 @@ class Verifier:
         found = Difference()
         with VariantRunner(self.stage, bundle, name, RunOptions(period=1)) as runner:
             for frame in ALWAYS:
+                if not bundle.refreshes:
+                    runner.reset("cut")
                 image = runner.image(frame)
                 reference = self._moving["proof"][frame]
                 found = found.worst(difference(image, reference, self.covered[frame]))
@@ -251,7 +266,7 @@ class Verifier:
         found = Difference()
         with VariantRunner(self.stage, bundle, name, RunOptions(period=1)) as runner:
             for frame in ALWAYS:
-                runner.reset()
+                runner.reset("cut")
                 image = runner.image(frame)
                 reference = self._moving["plain"][frame]
                 found = found.worst(difference(image, reference, self.covered[frame]))
@@ -271,6 +286,16 @@ class Verifier:
         """Colour and cache of each frame of a short run in motion."""
         with VariantRunner(self.stage, bundle, name, RunOptions(period=PERIOD)) as runner:
             return [(runner.image(frame), runner.cache()) for frame in MOVING]
+
+    def _oldest(self, bundle: Bundle, name: str, channel: int) -> float:
+        """Law 7: the greatest age that is stored in a run in motion."""
+        with VariantRunner(self.stage, bundle, name, RunOptions(period=PERIOD)) as runner:
+            ages = []
+            for frame in AGEING:
+                runner.draw(frame)
+                cache = runner.cache()
+                ages.append(cache[..., channel][cache[..., DEPTH] > 0.0].max(initial=0.0))
+        return float(max(ages))
 
     def _agreement(
         self, run: list[tuple[Image, Image]], first: list[tuple[Image, Image]]

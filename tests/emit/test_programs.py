@@ -19,7 +19,7 @@ from shadercache.ast.walk import walk
 from shadercache.compiler import Analysis, Emission, analyse, rewrite
 from shadercache.diagnostics import InputError
 from shadercache.front.parse import parse
-from shadercache.options import Mode, Options
+from shadercache.options import CacheOptions, Mode, Options
 from shadercache.paths import data_path
 from shadercache.sema.check import check
 from shadercache.source import Source
@@ -159,7 +159,8 @@ def assert_nothing_unused(module: n.Module) -> None:
 def test_the_payload_pass_has_no_lighting_and_the_shading_pass_no_payload(
     analysis: Analysis,
 ) -> None:
-    files = rewrite(analysis, find(analysis, NODES["two-octaves"])).files
+    options = Options(cache=CacheOptions(guard="off"))
+    files = rewrite(analysis, find(analysis, NODES["two-octaves"]), options).files
     for word in ("u_tint", "v_normal", "light", "o_color", "u_map"):
         assert word not in files["3-pass.payload.frag"]
     assert files["3-pass.shade.frag"].count("noise(p * 4.0)") == 1
@@ -186,8 +187,34 @@ def test_no_derivative_behind_a_discard_or_in_the_branch(analysis: Analysis) -> 
                 does = table.of(stmt).does
                 implicit = bool(does & (Does.IMPLICIT_LOD | Does.DERIVATIVE))
                 assert not (implicit and discarded), name
-                assert not (implicit and isinstance(stmt, n.If)), name
+                if isinstance(stmt, n.If):
+                    branches = [stmt.then, *([stmt.other] if stmt.other else [])]
+                    inside = [table.of(branch).does for branch in branches]
+                    assert not any(item & (Does.IMPLICIT_LOD | Does.DERIVATIVE) for item in inside)
                 discarded = discarded or bool(does & Does.DISCARD)
+
+
+def test_the_look_up_takes_derivatives_ahead_of_its_exits(analysis: Analysis) -> None:
+    for emission in emissions(analysis).values():
+        module = module_of(emission, "hit-mask.frag")
+        table = EffectTable(module)
+        takes = [
+            bool(table.of(stmt).does & Does.DERIVATIVE)
+            for stmt in table.functions["sc_look_up"].body.body
+        ]
+        exits = [
+            any(isinstance(item, n.Return) for item in walk(stmt))
+            for stmt in table.functions["sc_look_up"].body.body
+        ]
+        assert any(takes)
+        assert not any(takes[exits.index(True) :])
+
+
+def test_a_guarded_payload_pass_shades_what_the_cache_cannot_hold(analysis: Analysis) -> None:
+    emission = rewrite(analysis, find(analysis, NODES["two-octaves"]))
+    passes = emission.manifest["variants"][2]["passes"]
+    assert [item["targets"] for item in passes] == [["cache"], ["color", "cache"], ["color"]]
+    assert "discard" in emission.files["3-pass.shade.frag"]
 
 
 def test_one_pass_fetches_ahead_of_its_branch(analysis: Analysis) -> None:

@@ -20,6 +20,7 @@ from shadercache.harness.runner import RunOptions, VariantRunner
 from shadercache.harness.scene import load_scene
 from shadercache.harness.shaders import open_scene
 from shadercache.harness.stage import Stage
+from shadercache.options import Options, read_cache_options
 from shadercache.paths import data_path
 from shadercache.source import Source
 
@@ -125,3 +126,16 @@ def test_same_bits_for_what_the_compiler_writes(gpu: Gpu, tmp_path: Path, name: 
             bundle = load_bundle(folder)
             for algorithm in bundle.algorithms:
                 assert agree(stage, bundle, folder, algorithm, None), (node.id, algorithm)
+
+
+@pytest.mark.parametrize(
+    "settings", ["age=on", "refresh=tiled,age=on", "refresh=surface", "refresh=none,age=on"]
+)
+def test_same_bits_for_other_ways_to_refresh(gpu: Gpu, tmp_path: Path, settings: str) -> None:
+    scene, analysis = open_scene(data_path("corpus", "trashcan", "scene.toml"))
+    node = next(node for node in analysis.nodes if node.offered)
+    write(rewrite(analysis, node, Options(cache=read_cache_options([settings]))), tmp_path)
+    bundle = load_bundle(tmp_path)
+    with Stage(gpu, scene, (64, 64), "rgba32f") as stage:
+        for algorithm in bundle.algorithms:
+            assert agree(stage, bundle, tmp_path, algorithm, None), algorithm

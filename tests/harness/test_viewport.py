@@ -96,7 +96,7 @@ def test_what_is_outside_of_the_viewport_is_left_alone(
         inside = np.zeros(image.shape[:2], bool)
         inside[bottom : bottom + height, left : left + width] = True
         assert image[inside].any() and not image[~inside].any()
-        assert (runner.cache()[~inside][:, 3] == -1.0).all()
+        assert (runner.cache()[~inside][:, 3] == bundle.cache.clear[0][3]).all()
 
 
 def hits(stage: Stage, bundle: Bundle, frames: int) -> list[float]:

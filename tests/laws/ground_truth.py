@@ -11,6 +11,7 @@ Arrays have row 0 at the bottom; pixel coordinates are those of ``gl_FragCoord``
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -164,7 +165,7 @@ class TrueFrame:
         values = getattr(self, what.removeprefix("v_"))
         if values.ndim == 2:
             values = np.repeat(values[..., None], 3, axis=-1)
-        texels = np.concatenate([values, (1.0 / self.w)[..., None]], axis=-1)
+        texels = np.concatenate([values, (16.0 / self.w)[..., None]], axis=-1)
         texels[~self.covered] = 0.0, 0.0, 0.0, -1.0
         return texels.astype(np.float32)
 
@@ -189,21 +190,38 @@ def project(matrix: Floats, points: Floats, size: tuple[int, int]) -> tuple[Floa
 
 
 def due(size: tuple[int, int], clock: int, period: int, block: int) -> Mask:
-    """Which pixels the refresh schedule renews (DESIGN section 3), (h, w), written anew.
+    """Which pixels the stratified refresh renews (docs/NUMERICS.md), (h, w), written anew.
 
-    A block's phase is a xorshift-multiply hash of its coordinates, scaled to [0, period).
+    Blocks are numbered along strips as high as the root of the period; each group of ``period``
+    neighbours takes every turn once, in an order shuffled by two rounds of swaps.
     """
-    x, y = np.meshgrid(np.arange(size[0]) // block, np.arange(size[1]) // block)
-    bits = 0xFFFFFFFF
-    mixed = (x.astype(np.uint64) * 1973 + y.astype(np.uint64) * 9277 + 26699) & bits
-    mixed ^= (mixed << 13) & bits
-    mixed ^= mixed >> 17
-    mixed ^= (mixed << 5) & bits
-    mixed = (mixed * 0x9E3779B9) & bits
-    mixed ^= mixed >> 15
-    phase = ((mixed >> 16) * period) >> 16
-    found: Mask = (phase + clock) % period == 0
+    across, up = (-(-side // block) for side in size)
+    x, y = np.meshgrid(np.arange(across), np.arange(up))
+    tall = math.isqrt(period)
+    bottom = y // tall * tall
+    number = bottom * across + x * np.minimum(tall, up - bottom) + y - bottom
+    group, turn = np.divmod(number.astype(np.uint64), np.uint64(period))
+    key = _mixed(group * 9277 + 26699)
+    for keys in (key, key * 0x85EBCA6B & _BITS):
+        other = (((keys >> 16) * period >> 16) + period - turn) % period
+        swaps = (keys + np.maximum(turn, other)) * 0x9E3779B9 >> 31 & 1
+        turn = np.where(swaps == 1, other, turn)
+    due = (turn + clock) % period == 0
+    found: Mask = np.kron(due, np.ones((block, block), bool))[: size[1], : size[0]]
     return found
+
+
+_BITS = 0xFFFFFFFF
+
+
+def _mixed(numbers: NDArray[np.uint64]) -> NDArray[np.uint64]:
+    """A hash of 32 bits: xorshift and a product."""
+    mixed = numbers & _BITS
+    mixed ^= (mixed << 13) & _BITS
+    mixed ^= mixed >> 17
+    mixed ^= (mixed << 5) & _BITS
+    mixed = (mixed * 0x9E3779B9) & _BITS
+    return mixed ^ (mixed >> 15)
 
 
 def taps(place: Floats, size: tuple[int, int]) -> Iterator[tuple[NDArray[np.intp], ...]]:

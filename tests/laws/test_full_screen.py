@@ -232,7 +232,7 @@ ASTRAY = {
         "hits are missing",
     ),
     "no hits": (replaced("return 1;", "return 4;"), "hits are missing"),
-    "depth not stored": (replaced("1.0 / sc_current.w", "1.0"), "hits are missing"),
+    "depth not stored": (replaced("16.0 / sc_current.w", "16.0"), "hits are missing"),
 }
 
 

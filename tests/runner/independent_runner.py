@@ -118,6 +118,7 @@ class IndependentRunner:
         self.ctx.enable_only(self.flags)
         defaults = {item["role"]: item["default"] for item in self.manifest["uniforms"]}
         numbers = defaults | {"clock": frame % period, "period": period, "block": block}
+        numbers["reset"] = int(on_reset)
         targets = {"color": self.color, **_named("cache", current)}
         caches = {**_named("previous-cache", previous), **_named("current-cache", current)}
         for item, (program, array) in self.passes:

@@ -1,11 +1,16 @@
-"""``./dev stress``: the front end on bad, odd and huge input, for as long as one likes.
+"""``./dev stress``: the numerical stress tests S1 to S20, and on request shaders nobody writes.
 
-First every written case, then real shaders that are damaged at random until the time is up. Real
-ones are those of the tests, and the public ones where ``./dev corpus`` has fetched them. Last,
-shaders that are generated: the laws on nodes of each, in batches that can be gone on with
-(``--resume`` with the same ``--seed``); what occurred is written to
-``bench/results/<machine>/generated.json`` when all are done. Exit status 1 if anything is wrong;
-``out/stress`` and ``out/generated`` then have the texts.
+The numerical tests are run in their long form and printed with what each demands and measured; all
+of them write ``bench/results/<machine>/stress-numerics.json``.
+
+``--shaders``: the front end on bad, odd and huge input, for as long as one likes. First every
+written case, then real shaders that are damaged at random until the time is up. Real ones are those
+of the tests, and the public ones where ``./dev corpus`` has fetched them. Last, shaders that are
+generated: the laws on nodes of each, in batches that can be gone on with (``--resume`` with the
+same ``--seed``); what occurred is written to ``bench/results/<machine>/generated.json`` when all
+are done. ``out/stress`` and ``out/generated`` then have the texts.
+
+Exit status 1 if anything is wrong.
 """
 
 from __future__ import annotations
@@ -23,6 +28,7 @@ from tests.generated.many import Record, batches, try_many
 from tests.generated.suite import Coverage
 
 from .cases import written_cases
+from .numerics.suite import run_numerics
 from .suite import ROOT, random_rounds, run_apart
 from .trial import Result
 
@@ -30,6 +36,9 @@ from .trial import Result
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run; returns the exit status."""
     parser = argparse.ArgumentParser(prog="./dev stress", description=__doc__)
+    parser.add_argument("names", nargs="*", metavar="S9", help="only these numerical tests")
+    parser.add_argument("--short", action="store_true", help="their short form, as ./dev test")
+    parser.add_argument("--shaders", action="store_true", help="damaged and generated ones instead")
     parser.add_argument("--seconds", type=float, default=300.0, help="for the random cases")
     parser.add_argument("--seed", type=int, default=int(time.time()), help="of the random cases")
     parser.add_argument("--only", metavar="TEXT", help="the written cases with TEXT in their name")
@@ -39,8 +48,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--resume", action="store_true", help="go on with --seed where it ended")
     parser.add_argument("--limit", type=int, metavar="N", help="at most so many batches now")
     parser.add_argument("-o", "--output", type=Path, default=ROOT / "out" / "stress")
-    parser.add_argument("--results", type=Path, metavar="DIR", help="for generated.json")
+    parser.add_argument("--results", type=Path, metavar="DIR", help="for results")
     options = parser.parse_args(arguments)
+    if not (options.shaders or options.only_generated or options.only is not None):
+        return run_numerics(options.names, not options.short, options.results)
     wrong = [] if options.only_generated else _cases(options)
     broken = 0 if options.only is not None else _generated(options)
     return int(bool(wrong or broken))

@@ -16,22 +16,9 @@ bool sc_same(uvec4 a, uvec4 b, uvec4 c, uvec4 d, uvec4 discrete) {
 }
 #endif
 
-// Four texels by their weights. What has no weight may hold anything.
+// Four texels by their weights.
 vec4 sc_weighted(vec4 a, vec4 b, vec4 c, vec4 d, vec4 weights) {
-    vec4 sum = vec4(0.0);
-    if (weights.x != 0.0) {
-        sum += weights.x * a;
-    }
-    if (weights.y != 0.0) {
-        sum += weights.y * b;
-    }
-    if (weights.z != 0.0) {
-        sum += weights.z * c;
-    }
-    if (weights.w != 0.0) {
-        sum += weights.w * d;
-    }
-    return sum;
+    return weights.x * a + weights.y * b + weights.z * c + weights.w * d;
 }
 
 #if SC_CUBIC

@@ -7,7 +7,7 @@ in vec4 sc_previous;  // clip-space position of the same surface point in the pr
 vec4 sc_current;  // clip-space position in this frame, by the user's function
 #endif
 
-uniform SC_SAMPLER sc_cache;    // what the previous frame stored: payload and 1/w
+uniform SC_SAMPLER sc_cache;    // what the previous frame stored: payload and depth
 #if SC_TARGETS == 2
 uniform SC_SAMPLER sc_cache_2;  // the rest of the payload
 #endif
@@ -17,6 +17,9 @@ uniform float sc_unit;           // 2 near far / (far - near), what 1/w is in de
 uniform float sc_magnification;  // how many times larger a surface may have become
 uniform int sc_object;           // number of the object that is drawn
 uniform int sc_mask;             // 1: the draw reuses nothing; 2: and nobody reuses it
+#if SC_AGE
+float sc_age = 0.0;  // frames since the payload was computed
+#endif
 
 uniform ivec4 sc_viewport;           // left, bottom, width and height of what is drawn into, in pixels
 uniform ivec4 sc_previous_viewport;  // the same of the previous frame
@@ -52,16 +55,18 @@ int sc_look_up(SC_OUT_TEXELS) {
 #if SC_TARGETS == 2
     texel_2 = texelFetch(sc_cache_2, own, 0);
 #endif
+#if !SC_AGE
     if (sc_due()) {
         return SC_REFRESH;
     }
+#endif
 #if SC_MASK
     if (sc_mask != 0) {
         return SC_OPTED_OUT;
     }
 #endif
     // A comparison with NaN is false and so a miss.
-    if (!(abs(SC_FLOAT(texel.w) - SC_DEPTH_OF_PIXEL) <= SC_TOLERANCE * SC_UNIT)) {
+    if (!(abs(SC_FLOAT(texel.w) - SC_DEPTH_OF_PIXEL) <= SC_TOLERANCE * (SC_UNIT))) {
         return SC_MISS_OF_ONE;
     }
 #if SC_IDS
@@ -69,7 +74,7 @@ int sc_look_up(SC_OUT_TEXELS) {
         return SC_ID;
     }
 #endif
-    return SC_HIT;
+    return SC_FOUND;
 }
 #else
 // Reprojection: where the surface point was, whether it was seen there, and what was stored.
@@ -137,9 +142,11 @@ int sc_look_up(SC_OUT_TEXELS) {
 #endif
 #endif
 #endif
+#if !SC_AGE
     if (sc_due()) {
         return SC_REFRESH;
     }
+#endif
 #if SC_MASK
     if (sc_mask != 0) {
         return SC_OPTED_OUT;
@@ -167,10 +174,11 @@ int sc_look_up(SC_OUT_TEXELS) {
         return SC_ID;
     }
 #endif
-    return SC_HIT;
+    return SC_FOUND;
 #else
 #if SC_ASIDE
-    // What each texel is off, where the surface slopes on as it does at the pixel.
+    // What each texel is off, where the surface slopes on as it does at the pixel. Along an edge those
+    // that fit are taken without the others, and what is made of them is marked.
     vec4 aside = SC_OFF(SC_DEPTHS) - slope.x * vec4(-part.x, 1.0 - part.x, -part.x, 1.0 - part.x)
             - slope.y * vec4(-part.y, -part.y, 1.0 - part.y, 1.0 - part.y);
     bvec4 moved = lessThan(SC_SIGNED_DEPTHS, vec4(0.0));
@@ -181,12 +189,18 @@ int sc_look_up(SC_OUT_TEXELS) {
     vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x)
             * vec4(1.0 - part.y, 1.0 - part.y, part.y, part.y);
     float blended = dot(weights, SC_DEPTHS);
-    bool agrees = abs(SC_OFF(blended)) <= SC_TOLERANCE
-            && all(lessThanEqual(abs(SC_OFF(SC_DEPTHS)), vec4(SC_ROUGHLY)));
 #if SC_IDS
-    agrees = agrees && SC_IDS_OF_FOUR == ivec4(sc_object);
+    bool near_enough = all(lessThanEqual(abs(SC_OFF(SC_DEPTHS)), vec4(SC_ROUGHLY)));
+    bool one_surface = near_enough && SC_IDS_OF_FOUR == ivec4(sc_object);
+#else
+    bool one_surface = all(lessThanEqual(abs(SC_OFF(SC_DEPTHS)), vec4(SC_ROUGHLY)));
 #endif
-    sc_moved = dot(weights, vec4(moved)) > 0.0;
+    bool agrees = one_surface && abs(SC_OFF(blended)) <= SC_TOLERANCE;
+    // A fold: one of its sides must not be taken for the other.
+    if (one_surface && !agrees) {
+        return SC_DEPTH;
+    }
+    bool marked = dot(weights, vec4(moved)) > 0.0;
 #endif
 #if SC_FILTER_BILATERAL
     if (!agrees) {
@@ -201,7 +215,7 @@ int sc_look_up(SC_OUT_TEXELS) {
 #if SC_TARGETS == 2
         texel_2 = SC_MERGED(SC_OF_FLOATS(SC_WEIGHTED(a_2, b_2, c_2, d_2)), a_2, SC_DISCRETE_2);
 #endif
-        sc_moved = true;
+        marked = true;
     }
 #elif SC_FALLS_BACK
     if (!agrees) {
@@ -215,12 +229,11 @@ int sc_look_up(SC_OUT_TEXELS) {
 #if SC_TARGETS == 2
         texel_2 = top ? (right ? d_2 : c_2) : (right ? b_2 : a_2);
 #endif
-        sc_moved = true;
-        return SC_HIT;
+        marked = true;
     }
 #else
-    // All depths are 1/w. The blended one must agree closely, each single one roughly: else a front
-    // and a back could blend to just the right depth. A comparison with NaN is false and so a miss.
+    // The blended depth must agree closely, each single one roughly: else a front and a back could
+    // blend to just the right depth. A comparison with NaN is false and so a miss.
     vec4 each = abs(SC_OFF(SC_DEPTHS));
     if (!(abs(SC_OFF(SC_FLOAT(texel.w))) <= SC_TOLERANCE
             && all(lessThanEqual(each, vec4(SC_ROUGHLY))))) {
@@ -246,7 +259,7 @@ int sc_look_up(SC_OUT_TEXELS) {
 #endif
 #if SC_CUBIC
     // Sixteen texels, where all of them show the surface; else the four will do.
-    if (part != vec2(0.0)) {
+    if (part != vec2(0.0) SC_AND_AGREES) {
         ivec4 columns = clamp(near.x + ivec4(-1, 0, 1, 2), ivec4(SC_FIRST_OF(x)), ivec4(last.x));
         ivec4 lines = clamp(near.y + ivec4(-1, 0, 1, 2), ivec4(SC_FIRST_OF(y)), ivec4(last.y));
         vec4 weights = sc_kernel(part.x);
@@ -268,7 +281,16 @@ int sc_look_up(SC_OUT_TEXELS) {
         }
     }
 #endif
+#if SC_ASIDE && SC_AGE
+    int outcome = SC_FOUND;
+    sc_moved = marked && outcome == SC_HIT;
+    return outcome;
+#elif SC_ASIDE
+    sc_moved = marked;
     return SC_HIT;
+#else
+    return SC_FOUND;
+#endif
 #endif
 }
 #endif

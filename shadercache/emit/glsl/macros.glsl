@@ -9,12 +9,12 @@
 // SC_LOCAL_2 (names of main's variables: two texels), SC_ID_IN(first, second) (an extra scalar of a
 // texel, from its two parts); set by emit/runtime.py: SC_SURFACE, SC_SCREEN
 // and SC_USER (one of them is 1: the mapping), SC_OWN_CURRENT (does the user say where the pixel is?),
-// and one for each choice of CacheOptions.
+// one for each choice of CacheOptions, and SC_LOOKS (does the pass look anything up?).
 
 // Is the pixel's own place the clip-space position in this frame?
 #define SC_PIXEL_IS_CURRENT (SC_SCREEN || SC_USER && !SC_OWN_CURRENT)
 
-// Depths. What is kept of them is linear in 1/w, or w itself; SC_DEPTH_OF_PIXEL is that of the pixel,
+// Depths. What is kept of them is 1/w (times 16), z/w or w; SC_DEPTH_OF_PIXEL is that of the pixel,
 // SC_EXPECTED that of its point in the previous frame, SC_UNIT what 1/w is in its units, and SC_OFF
 // how far a kept depth is from the expected one in these.
 #if SC_DEPTH_NDC
@@ -44,32 +44,35 @@
 #define SC_EXPECTED sc_previous.w
 #define SC_OFF(kept) (kept / sc_previous.w - 1.0)
 #else
+// Half floats are as precise as that from w = 2.4e-4 to 2.6e5; of 1/w only up to w = 1.6e4.
+#define SC_SCALE 16.0
+#define SC_INVERSE_SCALE 0.0625
 #if SC_PIXEL_IS_CURRENT
-#define SC_DEPTH_OF_PIXEL gl_FragCoord.w
+#define SC_DEPTH_OF_PIXEL SC_SCALE * gl_FragCoord.w
 #else
-#define SC_DEPTH_OF_PIXEL 1.0 / sc_current.w
+#define SC_DEPTH_OF_PIXEL SC_SCALE / sc_current.w
 #endif
 #if SC_SCREEN
-#define SC_UNIT gl_FragCoord.w
+#define SC_UNIT SC_SCALE * gl_FragCoord.w
 #else
-#define SC_UNIT 1.0 / sc_previous.w
+#define SC_UNIT SC_SCALE / sc_previous.w
 #endif
-#define SC_EXPECTED 1.0 / sc_previous.w
-#define SC_OFF(kept) (kept * sc_previous.w - 1.0)
+#define SC_EXPECTED SC_SCALE / sc_previous.w
+#define SC_OFF(kept) (SC_INVERSE_SCALE * sc_previous.w * kept - 1.0)
 #endif
 
 // What a kept depth may be off, in SC_UNIT: the depth at the very place, and that of a texel of a
-// filter. SC_RESOLUTION_LEFT is what rounding in the cache and the interpolation of positions leave.
+// filter.
 #if SC_TOLERANCE_AKELEY_SU
 #if SC_DEPTH_NDC && SC_SCREEN
-#define SC_TOLERANCE SC_INTERPOLATION + sc_resolution / (SC_UNIT)
+#define SC_TOLERANCE (SC_INTERPOLATION + sc_resolution / (SC_UNIT))
 #elif SC_DEPTH_NDC
-#define SC_TOLERANCE SC_INTERPOLATION + sc_resolution * abs(sc_previous.z) / sc_unit
+#define SC_TOLERANCE (SC_INTERPOLATION + sc_resolution * abs(sc_previous.z) / sc_unit)
 #else
-#define SC_TOLERANCE SC_INTERPOLATION + sc_resolution
+#define SC_TOLERANCE (SC_INTERPOLATION + sc_resolution)
 #endif
 #elif SC_TOLERANCE_FIXED
-#define SC_TOLERANCE sc_epsilon / (SC_UNIT)
+#define SC_TOLERANCE (sc_epsilon / (SC_UNIT))
 #else
 #define SC_TOLERANCE sc_epsilon
 #endif
@@ -86,6 +89,11 @@
 #define SC_FALLS_BACK (SC_FALLBACK && !SC_FILTER_NEAREST && !SC_FILTER_BILATERAL && !SC_ANY_DISCRETE)
 #define SC_ASIDE (SC_FILTER_BILATERAL || SC_FALLS_BACK)
 #define SC_SLOPED (SC_SINGLE || SC_ASIDE)
+#if SC_ASIDE
+#define SC_AND_AGREES && agrees
+#else
+#define SC_AND_AGREES
+#endif
 // Where filters make do with a part of their texels, what they make is marked by a negative depth.
 #define SC_SIGNED_DEPTHS vec4(SC_FLOAT(a.w), SC_FLOAT(b.w), SC_FLOAT(c.w), SC_FLOAT(d.w))
 #if SC_ASIDE
@@ -97,11 +105,16 @@
     ivec4(SC_ID_IN(a, a_2), SC_ID_IN(b, b_2), SC_ID_IN(c, c_2), SC_ID_IN(d, d_2))
 #if SC_GUARD_MISS
 #define SC_MISS_OF_ONE (texel.w == SC_POISON_DEPTH ? SC_POISON : SC_DEPTH)
-#define SC_MISS_OF_FOUR (a.w == SC_POISON_DEPTH || b.w == SC_POISON_DEPTH \
+#define SC_NONE_FITS (a.w == SC_POISON_DEPTH || b.w == SC_POISON_DEPTH \
     || c.w == SC_POISON_DEPTH || d.w == SC_POISON_DEPTH ? SC_POISON : SC_DEPTH)
 #else
 #define SC_MISS_OF_ONE SC_DEPTH
-#define SC_MISS_OF_FOUR SC_DEPTH
+#define SC_NONE_FITS SC_DEPTH
+#endif
+#if SC_IDS && SC_ASIDE
+#define SC_MISS_OF_FOUR (near_enough ? SC_ID : SC_NONE_FITS)
+#else
+#define SC_MISS_OF_FOUR SC_NONE_FITS
 #endif
 #define SC_WEIGHTED(a, b, c, d) \
     sc_weighted(SC_FLOATS(a), SC_FLOATS(b), SC_FLOATS(c), SC_FLOATS(d), weights)
@@ -173,6 +186,16 @@
 #define SC_EMPTY vec4(0.0, 0.0, 0.0, SC_NO_DEPTH)
 #endif
 
+// SC_FOUND is what a look-up says whose texels have passed: with ages (the mean of all that the
+// filter took) they may be too old yet.
+#if SC_AGE
+#define SC_AGING sc_stagger();
+#define SC_FOUND sc_judge(SC_AGE_IN(texel, texel_2))
+#else
+#define SC_AGING
+#define SC_FOUND SC_HIT
+#endif
+
 #if SC_TARGETS == 2
 #define SC_TEXELS SC_LOCAL_1, SC_LOCAL_2
 #define SC_DECLARE_TEXELS SC_TEXEL SC_LOCAL_1; SC_TEXEL SC_LOCAL_2
@@ -185,11 +208,18 @@
 #define SC_STORE_AGAIN sc_store = sc_texel()
 #endif
 
-// What is computed anew is guarded; what was reused has been, and filters keep to its range.
-#if SC_GUARD_OFF
-#define SC_STORE SC_STORE_AGAIN
+#if SC_BITS
+#define SC_POISONED uvec4(0u, 0u, 0u, SC_POISON_DEPTH)
 #else
-#define SC_STORE SC_STORE_AGAIN; sc_guard()
+#define SC_POISONED vec4(0.0, 0.0, 0.0, SC_POISON_DEPTH)
+#endif
+
+// What is computed anew is guarded; what was reused has been, and filters keep to its range. Only
+// passes that compute are drawn after a reset.
+#if SC_GUARD_OFF
+#define SC_STORE SC_AGING SC_STORE_AGAIN
+#else
+#define SC_STORE SC_AGING SC_STORE_AGAIN; sc_guard()
 #endif
 
 #if SC_TARGETS == 2

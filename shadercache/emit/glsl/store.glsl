@@ -1,6 +1,7 @@
-// What a pass writes into the cache: the payloads, padded to three channels, and 1/w; what does not
-// fit there goes to the second texture. Where not every fragment has a payload (SC_WHOLE) a texel may
-// be empty, which matches nothing; so does one that lacks one of several payloads (SC_MASKED).
+// What a pass writes into the cache: the payloads, padded to three channels, and the depth; what
+// does not fit there goes to the second texture. Where not every fragment has a payload (SC_WHOLE) a
+// texel may be empty, which matches nothing; so does one that lacks one of several payloads
+// (SC_MASKED).
 
 #if SC_SURFACE
 in vec4 sc_current;  // clip-space position in this frame
@@ -15,7 +16,25 @@ out SC_TEXEL sc_store_2;
 uniform int sc_object;   // number of the object that is drawn
 uniform int sc_mask;     // 1: the draw reuses nothing; 2: and nobody reuses it
 uniform float sc_limit;  // the largest value that the cache holds
-uniform float sc_least;  // the smallest one above zero that it holds in full precision
+uniform float sc_least;  // the smallest one above zero that it surely holds
+
+#if SC_AGE
+uniform int sc_reset;   // 1 in a frame that follows a reset, else 0
+uniform int sc_period;  // frames between two refreshes of a pixel
+uniform int sc_block;   // edge in pixels of the squares that are refreshed together
+float sc_age = 0.0;     // frames since the payload was computed
+
+// After a reset all payloads are new. They start with different ages, or all would be too old in the
+// same frame.
+void sc_stagger() {
+    if (sc_reset != 0) {
+        uvec2 block = uvec2(gl_FragCoord.xy / float(sc_block));
+        uint hashed = (block.x * 1973u + block.y * 9277u + 26699u) * 0x9E3779B9u;
+        hashed = (hashed ^ (hashed >> 15)) * 0x85EBCA6Bu;
+        sc_age = float(((hashed >> 16) * uint(sc_period)) >> 16);
+    }
+}
+#endif
 
 SC_DECLARE_PAYLOADS;
 #if SC_WHOLE
@@ -25,7 +44,7 @@ SC_DECLARE_VALID;       // is there a payload to store?
 bool sc_lacks = false;  // was a payload needed, and none there?
 bool sc_moved = false;  // is the payload not just that of this place?
 
-#if SC_ASIDE
+#if SC_ASIDE && SC_LOOKS
 #define SC_MARKED_DEPTH SC_MARKED(SC_KEPT_DEPTH)
 #else
 #define SC_MARKED_DEPTH SC_KEPT_DEPTH
@@ -76,7 +95,10 @@ void sc_guard() {
     unfit = unfit || sc_unfit(SC_FLOATS(SC_ONLY_FLOATS(sc_store_2, SC_DISCRETE_2)));
 #endif
     if (unfit && sc_store.w != SC_NO_DEPTH) {
-        sc_store.w = SC_POISON_DEPTH;
+        sc_store = SC_POISONED;
+#if SC_TARGETS == 2
+        sc_store_2 = SC_TEXEL(0);
+#endif
     }
 }
 #elif SC_GUARD_CLAMP

@@ -152,7 +152,7 @@ class Truth:
         """The cache as it would be if nothing had ever been reused."""
         numbers = np.repeat(self.body[..., None].astype(np.float64), 3, axis=-1)
         values = self.position if what == "v_position" else numbers
-        texels = np.concatenate([values, (1.0 / self.w)[..., None]], axis=-1)
+        texels = np.concatenate([values, (16.0 / self.w)[..., None]], axis=-1)
         texels[~self.covered] = 0.0, 0.0, 0.0, -1.0
         return texels.astype(np.float32)
 

@@ -4,11 +4,12 @@
 uniform int sc_clock;
 uniform int sc_period;
 uniform int sc_block;
+uniform sampler2D sc_cache;
 in vec4 sc_current;
 in vec4 sc_previous;
-uniform sampler2D sc_cache;
 uniform float sc_epsilon;
 vec3 sc_payload;
+bool sc_moved = false;
 layout(location = 1) out vec4 sc_store;
 bool sc_lacks = false;
 uniform sampler2D u_map;
@@ -34,8 +35,7 @@ void sc_shade() {
     o_color = vec4(albedo * light + texture(u_map, v_uv).rgb, 1.0);
 }
 
-uint sc_hash(uvec2 block) {
-    uint x = block.x * 1973u + block.y * 9277u + 26699u;
+uint sc_hash(uint x) {
     x ^= x << 13;
     x ^= x >> 17;
     x ^= x << 5;
@@ -43,17 +43,50 @@ uint sc_hash(uvec2 block) {
     return x ^ x >> 15;
 }
 
+uint sc_residue(uint hashed) {
+    return (hashed >> 16) * uint(sc_period) >> 16;
+}
+
+vec2 sc_blocks() {
+    return floor((vec2(textureSize(sc_cache, 0) + sc_block) - 0.5) / float(sc_block));
+}
+
+int sc_number(vec2 blocks, float tall) {
+    vec2 block = floor(gl_FragCoord.xy / float(sc_block));
+    float bottom = floor((block.y + 0.5) / tall) * tall;
+    float column = min(tall, blocks.y - bottom);
+    return int(bottom) * int(blocks.x) + int(block.x * column + block.y - bottom);
+}
+
+int sc_swap(int slot, uint key) {
+    int other = int(sc_residue(key)) - slot;
+    other += other < 0 ? sc_period : 0;
+    return ((key + uint(max(slot, other))) * 0x9E3779B9u & 0x80000000u) == 0u ? slot : other;
+}
+
+int sc_turn() {
+    int number = sc_number(sc_blocks(), floor(sqrt(float(sc_period)) + 0.01));
+    int group = int(float(number) / float(sc_period));
+    int slot = number - group * sc_period;
+    int rest = int(floor((float(slot) + 0.5) / float(sc_period)));
+    uint key = sc_hash(uint(group + rest) * 9277u + 26699u);
+    return sc_swap(sc_swap(slot - rest * sc_period, key), key * 0x85EBCA6Bu);
+}
+
 bool sc_due() {
-    uvec2 block = uvec2(gl_FragCoord.xy / float(sc_block));
-    int h = int((sc_hash(block) >> 16) * uint(sc_period) >> 16);
-    int phase = h + sc_clock;
+    int phase = sc_turn() + sc_clock;
     return phase == 0 || phase == sc_period;
+}
+
+vec4 sc_weighted(vec4 a, vec4 b, vec4 c, vec4 d, vec4 weights) {
+    return weights.x * a + weights.y * b + weights.z * c + weights.w * d;
 }
 
 int sc_look_up(out vec4 texel) {
     ivec2 last = textureSize(sc_cache, 0) - 1;
     vec2 motion = sc_previous.xy / sc_previous.w - sc_current.xy / sc_current.w;
     vec2 corner = gl_FragCoord.xy - 0.5 + 0.5 * vec2(last + 1) * motion;
+    vec2 slope = vec2(dFdx(16.0 / sc_previous.w), dFdy(16.0 / sc_previous.w)) / (16.0 / sc_previous.w);
     vec2 whole = floor(corner);
     vec2 part = corner - whole;
     ivec2 near = clamp(ivec2(whole), ivec2(0), last);
@@ -69,15 +102,33 @@ int sc_look_up(out vec4 texel) {
     if (!(sc_previous.w > 0.0 && all(greaterThanEqual(corner, vec2(0.0))) && all(lessThanEqual(corner, vec2(last))))) {
         return 3;
     }
-    vec4 each = abs(vec4(a.w, b.w, c.w, d.w) * sc_previous.w - 1.0);
-    if (!(abs(texel.w * sc_previous.w - 1.0) <= sc_epsilon && all(lessThanEqual(each, vec4(24.0 * sc_epsilon))))) {
+    vec4 aside = 0.0625 * sc_previous.w * abs(vec4(a.w, b.w, c.w, d.w)) - 1.0 - slope.x * vec4(-part.x, 1.0 - part.x, -part.x, 1.0 - part.x) - slope.y * vec4(-part.y, -part.y, 1.0 - part.y, 1.0 - part.y);
+    bvec4 moved = lessThan(vec4(a.w, b.w, c.w, d.w), vec4(0.0));
+    vec4 single = vec4(lessThanEqual(abs(aside), vec4(sc_epsilon))) * vec4(not(moved));
+    vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x) * vec4(1.0 - part.y, 1.0 - part.y, part.y, part.y);
+    float blended = dot(weights, abs(vec4(a.w, b.w, c.w, d.w)));
+    bool one_surface = all(lessThanEqual(abs(0.0625 * sc_previous.w * abs(vec4(a.w, b.w, c.w, d.w)) - 1.0), vec4(24.0 * sc_epsilon)));
+    bool agrees = one_surface && abs(0.0625 * sc_previous.w * blended - 1.0) <= sc_epsilon;
+    if (one_surface && !agrees) {
         return 4;
     }
+    bool marked = dot(weights, vec4(moved)) > 0.0;
+    if (!agrees) {
+        weights *= single;
+        float total = dot(weights, vec4(1.0));
+        if (!(total >= 0.25)) {
+            return a.w == 32768.0 || b.w == 32768.0 || c.w == 32768.0 || d.w == 32768.0 ? 6 : 4;
+        }
+        weights /= total;
+        texel = sc_weighted(a, b, c, d, weights);
+        marked = true;
+    }
+    sc_moved = marked;
     return 1;
 }
 
 vec4 sc_texel() {
-    return vec4(sc_payload, 1.0 / sc_current.w);
+    return vec4(sc_payload, sc_moved ? -(16.0 / sc_current.w) : 16.0 / sc_current.w);
 }
 
 void main() {

@@ -4,6 +4,8 @@
 in vec4 sc_current;
 vec3 sc_payload;
 layout(location = 1) out vec4 sc_store;
+uniform float sc_limit;
+uniform float sc_least;
 uniform sampler2D u_map;
 uniform vec3 u_tint;
 in vec3 v_position;
@@ -30,10 +32,23 @@ void sc_shade() {
 }
 
 vec4 sc_texel() {
-    return vec4(sc_payload, 1.0 / sc_current.w);
+    return vec4(sc_payload, 16.0 / sc_current.w);
+}
+
+bool sc_unfit(vec4 values) {
+    vec4 sizes = abs(values);
+    return any(isnan(values)) || any(greaterThan(sizes, vec4(sc_limit))) || any(lessThan(sizes, sc_least * vec4(notEqual(values, vec4(0.0)))));
+}
+
+void sc_guard() {
+    bool unfit = sc_unfit(sc_store);
+    if (unfit && sc_store.w != 0.0) {
+        sc_store = vec4(0.0, 0.0, 0.0, 32768.0);
+    }
 }
 
 void main() {
     sc_shade();
     sc_store = sc_texel();
+    sc_guard();
 }

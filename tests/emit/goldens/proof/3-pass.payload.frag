@@ -3,29 +3,57 @@
 
 invariant in vec4 sc_current;
 precise float sc_payload;
-layout(location = 0) precise out vec4 sc_store;
+layout(location = 1) precise out vec4 sc_store;
+uniform float sc_limit;
+uniform float sc_least;
+uniform sampler2D u_map;
+uniform vec3 u_tint;
 invariant in vec3 v_position;
+invariant in vec3 v_normal;
+invariant in vec2 v_uv;
+layout(location = 0) precise out vec4 o_color;
 
 float noise(vec3 p) {
     precise float sc_exact_1 = sin(p.x * 12.9) * sin(p.y * 78.2) * sin(p.z * 37.7);
     return sc_exact_1;
 }
 
-void sc_stone(vec3 p) {
+vec3 sc_stone(vec3 p) {
     precise vec3 sc_exact_1 = p * 2.0;
     sc_payload = noise(p) + 0.5 * noise(sc_exact_1);
+    precise vec3 sc_exact_2 = p * 4.0;
+    precise float octaves = sc_payload + 0.25 * noise(sc_exact_2);
+    precise vec4 grain = texture(u_map, p.xy);
+    precise vec3 sc_exact_3 = mix(vec3(0.2), vec3(0.9), octaves) * grain.rgb;
+    return sc_exact_3;
 }
 
-void sc_compute() {
-    sc_stone(v_position);
+void sc_shade() {
+    precise vec3 normal = normalize(v_normal);
+    precise vec3 albedo = sc_stone(v_position);
+    precise float light = max(dot(normal, u_tint), 0.0);
+    o_color = vec4(albedo * light + texture(u_map, v_uv).rgb, 1.0);
 }
 
 vec4 sc_texel() {
-    precise vec4 sc_exact_1 = vec4(sc_payload, 0.0, 0.0, 1.0 / sc_current.w);
+    precise vec4 sc_exact_1 = vec4(sc_payload, 0.0, 0.0, 16.0 / sc_current.w);
     return sc_exact_1;
 }
 
+bool sc_unfit(vec4 values) {
+    precise vec4 sizes = abs(values);
+    return any(isnan(values)) || any(greaterThan(sizes, vec4(sc_limit))) || any(lessThan(sizes, sc_least * vec4(notEqual(values, vec4(0.0)))));
+}
+
+void sc_guard() {
+    bool unfit = sc_unfit(sc_store);
+    if (unfit && sc_store.w != 0.0) {
+        sc_store = vec4(0.0, 0.0, 0.0, 32768.0);
+    }
+}
+
 void main() {
-    sc_compute();
+    sc_shade();
     sc_store = sc_texel();
+    sc_guard();
 }

@@ -6,6 +6,8 @@ float sc_payload_1;
 vec3 sc_payload_2;
 layout(location = 1) out vec4 sc_store;
 layout(location = 2) out vec4 sc_store_2;
+uniform float sc_limit;
+uniform float sc_least;
 uniform sampler2D u_map;
 uniform vec3 u_tint;
 in vec3 v_position;
@@ -33,15 +35,30 @@ void sc_shade() {
 }
 
 vec4 sc_texel() {
-    return vec4(sc_payload_1, sc_payload_2.xy, 1.0 / sc_current.w);
+    return vec4(sc_payload_1, sc_payload_2.xy, 16.0 / sc_current.w);
 }
 
 vec4 sc_texel_2() {
     return vec4(sc_payload_2.z, 0.0, 0.0, 0.0);
 }
 
+bool sc_unfit(vec4 values) {
+    vec4 sizes = abs(values);
+    return any(isnan(values)) || any(greaterThan(sizes, vec4(sc_limit))) || any(lessThan(sizes, sc_least * vec4(notEqual(values, vec4(0.0)))));
+}
+
+void sc_guard() {
+    bool unfit = sc_unfit(sc_store);
+    unfit = unfit || sc_unfit(sc_store_2);
+    if (unfit && sc_store.w != 0.0) {
+        sc_store = vec4(0.0, 0.0, 0.0, 32768.0);
+        sc_store_2 = vec4(0);
+    }
+}
+
 void main() {
     sc_shade();
     sc_store = sc_texel();
     sc_store_2 = sc_texel_2();
+    sc_guard();
 }

@@ -6,6 +6,8 @@
 
 float sc_payload;
 layout(location = 1) out vec4 sc_store;
+uniform float sc_limit;
+uniform float sc_least;
 uniform vec3 iResolution;
 uniform float iTime;
 uniform sampler2D iChannel0;
@@ -54,10 +56,23 @@ void sc_shade() {
 }
 
 vec4 sc_texel() {
-    return vec4(sc_payload, 0.0, 0.0, gl_FragCoord.w);
+    return vec4(sc_payload, 0.0, 0.0, 16.0 * gl_FragCoord.w);
+}
+
+bool sc_unfit(vec4 values) {
+    vec4 sizes = abs(values);
+    return any(isnan(values)) || any(greaterThan(sizes, vec4(sc_limit))) || any(lessThan(sizes, sc_least * vec4(notEqual(values, vec4(0.0)))));
+}
+
+void sc_guard() {
+    bool unfit = sc_unfit(sc_store);
+    if (unfit && sc_store.w != 0.0) {
+        sc_store = vec4(0.0, 0.0, 0.0, 32768.0);
+    }
 }
 
 void main() {
     sc_shade();
     sc_store = sc_texel();
+    sc_guard();
 }

@@ -10,10 +10,10 @@ uniform int sc_block;
 uniform sampler2D sc_cache;
 uniform float sc_epsilon;
 float sc_payload;
+bool sc_moved = false;
 layout(location = 0) out vec4 sc_store;
 
-uint sc_hash(uvec2 block) {
-    uint x = block.x * 1973u + block.y * 9277u + 26699u;
+uint sc_hash(uint x) {
     x ^= x << 13;
     x ^= x >> 17;
     x ^= x << 5;
@@ -21,10 +21,38 @@ uint sc_hash(uvec2 block) {
     return x ^ x >> 15;
 }
 
+uint sc_residue(uint hashed) {
+    return (hashed >> 16) * uint(sc_period) >> 16;
+}
+
+vec2 sc_blocks() {
+    return floor((vec2(textureSize(sc_cache, 0) + sc_block) - 0.5) / float(sc_block));
+}
+
+int sc_number(vec2 blocks, float tall) {
+    vec2 block = floor(gl_FragCoord.xy / float(sc_block));
+    float bottom = floor((block.y + 0.5) / tall) * tall;
+    float column = min(tall, blocks.y - bottom);
+    return int(bottom) * int(blocks.x) + int(block.x * column + block.y - bottom);
+}
+
+int sc_swap(int slot, uint key) {
+    int other = int(sc_residue(key)) - slot;
+    other += other < 0 ? sc_period : 0;
+    return ((key + uint(max(slot, other))) * 0x9E3779B9u & 0x80000000u) == 0u ? slot : other;
+}
+
+int sc_turn() {
+    int number = sc_number(sc_blocks(), floor(sqrt(float(sc_period)) + 0.01));
+    int group = int(float(number) / float(sc_period));
+    int slot = number - group * sc_period;
+    int rest = int(floor((float(slot) + 0.5) / float(sc_period)));
+    uint key = sc_hash(uint(group + rest) * 9277u + 26699u);
+    return sc_swap(sc_swap(slot - rest * sc_period, key), key * 0x85EBCA6Bu);
+}
+
 bool sc_due() {
-    uvec2 block = uvec2(gl_FragCoord.xy / float(sc_block));
-    int h = int((sc_hash(block) >> 16) * uint(sc_period) >> 16);
-    int phase = h + sc_clock;
+    int phase = sc_turn() + sc_clock;
     return phase == 0 || phase == sc_period;
 }
 
@@ -34,14 +62,14 @@ int sc_look_up(out vec4 texel) {
     if (sc_due()) {
         return 2;
     }
-    if (!(abs(texel.w - gl_FragCoord.w) <= sc_epsilon * gl_FragCoord.w)) {
-        return 4;
+    if (!(abs(texel.w - 16.0 * gl_FragCoord.w) <= sc_epsilon * (16.0 * gl_FragCoord.w))) {
+        return texel.w == 32768.0 ? 6 : 4;
     }
     return 1;
 }
 
 vec4 sc_texel() {
-    return vec4(sc_payload, 0.0, 0.0, gl_FragCoord.w);
+    return vec4(sc_payload, 0.0, 0.0, sc_moved ? -(16.0 * gl_FragCoord.w) : 16.0 * gl_FragCoord.w);
 }
 
 void main() {

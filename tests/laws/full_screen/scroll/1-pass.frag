@@ -8,7 +8,10 @@ uniform highp int sc_block;
 uniform highp sampler2D sc_cache;
 uniform highp float sc_epsilon;
 highp float sc_payload;
+bool sc_moved = false;
 layout(location = 1) out highp vec4 sc_store;
+uniform highp float sc_limit;
+uniform highp float sc_least;
 
 // A flat pattern that scrolls to the left: only where it was is said, not where the pixel is.
 uniform highp vec2 u_resolution;
@@ -38,8 +41,7 @@ void sc_shade() {
     o_color = vec4(vec3(0.5 + 0.3 * sc_payload), 1.0);
 }
 
-highp uint sc_hash(highp uvec2 block) {
-    highp uint x = block.x * 1973u + block.y * 9277u + 26699u;
+highp uint sc_hash(highp uint x) {
     x ^= x << 13;
     x ^= x >> 17;
     x ^= x << 5;
@@ -47,11 +49,43 @@ highp uint sc_hash(highp uvec2 block) {
     return x ^ x >> 15;
 }
 
+highp uint sc_residue(highp uint hashed) {
+    return (hashed >> 16) * uint(sc_period) >> 16;
+}
+
+highp vec2 sc_blocks() {
+    return floor((vec2(textureSize(sc_cache, 0) + sc_block) - 0.5) / float(sc_block));
+}
+
+highp int sc_number(highp vec2 blocks, highp float tall) {
+    highp vec2 block = floor(gl_FragCoord.xy / float(sc_block));
+    highp float bottom = floor((block.y + 0.5) / tall) * tall;
+    highp float column = min(tall, blocks.y - bottom);
+    return int(bottom) * int(blocks.x) + int(block.x * column + block.y - bottom);
+}
+
+highp int sc_swap(highp int slot, highp uint key) {
+    highp int other = int(sc_residue(key)) - slot;
+    other += other < 0 ? sc_period : 0;
+    return ((key + uint(max(slot, other))) * 0x9E3779B9u & 0x80000000u) == 0u ? slot : other;
+}
+
+highp int sc_turn() {
+    highp int number = sc_number(sc_blocks(), floor(sqrt(float(sc_period)) + 0.01));
+    highp int group = int(float(number) / float(sc_period));
+    highp int slot = number - group * sc_period;
+    highp int rest = int(floor((float(slot) + 0.5) / float(sc_period)));
+    highp uint key = sc_hash(uint(group + rest) * 9277u + 26699u);
+    return sc_swap(sc_swap(slot - rest * sc_period, key), key * 0x85EBCA6Bu);
+}
+
 bool sc_due() {
-    highp uvec2 block = uvec2(gl_FragCoord.xy / float(sc_block));
-    highp int h = int((sc_hash(block) >> 16) * uint(sc_period) >> 16);
-    highp int phase = h + sc_clock;
+    highp int phase = sc_turn() + sc_clock;
     return phase == 0 || phase == sc_period;
+}
+
+highp vec4 sc_weighted(highp vec4 a, highp vec4 b, highp vec4 c, highp vec4 d, highp vec4 weights) {
+    return weights.x * a + weights.y * b + weights.z * c + weights.w * d;
 }
 
 highp int sc_look_up(out highp vec4 texel) {
@@ -62,6 +96,7 @@ highp int sc_look_up(out highp vec4 texel) {
         motion = vec2(0.0);
     }
     highp vec2 corner = gl_FragCoord.xy - 0.5 + 0.5 * vec2(last + 1) * motion;
+    highp vec2 slope = vec2(dFdx(16.0 / sc_previous.w), dFdy(16.0 / sc_previous.w)) / (16.0 / sc_previous.w);
     highp vec2 whole = floor(corner);
     highp vec2 part = corner - whole;
     highp ivec2 near = clamp(ivec2(whole), ivec2(0), last);
@@ -77,15 +112,45 @@ highp int sc_look_up(out highp vec4 texel) {
     if (!(sc_previous.w > 0.0 && all(greaterThanEqual(corner, vec2(0.0))) && all(lessThanEqual(corner, vec2(last))))) {
         return 3;
     }
-    highp vec4 each = abs(vec4(a.w, b.w, c.w, d.w) * sc_previous.w - 1.0);
-    if (!(abs(texel.w * sc_previous.w - 1.0) <= sc_epsilon && all(lessThanEqual(each, vec4(24.0 * sc_epsilon))))) {
+    highp vec4 aside = 0.0625 * sc_previous.w * abs(vec4(a.w, b.w, c.w, d.w)) - 1.0 - slope.x * vec4(-part.x, 1.0 - part.x, -part.x, 1.0 - part.x) - slope.y * vec4(-part.y, -part.y, 1.0 - part.y, 1.0 - part.y);
+    bvec4 moved = lessThan(vec4(a.w, b.w, c.w, d.w), vec4(0.0));
+    highp vec4 single = vec4(lessThanEqual(abs(aside), vec4(sc_epsilon))) * vec4(not(moved));
+    highp vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x) * vec4(1.0 - part.y, 1.0 - part.y, part.y, part.y);
+    highp float blended = dot(weights, abs(vec4(a.w, b.w, c.w, d.w)));
+    bool one_surface = all(lessThanEqual(abs(0.0625 * sc_previous.w * abs(vec4(a.w, b.w, c.w, d.w)) - 1.0), vec4(24.0 * sc_epsilon)));
+    bool agrees = one_surface && abs(0.0625 * sc_previous.w * blended - 1.0) <= sc_epsilon;
+    if (one_surface && !agrees) {
         return 4;
     }
+    bool marked = dot(weights, vec4(moved)) > 0.0;
+    if (!agrees) {
+        weights *= single;
+        highp float total = dot(weights, vec4(1.0));
+        if (!(total >= 0.25)) {
+            return a.w == 32768.0 || b.w == 32768.0 || c.w == 32768.0 || d.w == 32768.0 ? 6 : 4;
+        }
+        weights /= total;
+        texel = sc_weighted(a, b, c, d, weights);
+        marked = true;
+    }
+    sc_moved = marked;
     return 1;
 }
 
 highp vec4 sc_texel() {
-    return vec4(sc_payload, 0.0, 0.0, gl_FragCoord.w);
+    return vec4(sc_payload, 0.0, 0.0, sc_moved ? -(16.0 * gl_FragCoord.w) : 16.0 * gl_FragCoord.w);
+}
+
+bool sc_unfit(highp vec4 values) {
+    highp vec4 sizes = abs(values);
+    return any(isnan(values)) || any(greaterThan(sizes, vec4(sc_limit))) || any(lessThan(sizes, sc_least * vec4(notEqual(values, vec4(0.0)))));
+}
+
+void sc_guard() {
+    bool unfit = sc_unfit(sc_store);
+    if (unfit && sc_store.w != 0.0) {
+        sc_store = vec4(0.0, 0.0, 0.0, 32768.0);
+    }
 }
 
 void main() {
@@ -97,4 +162,5 @@ void main() {
     }
     sc_shade();
     sc_store = sc_texel();
+    sc_guard();
 }

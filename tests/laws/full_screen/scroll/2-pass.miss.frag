@@ -4,6 +4,8 @@
 precision mediump float;
 highp float sc_payload;
 layout(location = 1) out highp vec4 sc_store;
+uniform highp float sc_limit;
+uniform highp float sc_least;
 
 // A flat pattern that scrolls to the left: only where it was is said, not where the pixel is.
 uniform highp vec2 u_resolution;
@@ -26,10 +28,23 @@ void sc_shade() {
 }
 
 highp vec4 sc_texel() {
-    return vec4(sc_payload, 0.0, 0.0, gl_FragCoord.w);
+    return vec4(sc_payload, 0.0, 0.0, 16.0 * gl_FragCoord.w);
+}
+
+bool sc_unfit(highp vec4 values) {
+    highp vec4 sizes = abs(values);
+    return any(isnan(values)) || any(greaterThan(sizes, vec4(sc_limit))) || any(lessThan(sizes, sc_least * vec4(notEqual(values, vec4(0.0)))));
+}
+
+void sc_guard() {
+    bool unfit = sc_unfit(sc_store);
+    if (unfit && sc_store.w != 0.0) {
+        sc_store = vec4(0.0, 0.0, 0.0, 32768.0);
+    }
 }
 
 void main() {
     sc_shade();
     sc_store = sc_texel();
+    sc_guard();
 }

@@ -1,0 +1,85 @@
+"""A picture that moves with constant velocity: how old what is reused is, how much is renewed."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shadercache.compiler import rewrite
+from shadercache.harness.bundle import Bundle
+from shadercache.harness.context import Gpu
+from shadercache.harness.runner import RunOptions, VariantRunner
+from shadercache.harness.shaders import open_scene
+from shadercache.harness.stage import Stage
+from shadercache.options import CacheOptions, Options
+
+SHADER = Path(__file__).parent / "shaders" / "pan.frag"
+NODE = "vec3(u_frame, gl_FragCoord.xy) * 1.0"
+
+
+@dataclass(frozen=True)
+class Ages:
+    """What a run told. ``mean`` age in frames over all pixels and frames, ``worst`` of any pixel,
+    ``over``: share of pixels that are older than the period; ``refreshed``: share of the pixels
+    that are refreshed in each frame, ``missed``: share that is not found."""
+
+    mean: float
+    worst: float
+    over: float
+    refreshed: tuple[float, ...]
+    missed: float
+
+
+@contextmanager
+def pan(
+    gpu: Gpu,
+    velocity: tuple[float, float],
+    cache: CacheOptions,
+    how: RunOptions,
+    size: tuple[int, int] = (128, 128),
+) -> Iterator[VariantRunner]:
+    """The picture, with a runner of its two-pass variant in RGBA32F."""
+    scene, analysis = open_scene(SHADER, mapping="user")
+    scene = dataclasses.replace(scene, constants={**scene.constants, "u_velocity": velocity})
+    node = next(node for node in analysis.nodes if node.text == NODE)
+    options = Options(cache_format="rgba32f", cache=cache)
+    found = rewrite(analysis, node, options, (2,), unprofitable=True)
+    bundle = Bundle(found.manifest, found.files)
+    with (
+        Stage(gpu, scene, size, "rgba32f") as stage,
+        VariantRunner(stage, bundle, "2-pass", how) as runner,
+    ):
+        yield runner
+
+
+def ages(runner: VariantRunner, frames: int, warm: int | None = None) -> Ages:
+    """Run for so many frames; those after ``warm`` (else three periods) count."""
+    period = runner.options.period
+    start = 3 * period if warm is None else warm
+    values = runner.bundle.mask_values
+    on_purpose = [values[name] for name in ("refresh", "old") if name in values]
+    seen: list[NDArray[np.float32]] = []
+    refreshed: list[float] = []
+    missed: list[float] = []
+    for frame in range(start + frames):
+        if frame >= start:
+            mask = runner.hit_mask(frame)
+            refreshed.append(float(np.isin(mask, on_purpose).mean()))
+            missed.append(float(1.0 - refreshed[-1] - (mask == values["hit"]).mean()))
+        image = runner.image(frame)
+        if frame >= start:
+            seen.append(frame - image[..., 0])
+    every = np.stack(seen)
+    return Ages(
+        float(every.mean()),
+        float(every.max()),
+        float((every > period + 1e-3).mean()),
+        tuple(refreshed),
+        float(np.mean(missed)),
+    )

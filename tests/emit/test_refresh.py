@@ -1,0 +1,101 @@
+"""Refresh schedules and ages in the emitted text: what is chosen, what is refused."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from jsonschema import Draft202012Validator
+from shaders import analysed, find
+
+import shadercache
+from shadercache.compiler import Analysis, Emission, analyse, rewrite
+from shadercache.diagnostics import InputError
+from shadercache.options import CacheOptions, Options, read_cache_options
+from shadercache.source import Source
+
+BODY = """
+    vec3 albedo = sin(v_position * 12.9) * sin(v_position.yzx * 78.2);
+    o_color = vec4(albedo * dot(normalize(v_normal), u_tint), 1.0);
+"""
+NODE = "sin(v_position * 12.9) * sin(v_position.yzx * 78.2)"
+
+
+@pytest.fixture(scope="module")
+def analysis() -> Analysis:
+    return analysed(BODY)
+
+
+def emitted(analysis: Analysis, settings: str) -> Emission:
+    cache = read_cache_options([settings] if settings else [])
+    return rewrite(analysis, find(analysis, NODE), Options(cache=cache), unprofitable=True)
+
+
+def test_only_what_is_chosen_is_there(analysis: Analysis) -> None:
+    names = {
+        "refresh=stratified": {"sc_swap", "sc_number", "sc_clock", "sc_period", "sc_block"},
+        "refresh=random": {"sc_clock", "sc_period", "sc_block"},
+        "refresh=tiled": {"sc_number", "sc_clock", "sc_period", "sc_block"},
+        "refresh=surface": {"gl_PrimitiveID", "sc_clock", "sc_period"},
+        "refresh=none": set(),
+        "refresh=none,age=on": {"sc_period", "sc_age"},
+    }
+    every = set().union(*names.values(), {"sc_reset"})
+    for settings, wanted in names.items():
+        text = emitted(analysis, settings).files["2-pass.hit.frag"]
+        assert {name for name in every if name in text} == wanted, settings
+
+
+def test_ages_lie_behind_the_payload(analysis: Analysis) -> None:
+    emission = emitted(analysis, "age=on")
+    assert emission.manifest["cache"]["second"]["channels"] == {"extras": {"age": "x"}}
+    assert "sc_age" not in emission.files["3-pass.shade.frag"]
+    assert "sc_reset" in emission.files["3-pass.payload.frag"]
+    path = Path(shadercache.__file__).with_name("manifest.schema.json")
+    Draft202012Validator(json.loads(path.read_text(encoding="utf-8"))).validate(emission.manifest)
+    roles = {entry["role"]: entry for entry in emission.manifest["uniforms"]}
+    assert roles["period"]["range"] == "[1, 1024], with rgba32f [1, 65536)"
+
+
+def test_there_must_be_triangles_to_go_by(analysis: Analysis) -> None:
+    text = "#version 330\nout vec4 o; void main() { o = sin(gl_FragCoord * 3.0) * 2.0; }"
+    screen = analyse(Source("flat.frag", text), mapping="screen")
+    chosen = Options(cache=CacheOptions(refresh="surface"))
+    node = next(node for node in screen.nodes if node.text == "sin(gl_FragCoord * 3.0)")
+    with pytest.raises(InputError, match="none but the whole picture"):
+        rewrite(screen, node, chosen, unprofitable=True)
+    old = Source("old.frag", _es("in vec3 v; out vec4 o; void main() { o.x = sin(v.x); }"))
+    vertex = Source(
+        "old.vert", _es("in vec3 a; out vec3 v; void main() { gl_Position.xyz = v = a; }")
+    )
+    mobile = analyse(old, vertex)
+    with pytest.raises(InputError, match="GLSL ES"):
+        rewrite(mobile, find(mobile, "sin(v.x)"), chosen, unprofitable=True)
+    rewrite(
+        mobile, find(mobile, "sin(v.x)"), replace(chosen, cache=CacheOptions()), unprofitable=True
+    )
+
+
+def _es(text: str) -> str:
+    return f"#version 300 es\nprecision highp float;\n{text}"
+
+
+def test_ages_need_a_channel() -> None:
+    body = """
+    mat2 a = mat2(v_position.xy, v_position.yz) * 2.0;
+    o_color = vec4(a[0] * a[1], 0.0, 1.0);
+"""
+    four = analysed(body)
+    node = find(four, "mat2(v_position.xy, v_position.yz) * 2.0")
+    rewrite(four, node, Options(cache=CacheOptions(age=True)), unprofitable=True)
+    seven = analysed(
+        "mat2 a = mat2(v_position.xy, v_position.yz) * 2.0; vec3 b = v_normal * 3.0;"
+        "o_color = vec4(a[0] * a[1], b.xy + b.z);"
+    )
+    nodes = [
+        find(seven, text) for text in ("mat2(v_position.xy, v_position.yz) * 2.0", "v_normal * 3.0")
+    ]
+    with pytest.raises(InputError, match="no channel left for the age"):
+        rewrite(seven, nodes, Options(cache=CacheOptions(age=True)), unprofitable=True)

@@ -1,0 +1,42 @@
+"""S4 and S18: depth formats and encodings, from 1e-3 to 1e5."""
+
+from __future__ import annotations
+
+import os
+
+import pytest
+
+from shadercache.harness.context import Gpu
+from shadercache.options import CacheFormat, DepthKind
+
+from .depths import DEPTHS, FORMATS, RANGES, told
+
+pytestmark = pytest.mark.xdist_group("gl")
+
+DEEP = os.environ.get("SHADERCACHE_STRESS") == "deep"
+STEPS = 40 if DEEP else 6
+
+
+@pytest.mark.parametrize("planes", RANGES, ids=str)
+@pytest.mark.parametrize("form", FORMATS)
+def test_the_default_is_never_fooled(
+    gpu: Gpu, form: CacheFormat, planes: tuple[float, float]
+) -> None:
+    found = told(gpu, form, "inverse-w", "relative", planes, STEPS)
+    assert found.hits == 0
+    assert found.asked > STEPS // 2
+    assert found.resting == found.moving == 0
+
+
+@pytest.mark.parametrize("planes", RANGES if DEEP else RANGES[1:2], ids=str)
+@pytest.mark.parametrize("depth", DEPTHS)
+@pytest.mark.parametrize("form", FORMATS)
+def test_twice_the_least_separation_is_told_apart(
+    gpu: Gpu, form: CacheFormat, depth: DepthKind, planes: tuple[float, float]
+) -> None:
+    assert told(gpu, form, depth, "akeley-su", planes, STEPS).hits == 0
+
+
+def test_less_than_the_tolerance_is_not(gpu: Gpu) -> None:
+    """What the others say would mean nothing else."""
+    assert told(gpu, "rgba32f", "inverse-w", "relative", (0.1, 100.0), 4, apart=0.5).hits == 8

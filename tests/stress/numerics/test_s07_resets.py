@@ -1,0 +1,175 @@
+"""S7: after a reset a frame is the original's; and a cut that was not told is noticed."""
+
+from __future__ import annotations
+
+import dataclasses
+from functools import partial
+
+import numpy as np
+import pytest
+
+from shadercache.harness.clock import pick_clock
+from shadercache.harness.context import Gpu
+from shadercache.harness.cuts import REASONS, ResetReason
+from shadercache.harness.motion import CameraPath, Key
+from shadercache.harness.runner import OriginalRunner, RunOptions, VariantRunner
+from shadercache.harness.stage import Stage
+from shadercache.options import CacheOptions
+
+from .criteria import Criteria
+from .subjects import ALGORITHMS, Subject, changed, programs, subject
+
+pytestmark = pytest.mark.xdist_group("gl")
+
+MOST_COST = 1.1
+"""Of the original's time, for the frame after a reset."""
+
+
+def disturbed(runner: VariantRunner, made: Subject, reason: ResetReason) -> int:
+    """Let happen what the reason names; the frame that is drawn next."""
+    prop = made.stage.props[0]
+    camera = prop.scene.camera
+    match reason:
+        case "cut":
+            return 137
+        case "projection change":
+            wider = dataclasses.replace(camera, fov_degrees=1.4 * camera.fov_degrees)
+            prop.scene = dataclasses.replace(prop.scene, camera=wider)
+            return 7
+        case "lost context":
+            shape = runner.cache().shape
+            runner.restore(np.full(shape, np.nan, np.float32), 3)
+            return 4
+    return 4
+
+
+LOST: tuple[ResetReason, ...] = ("cut", "projection change", "lost context")
+OPTIONS = {"plain": CacheOptions(), "age": CacheOptions(age=True)}
+
+
+@pytest.mark.parametrize("reason", LOST)
+@pytest.mark.parametrize("algorithm", ALGORITHMS)
+@pytest.mark.parametrize("options", OPTIONS.values(), ids=OPTIONS)
+def test_the_frame_after_a_reset_is_the_original(
+    gpu: Gpu, stress: Criteria, algorithm: str, reason: ResetReason, options: CacheOptions
+) -> None:
+    with subject(gpu, "trashcan", cache=options) as made:
+        with VariantRunner(made.stage, made.bundle, algorithm, RunOptions(32)) as runner:
+            for frame in range(4):
+                runner.draw(frame)
+            frame = disturbed(runner, made, reason)
+            runner.reset(reason)
+            assert set(runner.work(frame)) == set(runner.pass_names)
+            image = runner.image(frame)
+            assert runner.resets[-1] == reason
+            assert not runner.cuts.suspicions
+        wrong = changed(image, made.original(frame)) & made.untied(frame)
+        stress.none(f"pixels that are not the original's after a {reason}", int(wrong.sum()))
+
+
+@pytest.mark.parametrize("algorithm", ALGORITHMS)
+def test_what_is_new_begins_with_a_reset(gpu: Gpu, stress: Criteria, algorithm: str) -> None:
+    """First frame, resize, shader reload: other textures, or those that another variant left."""
+    scene, bundle, plain = programs("trashcan")
+    _, reloaded, _ = programs("trashcan", which=0)
+    wrong = 0
+    for size in ((96, 96), (70, 130)):
+        with Stage(gpu, scene, size, "rgba32f") as stage:
+            made = Subject(stage, bundle, plain)
+            for variants in (bundle, reloaded):
+                with VariantRunner(stage, variants, algorithm, RunOptions(32)) as runner:
+                    image = runner.image(5)
+                    runner.draw(6)
+                    assert runner.resets == ["first frame"]
+                wrong += int((changed(image, made.original(5)) & made.untied(5)).sum())
+    stress.none("pixels that are not the original's after first frame, resize, reload", wrong)
+
+
+def test_resets_draw_only_passes_that_compute(gpu: Gpu) -> None:
+    with subject(gpu, "trashcan") as made:
+        for algorithm, idle in (("2-pass", "hit"), ("3-pass", "reuse")):
+            with VariantRunner(made.stage, made.bundle, algorithm, RunOptions(32)) as runner:
+                runner.draw(0)
+                assert runner.work(1)[idle] > 0
+                runner.reset("cut")
+                work = runner.work(1)
+                assert work[idle] == 0
+                assert all(count > 0 for name, count in work.items() if name != idle)
+
+
+@pytest.mark.parametrize("algorithm", ["2-pass", "3-pass"])
+@pytest.mark.parametrize("scene", ["dragon", "trashcan"])
+def test_what_a_reset_costs(gpu: Gpu, stress: Criteria, scene: str, algorithm: str) -> None:
+    """The frame after a reset against the original, drawn in turns. It is told, and demanded only
+    in the long form: other work on the machine decides it."""
+    size, frames = ((512, 512), 60) if stress.deep else ((128, 128), 8)
+    found, bundle, plain = programs(scene, mode="plain")
+    clock = pick_clock(gpu)
+    ratios = []
+    with (
+        Stage(gpu, found, size) as stage,
+        VariantRunner(stage, bundle, algorithm, RunOptions(32)) as runner,
+        OriginalRunner(stage, plain) as original,
+    ):
+        for frame in range(frames):
+            base = clock.time(partial(original.draw, frame))
+            runner.reset("cut")
+            ratios.append(clock.time(partial(runner.draw, frame)) / base)
+    median = float(np.median(ratios[2:]))
+    stress.tell("time of the frame after a reset, of the original's", median)
+    assert len(runner.resets) == frames + 1
+
+
+@pytest.mark.parametrize("degrees", [1.0, 5.0])
+def test_a_cut_that_was_not_told_is_noticed(gpu: Gpu, stress: Criteria, degrees: float) -> None:
+    with subject(gpu, "trashcan") as made:
+        scene = made.stage.props[0].scene
+        turning = dataclasses.replace(scene.motion, degrees_per_frame=degrees)
+        made.stage.props[0].scene = dataclasses.replace(scene, motion=turning)
+        jump = round(160.0 / degrees)
+        with VariantRunner(made.stage, made.bundle, "2-pass", RunOptions(32)) as runner:
+            hits = runner.bundle.mask_values["hit"]
+            for frame in [*range(12), *range(jump, jump + 12)]:
+                if frame not in (0,):
+                    mask = runner.hit_mask(frame)
+                    runner.note_hits(frame, float((mask == hits).sum() / max(1, (mask > 0).sum())))
+                runner.draw(frame)
+            seen = runner.cuts.suspicions
+    stress.demand(
+        "frames that look like cuts",
+        str([s.frame for s in seen]),
+        str([jump]),
+        [suspicion.frame for suspicion in seen] == [jump],
+    )
+    assert "reset()" in str(seen[0])
+
+
+def test_every_reason_is_one(gpu: Gpu) -> None:
+    assert len(REASONS) == 6
+    with (
+        subject(gpu, "trashcan", (32, 32)) as made,
+        VariantRunner(made.stage, made.bundle, "2-pass") as runner,
+    ):
+        for reason in REASONS:
+            runner.reset(reason)
+        assert runner.resets[1:] == list(REASONS)
+
+
+def test_a_cut_that_the_scene_tells_is_no_suspicion(gpu: Gpu) -> None:
+    with subject(gpu, "trashcan", (48, 48)) as made:
+        scene = made.stage.scene
+        camera = scene.camera
+        there = Key(4, (5.0, 2.0, 0.1), camera.target, camera.up, camera.fov_degrees, cut=True)
+        here = Key(0, camera.eye, camera.target, camera.up, camera.fov_degrees)
+        path = CameraPath(keys=(here, dataclasses.replace(here, frame=3), there))
+        made.stage.scene = dataclasses.replace(scene, camera_path=path)
+        made.stage.props[0].scene = dataclasses.replace(scene, camera_path=path)
+        with VariantRunner(made.stage, made.bundle, "2-pass", RunOptions(32)) as runner:
+            hits = runner.bundle.mask_values["hit"]
+            for frame in range(7):
+                mask = runner.hit_mask(frame)
+                if frame:
+                    runner.note_hits(frame, float((mask == hits).sum() / max(1, (mask > 0).sum())))
+                runner.draw(frame)
+            assert runner.resets == ["first frame", "cut"]
+            assert not runner.cuts.suspicions

@@ -1,0 +1,61 @@
+"""S11: a scene a million units from the origin of the world, drawn camera-relative."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+from laws.ground_truth import body_mesh, body_scene, bundle_of
+
+from shadercache.harness.context import Gpu
+from shadercache.harness.runner import RunOptions, VariantRunner
+from shadercache.harness.scene import Scene
+from shadercache.harness.stage import Stage
+
+from .criteria import Criteria
+
+pytestmark = pytest.mark.xdist_group("gl")
+
+FAR = (1e6, -1e6, 1e6)
+
+
+def hit_rate(gpu: Gpu, scene: Scene, frames: int) -> float:
+    """Mean share of hits of what is covered."""
+    bundle = bundle_of("v_position", "rgba16f")
+    with (
+        Stage(gpu, scene, (128, 128), mesh=body_mesh("trashcan")) as stage,
+        VariantRunner(stage, bundle, "2-pass", RunOptions(period=32)) as runner,
+    ):
+        rates = []
+        for frame in range(frames):
+            if frame:
+                mask = runner.hit_mask(frame)
+                assert (mask > 0).mean() > 0.1, "there must be something to see"
+                rates.append((mask[mask > 0] == runner.bundle.mask_values["hit"]).mean())
+            runner.draw(frame)
+    return float(np.mean(rates))
+
+
+def moved(scene: Scene, by: tuple[float, float, float]) -> Scene:
+    """The scene with camera and object elsewhere in the world."""
+
+    def shifted(point: tuple[float, float, float]) -> tuple[float, float, float]:
+        x, y, z = (a + b for a, b in zip(point, by, strict=True))
+        return (x, y, z)
+
+    camera = scene.camera
+    there = dataclasses.replace(camera, eye=shifted(camera.eye), target=shifted(camera.target))
+    motion = dataclasses.replace(scene.motion, position=shifted(scene.motion.position))
+    return dataclasses.replace(scene, camera=there, motion=motion)
+
+
+@pytest.mark.parametrize("degrees", [0.2, 2.0])
+def test_hits_do_not_depend_on_the_place(gpu: Gpu, stress: Criteria, degrees: float) -> None:
+    """What reaches the shaders is relative to the camera; the harness multiplies matrices in 64
+    bits before it rounds them, as engines do."""
+    scene = body_scene("trashcan", degrees)
+    frames = 60 if stress.deep else 12
+    near, far = hit_rate(gpu, scene, frames), hit_rate(gpu, moved(scene, FAR), frames)
+    stress.tell("hit rate at the origin", near)
+    stress.at_most("difference of hit rates at 1e6 and at the origin", abs(far - near), 0.01)

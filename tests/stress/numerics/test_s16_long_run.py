@@ -1,0 +1,104 @@
+"""S16: 20,000 frames of a knot in motion: no error that grows, no leak, all is finite."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from shadercache.compiler import rewrite
+from shadercache.harness.bundle import Bundle
+from shadercache.harness.context import Gpu
+from shadercache.harness.runner import OriginalRunner, RunOptions, VariantRunner
+from shadercache.harness.scene import load_scene
+from shadercache.harness.shaders import analyse_scene
+from shadercache.harness.stage import Stage
+from shadercache.options import CacheOptions, Options
+from shadercache.paths import data_path
+
+from .criteria import Criteria
+from .subjects import knot
+
+pytestmark = pytest.mark.xdist_group("gl")
+
+SIZE = (128, 128)
+EVERY = 50
+WARM = 200
+
+RUNS = {
+    "default": (CacheOptions(), 20_000),
+    "age": (CacheOptions(age=True), 4_000),
+    "random": (CacheOptions(refresh="random"), 4_000),
+    "lanczos2": (CacheOptions(filter="lanczos2"), 4_000),
+    "mitchell": (CacheOptions(filter="mitchell"), 4_000),
+    "bilateral": (CacheOptions(filter="bilateral"), 4_000),
+    "nearest": (CacheOptions(filter="nearest"), 4_000),
+}
+
+
+def resident() -> int:
+    """Bytes of this process that are in memory."""
+    pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[1])
+    return pages * 4096
+
+
+def slope(errors: np.ndarray) -> tuple[float, float]:
+    """The slope of a line through the errors, and half its 99 % interval, relative to their mean:
+    per sample. Errors of neighbouring samples go together, so the interval is that of means over
+    tenths of the run."""
+    parts = np.array([part.mean() for part in np.array_split(errors, 10)])
+    place = np.arange(len(parts), dtype=float)
+    fit = np.polyfit(place, parts, 1)
+    left = parts - np.polyval(fit, place)
+    spread = np.sqrt((left**2).sum() / (len(parts) - 2) / ((place - place.mean()) ** 2).sum())
+    student = 3.355  # 99 % of Student's t with 8 degrees of freedom
+    return float(fit[0] / parts.mean()), float(student * spread / parts.mean())
+
+
+@pytest.mark.parametrize(("cache", "frames"), RUNS.values(), ids=RUNS)
+def test_a_long_run(gpu: Gpu, stress: Criteria, cache: CacheOptions, frames: int) -> None:
+    if not stress.deep:
+        if cache != CacheOptions():
+            pytest.skip("only the default in the short form")
+        frames = 400
+    scene, analysis = analyse_scene(load_scene(data_path("corpus", "dragon")))
+    # 360 degrees fall on no multiple of the samples, so that these see the knot from all sides.
+    motion = dataclasses.replace(scene.motion, degrees_per_frame=1.037)
+    scene = dataclasses.replace(scene, motion=motion)
+    node = analysis.nodes_of(scene.nodes["albedo"])
+    found = rewrite(analysis, node, Options(cache=cache), (2,), unprofitable=True)
+    bundle = Bundle(found.manifest, found.files)
+    mesh = knot(125, 20)
+    assert len(mesh.index) == 5000
+    errors: list[float] = []
+    memory: list[int] = []
+    broken = 0
+    with (
+        Stage(gpu, scene, SIZE, "rgba32f", mesh) as stage,
+        VariantRunner(stage, bundle, "2-pass", RunOptions(period=32)) as runner,
+        OriginalRunner(stage, bundle) as original,
+    ):
+        for frame in range(frames):
+            if frame % EVERY or frame < WARM:
+                runner.draw(frame)
+                continue
+            image, stored = runner.image(frame).copy(), runner.cache()
+            broken += int(not np.isfinite(image).all()) + int(not np.isfinite(stored).all())
+            true = original.image(frame)
+            drawn = true[..., 3] > 0.0
+            errors.append(float(np.sqrt(((image - true)[drawn] ** 2).mean())))
+            memory.append(resident())
+    stress.none("images and caches with a value that is not finite", broken)
+    stress.tell("RMSE", float(np.mean(errors)))
+    half = len(memory) // 4
+    growth = max(memory[half:]) / memory[half] - 1.0
+    stress.at_most("growth of resident memory", growth, 0.02)
+    if stress.deep:
+        trend, around = slope(np.array(errors))
+        stress.tell("slope of the error per tenth of the run, of its mean", f"{trend:+.4f}")
+        stress.at_most("that slope, of its 99 % interval", abs(trend) / around, 1.0)
+    else:
+        first, second = np.array_split(np.array(errors), 2)
+        stress.at_most("error of the second half, of the first's", second.mean() / first.mean(), 2)
