@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import TypeVar
 
+import numpy as np
+
 from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import input_error, usage_error
 from shadercache.front.options import ReadOptions
+from shadercache.harness.camera import scene_values
 from shadercache.harness.made_scene import made_scene
 from shadercache.harness.scene import Scene, load_scene
 from shadercache.options import MappingKind
@@ -49,13 +52,37 @@ def analyse_scene(
 ) -> tuple[Scene, Analysis]:
     """The scene and what the compiler makes of its shaders; ``mapping`` goes before the scene's.
 
+    Where neither says one and nothing moves, values are found at their own pixel: what it shows, it
+    has shown in the frame before, so reprojection can be skipped.
+
     Where shaders of an older version are raised some attributes, uniforms and textures get new
     names: the scene has what it gives under these as well. Raises as :func:`compiler.analyse`.
     """
     reading = reading or ReadOptions()
     reading = replace(reading, unroll=reading.unroll or scene.unroll)
-    analysis = analyse(*read_shaders(scene), reading, mapping or scene.mapping)
-    return with_aliases(scene, analysis.renamed), analysis
+    sources, wanted = read_shaders(scene), mapping or scene.mapping
+    analysis = analyse(*sources, reading, wanted)
+    made = with_aliases(scene, analysis.renamed)
+    if wanted is None and analysis.mapping == "surface" and _rests(made, analysis):
+        analysis = analyse(*sources, reading, "screen")
+    return made, analysis
+
+
+def _rests(scene: Scene, analysis: Analysis) -> bool:
+    """Is each vertex at the same place of the picture in every frame?"""
+    names = analysis.vertex_emitter.previous_twins()
+    scenes = [item.scene for item in scene.objects if not item.own_shader] or [scene]
+    return all(_is_constant(item, names) for item in scenes)
+
+
+def _is_constant(scene: Scene, names: Iterable[str]) -> bool:
+    """Do these uniforms have one value all along the path? Their size in pixels does not matter."""
+    every = [scene_values(scene, frame, (64, 64)) for frame in range(scene.motion.frames + 1)]
+    return all(
+        name in values and np.array_equal(values[name], every[0][name])
+        for values in every
+        for name in names
+    )
 
 
 def read_shaders(scene: Scene) -> tuple[Source, Source | None]:

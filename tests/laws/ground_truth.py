@@ -11,7 +11,6 @@ Arrays have row 0 at the bottom; pixel coordinates are those of ``gl_FragCoord``
 from __future__ import annotations
 
 import dataclasses
-import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -192,14 +191,12 @@ def project(matrix: Floats, points: Floats, size: tuple[int, int]) -> tuple[Floa
 def due(size: tuple[int, int], clock: int, period: int, block: int) -> Mask:
     """Which pixels the stratified refresh renews (docs/NUMERICS.md), (h, w), written anew.
 
-    Blocks are numbered along strips as high as the root of the period; each group of ``period``
-    neighbours takes every turn once, in an order shuffled by two rounds of swaps.
+    Of blocks numbered row by row each group of ``period`` neighbours takes every turn once, in an
+    order shuffled by two rounds of swaps.
     """
     across, up = (-(-side // block) for side in size)
     x, y = np.meshgrid(np.arange(across), np.arange(up))
-    tall = math.isqrt(period)
-    bottom = y // tall * tall
-    number = bottom * across + x * np.minimum(tall, up - bottom) + y - bottom
+    number = y * across + x
     group, turn = np.divmod(number.astype(np.uint64), np.uint64(period))
     key = _mixed(group * 9277 + 26699)
     for keys in (key, key * 0x85EBCA6B & _BITS):

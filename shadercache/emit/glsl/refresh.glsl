@@ -36,6 +36,7 @@ vec2 sc_blocks() {
     return floor((vec2(textureSize(sc_cache, 0) + sc_block) - 0.5) / float(sc_block));
 }
 
+#if SC_REFRESH_TILED
 // The pixel's block, numbered from 0 without gaps: strips that are `tall` blocks high, one above the
 // other, and in each column after column. So neighbours in number are neighbours in the picture.
 int sc_number(vec2 blocks, float tall) {
@@ -44,6 +45,7 @@ int sc_number(vec2 blocks, float tall) {
     float column = min(tall, blocks.y - bottom);
     return int(bottom) * int(blocks.x) + int(block.x * column + block.y - bottom);
 }
+#endif
 #endif
 
 #if SC_REFRESH_STRATIFIED
@@ -63,7 +65,9 @@ int sc_turn() {
     return int(sc_residue(sc_hash(block.x * 1973u + block.y * 9277u + 26699u)));
 #elif SC_REFRESH_STRATIFIED
     // Of each group of sc_period blocks one is due in every frame, in an order of the group's own.
-    int number = sc_number(sc_blocks(), floor(sqrt(float(sc_period)) + 0.01));
+    // Blocks are numbered row by row: groups as high as wide took twice the time.
+    vec2 block = floor(gl_FragCoord.xy / float(sc_block));
+    int number = int(block.y) * int(sc_blocks().x) + int(block.x);
     // The first quotient may be a little off where the picture has millions of blocks.
     int group = int(float(number) / float(sc_period));
     int slot = number - group * sc_period;

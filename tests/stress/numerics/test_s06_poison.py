@@ -8,6 +8,7 @@ import pytest
 from shadercache.harness.context import Gpu
 from shadercache.options import CacheFormat, CacheOptions, FilterKind
 
+from .criteria import Criteria
 from .plane import SIZE, Plane, plane
 
 pytestmark = pytest.mark.xdist_group("gl")
@@ -43,10 +44,13 @@ def stored(made: Plane) -> np.ndarray:
 
 @pytest.mark.parametrize("algorithm", ["1-pass", "2-pass", "3-pass"])
 @pytest.mark.parametrize("form", ["rgba16f", "rgba32f"])
-def test_none_is_stored_and_the_pixel_is_right(gpu: Gpu, form: CacheFormat, algorithm: str) -> None:
+def test_none_is_stored_and_the_pixel_is_right(
+    gpu: Gpu, stress: Criteria, form: CacheFormat, algorithm: str
+) -> None:
     made = plane(gpu, CacheOptions(guard="miss"), form, algorithm)
     at = SIZE // 2
     most, least = LIMITS[form]
+    bad = 0
     for name, poison in POISONS.items():
         made.runner.reset()
         image = injected(made, poison)
@@ -61,12 +65,12 @@ def test_none_is_stored_and_the_pixel_is_right(gpu: Gpu, form: CacheFormat, algo
             expected[0] = image[at, at, 0]
         assert np.array_equal(image[at, at], expected, equal_nan=True), name
         held = stored(made)
-        assert np.isfinite(held).all(), name
-        assert (np.abs(held) <= most).all(), name
-        assert ((held == 0.0) | (np.abs(held) >= least)).all(), name
+        fine = np.isfinite(held) & (np.abs(held) <= most)
+        bad += np.count_nonzero(~(fine & ((held == 0.0) | (np.abs(held) >= least))))
         if name not in ("subnormal", "small"):
             fits = form == "rgba32f" and name in FITS_FLOATS
             assert (held[at * SIZE + at, 0] == np.float32(poison)) == fits, name
+    stress.none(f"values of {len(POISONS)} kinds in the cache that it cannot hold", bad)
 
 
 @pytest.mark.parametrize("kind", ["bilinear", "bilateral", "lanczos2", "mitchell", "nearest"])

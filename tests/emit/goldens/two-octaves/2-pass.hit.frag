@@ -52,13 +52,6 @@ vec2 sc_blocks() {
     return floor((vec2(textureSize(sc_cache, 0) + sc_block) - 0.5) / float(sc_block));
 }
 
-int sc_number(vec2 blocks, float tall) {
-    vec2 block = floor(gl_FragCoord.xy / float(sc_block));
-    float bottom = floor((block.y + 0.5) / tall) * tall;
-    float column = min(tall, blocks.y - bottom);
-    return int(bottom) * int(blocks.x) + int(block.x * column + block.y - bottom);
-}
-
 int sc_swap(int slot, uint key) {
     int other = int(sc_residue(key)) - slot;
     other += other < 0 ? sc_period : 0;
@@ -66,7 +59,8 @@ int sc_swap(int slot, uint key) {
 }
 
 int sc_turn() {
-    int number = sc_number(sc_blocks(), floor(sqrt(float(sc_period)) + 0.01));
+    vec2 block = floor(gl_FragCoord.xy / float(sc_block));
+    int number = int(block.y) * int(sc_blocks().x) + int(block.x);
     int group = int(float(number) / float(sc_period));
     int slot = number - group * sc_period;
     int rest = int(floor((float(slot) + 0.5) / float(sc_period)));

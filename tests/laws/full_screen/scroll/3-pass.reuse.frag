@@ -41,13 +41,6 @@ highp vec2 sc_blocks() {
     return floor((vec2(textureSize(sc_cache, 0) + sc_block) - 0.5) / float(sc_block));
 }
 
-highp int sc_number(highp vec2 blocks, highp float tall) {
-    highp vec2 block = floor(gl_FragCoord.xy / float(sc_block));
-    highp float bottom = floor((block.y + 0.5) / tall) * tall;
-    highp float column = min(tall, blocks.y - bottom);
-    return int(bottom) * int(blocks.x) + int(block.x * column + block.y - bottom);
-}
-
 highp int sc_swap(highp int slot, highp uint key) {
     highp int other = int(sc_residue(key)) - slot;
     other += other < 0 ? sc_period : 0;
@@ -55,7 +48,8 @@ highp int sc_swap(highp int slot, highp uint key) {
 }
 
 highp int sc_turn() {
-    highp int number = sc_number(sc_blocks(), floor(sqrt(float(sc_period)) + 0.01));
+    highp vec2 block = floor(gl_FragCoord.xy / float(sc_block));
+    highp int number = int(block.y) * int(sc_blocks().x) + int(block.x);
     highp int group = int(float(number) / float(sc_period));
     highp int slot = number - group * sc_period;
     highp int rest = int(floor((float(slot) + 0.5) / float(sc_period)));

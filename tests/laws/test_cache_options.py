@@ -1,0 +1,69 @@
+"""Laws 2 to 4 under the options of the cache, on shaders of the corpus: some every day, and all
+with ``SHADERCACHE_STRESS=deep``."""
+
+from __future__ import annotations
+
+import os
+import random
+from contextlib import closing
+
+import pytest
+
+from shadercache.analysis.candidates import Candidate
+from shadercache.harness.context import Gpu
+from shadercache.harness.shaders import open_scene
+from shadercache.harness.verify import Verifier
+from shadercache.options import read_cache_options
+from shadercache.paths import data_path
+
+pytestmark = pytest.mark.xdist_group("gl")
+
+DEEP = os.environ.get("SHADERCACHE_STRESS") == "deep"
+
+OPTIONS = (
+    "filter=bilinear",
+    "filter=bilinear,fallback",
+    "filter=nearest",
+    "filter=lanczos2",
+    "filter=mitchell,fallback",
+    "guard=off",
+    "guard=clamp",
+    "depth=linear,tolerance=akeley-su",
+    "depth=ndc,filter=bilinear",
+    "depth=ndc,filter=nearest,tolerance=akeley-su",
+    "tolerance=fixed",
+    "ids",
+    "ids,filter=bilinear",
+    "magnification,mask",
+    "age,filter=lanczos2,fallback",
+    "age,ids",
+    "age,ids,mask,magnification,fallback,filter=lanczos2,depth=linear,guard=miss",
+)
+
+
+@pytest.fixture(scope="module", params=["dragon", "trashcan"])
+def nodes(request: pytest.FixtureRequest) -> tuple[str, list[Candidate]]:
+    """Some offered nodes of a scene, others every day, that leave room for an age and an id."""
+    _, analysis = open_scene(data_path("corpus", request.param, "scene.toml"))
+    every = [node for node in analysis.nodes if node.offered and (node.type.components or 9) <= 5]
+    pick = random.Random(os.environ["SHADERCACHE_SEED"])
+    return request.param, pick.sample(every, 8 if DEEP else 1)
+
+
+def _todays() -> tuple[str, ...]:
+    """All, or in the short form others every day."""
+    if DEEP:
+        return OPTIONS
+    return tuple(random.Random(os.environ["SHADERCACHE_SEED"]).sample(OPTIONS, 4))
+
+
+@pytest.mark.parametrize("text", _todays())
+def test_the_laws_hold(gpu: Gpu, nodes: tuple[str, list[Candidate]], text: str) -> None:
+    name, chosen = nodes
+    scene, analysis = open_scene(data_path("corpus", name, "scene.toml"))
+    cached = read_cache_options([text])
+    with closing(Verifier(gpu, scene, analysis, (64, 64), cache=cached)) as verifier:
+        for node in analysis.nodes:
+            if any(node.id == one.id for one in chosen):
+                verdict = verifier.check(node, plain=False)
+                assert not verdict.broken, f"{node.id}: {verdict.broken} {verdict.failure}"
