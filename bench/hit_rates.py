@@ -23,7 +23,7 @@ from shadercache.options import Options
 from shadercache.paths import data_path
 
 SCENES = ("heroine", "colonnade")
-CHOICES = ("ids=on", "ids=on,fallback=on", "ids=off")
+CHOICES = ("ids=on", "ids=on,filter=bilinear", "ids=on,filter=bilinear,fallback=on", "ids=off")
 
 
 @dataclass(frozen=True)

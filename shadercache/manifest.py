@@ -83,13 +83,16 @@ RESET = (
 FULL_SCREEN = {"geometry": "full-screen triangle", "mode": "triangles", "vertices": 3}
 """Three vertices without attributes: the vertex shaders make their positions."""
 
+WHOLE_TARGET = "a viewport that covers the whole target and begins at (0, 0), as large as the cache"
+PART_OF_TARGET = "a viewport inside of the target, which is as large as the cache"
+
 RELIES_ON = (
     "opaque geometry, drawn without blending, alpha to coverage or multisampling",
     "the depth function 'less' in the application, with depth cleared to 1; for any other, "
     "depth_functions says what the passes' are and what depth is cleared to",
     "one colour output; colours are written as the shader computes them, with no conversion to "
     "sRGB between the passes",
-    "a viewport that covers the whole target and begins at (0, 0), as large as the cache",
+    WHOLE_TARGET,
     "the same geometry, in the same order, in every pass of a frame",
 )
 
@@ -123,6 +126,8 @@ def build_manifest(
     layout = Layout(tuple(node.type for node in nodes), extras=extras_of(options.cache))
     declared = _declared(programs)
     relies = list(RELIES_ON)
+    if options.cache.viewport:
+        relies[relies.index(WHOLE_TARGET)] = PART_OF_TARGET
     if options.cache.depth != "ndc":
         relies.append("a perspective projection: in an orthographic one w tells no depth")
     if programs.unchanging:
@@ -345,6 +350,20 @@ def _uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[str, A
             "relative to 1/w",
             range="> 0",
             default=options.epsilon,
+        ),
+        entry(
+            "viewport",
+            "ivec4",
+            "viewport",
+            "left, bottom, width and height of the viewport",
+            "pixels",
+        ),
+        entry(
+            "previous_viewport",
+            "ivec4",
+            "previous-viewport",
+            "the same of the last frame",
+            "pixels",
         ),
         entry(
             "object",

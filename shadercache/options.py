@@ -69,6 +69,8 @@ class CacheOptions:
     Resampling: ``filter``; ``fallback``: is the nearest texel tried where a filter fails?
     ``magnification``: does a surface miss that has become much larger?
 
+    With ``viewport`` what is drawn into may be a part of the target, and another in each frame.
+
     Storage: ``guard`` against values that are not finite or do not fit.
     """
 
@@ -82,6 +84,7 @@ class CacheOptions:
     ids: bool = False
     mask: bool = False
     guard: GuardKind = "miss"
+    viewport: bool = False
 
 
 DEFAULT_CACHE = CacheOptions()

@@ -17,10 +17,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.diagnostics import Diagnostic, GraphicsError
-from shadercache.harness.toml_reader import Table
+from shadercache.harness.toml_reader import Table, is_number
 
 DepthFunction: TypeAlias = Literal["less", "lequal", "greater", "gequal", "equal"]
 ClipSpace: TypeAlias = Literal["symmetric", "zero-to-one"]
+
+Rectangle: TypeAlias = tuple[float, float, float, float]
+WHOLE: Rectangle = (0.0, 0.0, 1.0, 1.0)
 
 FUNCTIONS: Mapping[str, Mapping[str, str]] = {
     "less": {"<": "<", "<=": "<=", "==": "=="},
@@ -53,6 +56,8 @@ class Engine:
     ``offset``: factor and units of the polygon offset. ``jitter``: the picture is shifted by less
     than half a pixel, by another of so many places in each frame (0: it is not). ``told``: the
     previous positions are those of this frame's jitter, so that jitter is no motion.
+    ``viewports``: left, bottom, width and height as shares of the target, in turns of ``hold``
+    frames each.
     """
 
     depth: DepthFunction = "less"
@@ -60,6 +65,14 @@ class Engine:
     clip: ClipSpace = "symmetric"
     jitter: int = 0
     told: bool = True
+    viewports: tuple[Rectangle, ...] = (WHOLE,)
+    hold: int = 1
+
+    def viewport(self, frame: int, size: tuple[int, int]) -> tuple[int, int, int, int]:
+        """Left, bottom, width and height in pixels, in a target of a size."""
+        left, bottom, width, height = self.viewports[frame // self.hold % len(self.viewports)]
+        x, y = round(left * size[0]), round(bottom * size[1])
+        return x, y, max(1, round(width * size[0])), max(1, round(height * size[1]))
 
     @property
     def reversed(self) -> bool:
@@ -131,9 +144,30 @@ def read_engine(table: Table) -> Engine:
         clip="zero-to-one" if clip == "zero-to-one" else "symmetric",
         jitter=table.whole("jitter", 0, least=0),
         told=table.boolean("jitter_told", True),
+        viewports=_viewports(table),
+        hold=table.whole("viewport_frames", 1, least=1),
     )
     table.refuse_unknown()
     return engine
+
+
+def _viewports(table: Table) -> tuple[Rectangle, ...]:
+    value = table.values.get("viewports", [list(WHOLE)])
+    if table.has("viewports") and not (
+        isinstance(value, list) and value and all(map(_is_rectangle, value))
+    ):
+        message = "engine.viewports must be rectangles inside of [0, 0, 1, 1]"
+        table.problem("SC505", "viewports", message)
+        return (WHOLE,)
+    return tuple((float(a), float(b), float(c), float(d)) for a, b, c, d in value)
+
+
+def _is_rectangle(value: object) -> bool:
+    if not (isinstance(value, list) and len(value) == 4 and all(map(is_number, value))):
+        return False
+    left, bottom, width, height = value
+    inside = min(left, bottom) >= 0.0 and left + width <= 1.0 and bottom + height <= 1.0
+    return bool(inside and width > 0.0 and height > 0.0)
 
 
 def _is_pair(value: object) -> bool:

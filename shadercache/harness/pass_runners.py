@@ -69,9 +69,10 @@ class PassRunner(Runner):
         self._draw_objects(frame)
 
     def _draw_objects(self, frame: int, depth_test: str | None = None) -> None:
+        viewport = self.stage.viewport(frame)
         for prop in self.stage.drawn(frame):
             values = prop.values(frame)
-            inputs = FrameInputs(values, values, object_numbers(prop))
+            inputs = FrameInputs(values, values, object_numbers(prop), viewport)
             self._passes[prop].draw(inputs, None, depth_test)
 
 
@@ -81,8 +82,7 @@ class OriginalRunner(PassRunner):
     def __init__(self, stage: Stage, bundle: Bundle) -> None:
         """Raises as ``BoundPass`` and, for other objects' shaders, ``Cast.bundle``."""
         self._before: CoverageRunner | None = None
-        bundles = _bundles(stage, bundle)
-        super().__init__(stage, *(found.original for found in bundles))
+        super().__init__(stage, *(found.original for found in _bundles(stage, bundle)))
         if stage.scene.engine.depth == "equal":
             self._before = CoverageRunner(stage, bundle)
 

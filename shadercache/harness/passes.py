@@ -24,17 +24,21 @@ CACHE_ROLES = ("previous-cache", "current-cache", "previous-cache-2", "current-c
 CACHE_TARGETS = ("cache", "cache-2")
 NUMBER_ROLES = (
     *("clock", "period", "block", "epsilon", "object", "mask", "unit", "magnification"),
-    *("resolution", "limit", "least", "reset"),
+    *("resolution", "limit", "least", "reset", "viewport", "previous-viewport"),
 )
 
 
 @dataclass(frozen=True, slots=True)
 class FrameInputs:
-    """What the passes of one frame read: this and the last frame's uniforms, numbers by role."""
+    """What the passes of one frame read: this and the last frame's uniforms, numbers by role.
+
+    ``viewport``: left, bottom, width and height of what is drawn into, in pixels.
+    """
 
     now: Values
     before: Values
     numbers: Values
+    viewport: tuple[int, int, int, int]
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +91,9 @@ class BoundPass:
             depth_test: a moderngl depth function in place of the manifest's.
         """
         targets = self._targets(caches)
-        self._stage.targets.framebuffer(targets, self._spec.depth_write).use()
+        framebuffer = self._stage.targets.framebuffer(targets, self._spec.depth_write)
+        framebuffer.viewport = inputs.viewport
+        framebuffer.use()
         test = depth_test or self._stage.scene.engine.function(self._spec.depth_test)
         self._stage.gpu.ctx.depth_func = test
         self._stage.set_culling(self._prop)

@@ -79,7 +79,8 @@ class Prop:
         key = (frame, frame if jittered is None or not self.scene.engine.jitter else jittered)
         found = self._values.get(key)
         if found is None:
-            found = self._values[key] = scene_values(self.scene, frame, self._size, key[1])
+            width, height = self.scene.engine.viewport(frame, self._size)[2:]
+            found = self._values[key] = scene_values(self.scene, frame, (width, height), key[1])
             if len(self._values) > _KEPT_FRAMES:
                 self._values.popitem(last=False)
         return found
@@ -94,7 +95,7 @@ class Prop:
             return False
         found = self._there.get(frame)
         if found is None:
-            width, height = self._size
+            width, height = self.scene.engine.viewport(frame, self._size)[2:]
             values = semantic_values(self.scene, frame, width / height)
             found = self._there[frame] = _is_outside(
                 values["model-view-projection"], np.asarray(self.item.bounds, np.float64)

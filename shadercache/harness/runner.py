@@ -335,10 +335,13 @@ class VariantRunner(Runner):
         }
         given = {name: np.array([value], np.float64) for name, value in numbers.items()}
         given |= object_numbers(role.prop)
+        viewport = self.stage.viewport(shown)
+        given["viewport"] = np.array(viewport, np.float64)
+        given["previous-viewport"] = np.array(self.stage.viewport(before), np.float64)
         # Told of the jitter, the last frame's place of a point is the one it had with this frame's.
         told = self.stage.scene.engine.told or role.before is None
         last = role.prop.values(before, frame if told else frame - 1)
-        return FrameInputs(role.prop.values(shown, frame), last, given)
+        return FrameInputs(role.prop.values(shown, frame), last, given, viewport)
 
     def _shown(self, frame: int) -> int:
         return frame if self.options.moving else 0

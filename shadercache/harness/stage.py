@@ -87,6 +87,10 @@ class Stage(Owner):
         """A texture of the first object; None if it has none so named. Raises as :meth:`load`."""
         return self.props[0].texture(name)
 
+    def viewport(self, frame: int) -> tuple[int, int, int, int]:
+        """Left, bottom, width and height of what a frame is drawn into, in pixels."""
+        return self.scene.engine.viewport(frame, self.size)
+
     def drawn(self, frame: int) -> tuple[Prop, ...]:
         """The objects that are drawn in a frame: there, and not outside of the picture."""
         return tuple(

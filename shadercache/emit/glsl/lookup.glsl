@@ -21,6 +21,28 @@ uniform int sc_mask;             // 1: the draw reuses nothing; 2: and nobody re
 float sc_age = 0.0;  // frames since the payload was computed
 #endif
 
+uniform ivec4 sc_viewport;           // left, bottom, width and height of what is drawn into, in pixels
+uniform ivec4 sc_previous_viewport;  // the same of the previous frame
+
+// Words for where the previous frame lies in the cache, and for a pixel's place there.
+#if SC_VIEWPORT
+#define SC_LAST sc_previous_viewport.xy + sc_previous_viewport.zw - 1
+#define SC_FIRST sc_previous_viewport.xy
+#define SC_FIRST_OF(axis) sc_previous_viewport.axis
+#define SC_LOWEST vec2(sc_previous_viewport.xy)
+#define SC_EXTENT vec2(sc_previous_viewport.zw)
+#define SC_PIXEL pixel
+#define SC_OWN_PLACE (2.0 * (gl_FragCoord.xy - vec2(sc_viewport.xy)) / vec2(sc_viewport.zw) - 1.0)
+#else
+#define SC_LAST textureSize(sc_cache, 0) - 1
+#define SC_FIRST ivec2(0)
+#define SC_FIRST_OF(axis) 0
+#define SC_LOWEST vec2(0.0)
+#define SC_EXTENT vec2(last + 1)
+#define SC_PIXEL gl_FragCoord.xy
+#define SC_OWN_PLACE (2.0 * gl_FragCoord.xy / vec2(last + 1) - 1.0)
+#endif
+
 SC_DECLARE_PAYLOADS;
 bool sc_moved = false;  // is the payload not just that of this place?
 
@@ -58,22 +80,26 @@ int sc_look_up(SC_OUT_TEXELS) {
 // Reprojection: where the surface point was, whether it was seen there, and what was stored.
 // Returns one of the outcomes.
 int sc_look_up(SC_OUT_TEXELS) {
-    ivec2 last = textureSize(sc_cache, 0) - 1;
+    ivec2 last = SC_LAST;
+#if SC_VIEWPORT
+    // The pixel's place in the previous viewport. While that does not change it is exactly its own.
+    vec2 pixel = (gl_FragCoord.xy - vec2(sc_viewport.xy)) * (SC_EXTENT / vec2(sc_viewport.zw)) + SC_LOWEST;
+#endif
 #if SC_USER
     SC_LOCATE
     vec4 sc_previous = scPreviousClip();
 #endif
 #if SC_PIXEL_IS_CURRENT
-    vec2 motion = sc_previous.xy / sc_previous.w - (2.0 * gl_FragCoord.xy / vec2(last + 1) - 1.0);
+    vec2 motion = sc_previous.xy / sc_previous.w - SC_OWN_PLACE;
     // The user's function comes to the pixel's own place by another way, up to rounding: what is
     // less than a 256th of a pixel is no motion.
-    if (all(lessThan(0.5 * vec2(last + 1) * abs(motion), vec2(1.0 / 256.0)))) {
+    if (all(lessThan(0.5 * SC_EXTENT * abs(motion), vec2(1.0 / 256.0)))) {
         motion = vec2(0.0);
     }
 #else
     vec2 motion = sc_previous.xy / sc_previous.w - sc_current.xy / sc_current.w;
 #endif
-    vec2 corner = gl_FragCoord.xy - 0.5 + 0.5 * vec2(last + 1) * motion;
+    vec2 corner = SC_PIXEL - 0.5 + 0.5 * SC_EXTENT * motion;
 #if SC_SLOPED
     // How the expected depth changes from pixel to pixel. Ahead of every exit, as derivatives are.
     vec2 slope = vec2(dFdx(SC_EXPECTED), dFdy(SC_EXPECTED)) / (SC_UNIT);
@@ -85,7 +111,7 @@ int sc_look_up(SC_OUT_TEXELS) {
     // At rest the motion is exactly zero: all four texels are the pixel's own, nothing is filtered.
     vec2 whole = floor(corner);
     vec2 part = corner - whole;
-    ivec2 near = clamp(ivec2(whole), ivec2(0), last);
+    ivec2 near = clamp(ivec2(whole), SC_FIRST, last);
     ivec2 far = min(near + ivec2(ceil(part)), last);
 #if SC_SINGLE
     ivec2 own = ivec2(part.x < 0.5 ? near.x : far.x, part.y < 0.5 ? near.y : far.y);
@@ -127,7 +153,7 @@ int sc_look_up(SC_OUT_TEXELS) {
     }
 #endif
     // All four texels lie in the cache; a point behind the camera was not seen.
-    if (!(sc_previous.w > 0.0 && all(greaterThanEqual(corner, vec2(0.0)))
+    if (!(sc_previous.w > 0.0 && all(greaterThanEqual(corner, SC_LOWEST))
             && all(lessThanEqual(corner, vec2(last))))) {
         return SC_OUTSIDE;
     }
@@ -234,8 +260,8 @@ int sc_look_up(SC_OUT_TEXELS) {
 #if SC_CUBIC
     // Sixteen texels, where all of them show the surface; else the four will do.
     if (part != vec2(0.0) SC_AND_AGREES) {
-        ivec4 columns = clamp(near.x + ivec4(-1, 0, 1, 2), ivec4(0), ivec4(last.x));
-        ivec4 lines = clamp(near.y + ivec4(-1, 0, 1, 2), ivec4(0), ivec4(last.y));
+        ivec4 columns = clamp(near.x + ivec4(-1, 0, 1, 2), ivec4(SC_FIRST_OF(x)), ivec4(last.x));
+        ivec4 lines = clamp(near.y + ivec4(-1, 0, 1, 2), ivec4(SC_FIRST_OF(y)), ivec4(last.y));
         vec4 weights = sc_kernel(part.x);
         vec4 heights = sc_kernel(part.y);
         SC_DECLARE_SUMS;

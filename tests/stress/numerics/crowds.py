@@ -152,7 +152,7 @@ class Truth:
         """The cache as it would be if nothing had ever been reused."""
         numbers = np.repeat(self.body[..., None].astype(np.float64), 3, axis=-1)
         values = self.position if what == "v_position" else numbers
-        texels = np.concatenate([values, (1.0 / self.w)[..., None]], axis=-1)
+        texels = np.concatenate([values, (16.0 / self.w)[..., None]], axis=-1)
         texels[~self.covered] = 0.0, 0.0, 0.0, -1.0
         return texels.astype(np.float32)
 
@@ -303,8 +303,18 @@ def _judge(
     epsilon = bundle_of("v_position").defaults["epsilon"]
     allowed = FOOTPRINT * now.footprint + epsilon * np.abs(now.w)
     away = np.linalg.norm(points[..., :3] - now.position, axis=-1)
+    near = _taps(now, before, size)
+    # The filter's footprint is in texels of the frame before: where the camera has come closer,
+    # these lie farther apart than pixels do now.
+    for tap, same in near:
+        allowed = np.maximum(allowed, np.where(same, FOOTPRINT * before.footprint[tap], 0.0))
     foreign = hit & (np.abs(bodies[..., 0] - now.body) > MOST_FOREIGN)
-    seen = _seen(now, before, allowed, size)
+    seen = now.covered & np.logical_or.reduce(
+        [
+            same & (np.linalg.norm(before.position[tap] - now.position, axis=-1) <= allowed)
+            for tap, same in near
+        ]
+    )
     found.seen = int((seen & now.covered).sum())
     for mask, why, into in (
         (foreign, "of another body", found.foreign),
@@ -316,25 +326,20 @@ def _judge(
             into.append(Stale(frame, int(x), int(y), why or off))
 
 
-def _seen(now: Truth, before: Truth, allowed: Floats, size: tuple[int, int]) -> Mask:
-    """Whether the frame before showed a pixel's point in one of the four texels around it."""
+def _taps(
+    now: Truth, before: Truth, size: tuple[int, int]
+) -> list[tuple[tuple[NDArray[np.intp], ...], Mask]]:
+    """The four texels around each pixel's place in the frame before, and whether each of them holds
+    the same body, and the place lies in the picture."""
     place = np.full((*now.covered.shape, 2), -1e3)
     for number, matrix in before.matrices.items():
         mine = now.covered & (now.body == number)
         where, w = project(matrix, now.position[mine], size)
         place[mine] = np.where((w > 0.0)[:, None], np.nan_to_num(where, nan=-1e3), -1e3)
     place = np.clip(place, -1e4, 1e4)
-    near = [
-        before.covered[tap]
-        & (before.body[tap] == now.body)
-        # Where the camera comes closer, texels lie farther apart than pixels do now.
-        & (
-            np.linalg.norm(before.position[tap] - now.position, axis=-1)
-            <= np.maximum(allowed, FOOTPRINT * before.footprint[tap])
-        )
-        for tap in taps(place, size)
-    ]
     # At rest a pixel lies where it lay, but its point as it is drawn is off by a little.
     inside = ((place >= 0.5 - AT_REST) & (place <= np.asarray(size) - 0.5 + AT_REST)).all(-1)
-    found: Mask = inside & np.logical_or.reduce(near) & now.covered
-    return found
+    return [
+        (tap, inside & before.covered[tap] & (before.body[tap] == now.body))
+        for tap in taps(place, size)
+    ]

@@ -93,7 +93,7 @@ def test_without_the_id_test_bodies_that_pass_through_one_another_trail(
 def main() -> None:
     """Print what each option brings."""
     with open_context() as gpu:
-        for cached in ("", "ids=on", "ids=on,fallback=on", "ids=on,filter=nearest"):
+        for cached in ("", "ids=on", "filter=bilinear", "ids=on,filter=bilinear"):
             for name in LEAST:
                 with tempfile.TemporaryDirectory() as folder:
                     found = record(gpu, Path(folder), name, cached)
