@@ -61,6 +61,8 @@ class RunOptions:
 
     ``period`` in frames (1 refreshes everything), ``block`` in pixels (even), ``epsilon`` relative
     to 1/w; without ``moving`` every frame shows the scene of frame 0, while the clock runs on.
+    With ``short_reset`` three passes are drawn after a reset as the one of two that computes:
+    image and cache are the same (law 4), and the geometry is drawn once.
     """
 
     period: int = 32
@@ -68,6 +70,7 @@ class RunOptions:
     epsilon: float | None = None
     cache_format: str | None = None
     moving: bool = True
+    short_reset: bool = True
 
 
 @dataclass(eq=False)
@@ -91,9 +94,10 @@ class Role:
     before: int | None = None
     debug: BoundPass | None = None
 
-    def is_due(self, number: int) -> bool:
-        """Is a pass drawn in the coming frame?"""
-        return self.before is not None or self.passes[number] in self.on_reset
+    @property
+    def due(self) -> tuple[BoundPass, ...]:
+        """The passes of the coming frame."""
+        return self.on_reset if self.before is None else self.passes
 
 
 class VariantRunner(Runner):
@@ -196,7 +200,7 @@ class VariantRunner(Runner):
         for bound, inputs, caches in self._turns(frame):
             with query:
                 bound.draw(inputs, caches)
-            counts[bound.name] += int(query.samples)
+            counts[bound.name] = counts.get(bound.name, 0) + int(query.samples)
         return counts
 
     def hit_mask(self, frame: int) -> NDArray[np.uint8]:
@@ -253,6 +257,9 @@ class VariantRunner(Runner):
         specs = bundle.passes(chosen)
         passes = tuple(self._bind(prop, spec, naming) for spec in specs)
         on_reset = tuple(bound for bound, spec in zip(passes, specs, strict=True) if spec.on_reset)
+        if len(on_reset) > 1 and self.options.short_reset and "2-pass" in bundle.algorithms:
+            whole = [spec for spec in bundle.passes("2-pass") if spec.on_reset]
+            on_reset = tuple(self._bind(prop, spec, naming) for spec in whole)
         return Role(prop, bundle, naming, passes, on_reset, bundle.debug, self._caches)
 
     def _draw(self, bound: BoundPass, inputs: FrameInputs, caches: CachePair | None) -> None:
@@ -279,10 +286,10 @@ class VariantRunner(Runner):
     def _turns(self, frame: int) -> Iterator[tuple[BoundPass, FrameInputs, CachePair | None]]:
         """Every draw of a frame: all objects finish a pass before the next begins."""
         drawn = [(role, self._inputs(role, frame)) for role in self._drawn(frame)]
-        for number in range(max((len(role.passes) for role, _ in drawn), default=0)):
+        for number in range(max((len(role.due) for role, _ in drawn), default=0)):
             for role, inputs in drawn:
-                if number < len(role.passes) and role.is_due(number):
-                    yield role.passes[number], inputs, role.caches
+                if number < len(role.due):
+                    yield role.due[number], inputs, role.caches
 
     def note_hits(self, frame: int, rate: float) -> None:
         """Tell the run the share of hits of the frame that is about to be drawn: where it falls
