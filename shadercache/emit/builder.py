@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from shadercache.analysis.candidates import Candidate, Candidates
@@ -161,7 +161,10 @@ class PassBuilder:
         # ``main`` comes last: GLSL wants functions declared before they are called.
         names = ("refresh", "filters", "lookup", "wide", "store", template)
         looks = template not in _BLIND
-        options = (self.layout, prefix, self.whole, self.program.located, self.cache, looks)
+        # What lies beside the payload in the cache is no part of what the payload alone costs.
+        alone = template == "passes/payload_alone"
+        layout = replace(self.layout, extras=()) if alone else self.layout
+        options = (layout, prefix, self.whole, self.program.located, self.cache, looks)
         parts = [load_part(name, *options) for name in names]
         user = insert_clones(self.program.module, *clones)
         if template in _LATE and self.decides_loops:

@@ -1,0 +1,70 @@
+"""S15: a light that moves. What depends on it is as old as the period, and no further off.
+
+The dragon rests and the lamp turns, so a cached pixel must be the original's of one of the last
+frames, bit for bit, and differ from the original of now by no more than that many steps of it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from shadercache.compiler import emit_original, rewrite
+from shadercache.harness.animation import Ramp
+from shadercache.harness.bundle import Bundle
+from shadercache.harness.context import Gpu
+from shadercache.harness.runner import RunOptions, VariantRunner, render_original
+from shadercache.harness.scene import Scene, load_scene
+from shadercache.harness.shaders import analyse_scene
+from shadercache.harness.stage import Stage
+from shadercache.options import Options, read_cache_options
+from shadercache.paths import data_path
+
+from .criteria import Criteria
+from .subjects import ALGORITHMS
+
+pytestmark = pytest.mark.xdist_group("gl")
+
+LIT = "blinn_phong(marble(v_position), normal, view, polish)"
+LAMP = Ramp((0.45, 0.72, 0.53), (-0.006, 0.001, 0.004))
+
+
+def lit_scene() -> Scene:
+    scene = load_scene(data_path("corpus", "dragon"))
+    constants = {name: value for name, value in scene.constants.items() if name != "u_light"}
+    still = replace(scene.motion, degrees_per_frame=0.0)
+    return replace(scene, motion=still, constants=constants, animated={"u_light": LAMP})
+
+
+@pytest.mark.parametrize("settings", ["", "age=on", "refresh=none,age=on"])
+@pytest.mark.parametrize("algorithm", ALGORITHMS)
+def test_an_error_is_that_of_the_period(
+    gpu: Gpu, stress: Criteria, algorithm: str, settings: str
+) -> None:
+    if not stress.deep and (algorithm, settings) not in (("2-pass", ""), ("3-pass", "age=on")):
+        pytest.skip("not in the short form")
+    period, frames = (8, 40) if stress.deep else (4, 10)
+    scene, analysis = analyse_scene(lit_scene(), mapping="surface")
+    node = next(item for item in analysis.nodes if item.text == LIT)
+    cache = read_cache_options([settings] if settings else [])
+    found = rewrite(analysis, node, Options("proof", "rgba32f", cache=cache))
+    plain = emit_original(analysis, "proof")
+    with Stage(gpu, scene, (96, 96), "rgba32f") as stage:
+        truth = render_original(stage, Bundle(plain.manifest, plain.files), range(frames))
+        bundle = Bundle(found.manifest, found.files)
+        with VariantRunner(stage, bundle, algorithm, RunOptions(period=period)) as runner:
+            images = [runner.image(frame) for frame in range(frames)]
+    step = max(np.abs(now - last).max() for last, now in pairwise(truth))
+    errors, strange, reused = [], 0, 0
+    for frame, image in enumerate(images):
+        last = np.stack(truth[max(0, frame - period) : frame + 1])
+        strange += int((~(last == image).all(axis=-1).any(axis=0)).sum())
+        reused += int((image != truth[frame]).any(axis=-1).sum())
+        errors.append(float(np.abs(image - truth[frame]).max()))
+    stress.tell("largest change of the original in a frame", float(step))
+    stress.none("pixels that no frame of the period had", strange)
+    stress.at_most("largest error", max(errors), float(step) * period)
+    stress.at_least("pixels from an earlier frame", reused, frames * 100)
