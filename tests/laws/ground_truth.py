@@ -192,13 +192,14 @@ def due(size: tuple[int, int], clock: int, period: int, block: int) -> Mask:
     """Which pixels the stratified refresh renews (docs/NUMERICS.md), (h, w), written anew.
 
     Of blocks numbered row by row each group of ``period`` neighbours takes every turn once, in an
-    order shuffled by two rounds of swaps.
+    order turned by a hash and shuffled by two rounds of swaps.
     """
     across, up = (-(-side // block) for side in size)
     x, y = np.meshgrid(np.arange(across), np.arange(up))
     number = y * across + x
     group, turn = np.divmod(number.astype(np.uint64), np.uint64(period))
     key = _mixed(group * 9277 + 26699)
+    turn = (turn + ((key * 0xC2B2AE35 & _BITS) >> 16) * period // 65536) % period
     for keys in (key, key * 0x85EBCA6B & _BITS):
         other = (((keys >> 16) * period >> 16) + period - turn) % period
         swaps = (keys + np.maximum(turn, other)) * 0x9E3779B9 >> 31 & 1

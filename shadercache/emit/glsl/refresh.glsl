@@ -73,7 +73,11 @@ int sc_turn() {
     int slot = number - group * sc_period;
     int rest = int(floor((float(slot) + 0.5) / float(sc_period)));
     uint key = sc_hash(uint(group + rest) * 9277u + 26699u);
-    return sc_swap(sc_swap(slot - rest * sc_period, key), key * 0x85EBCA6Bu);
+    // Turned by a number of the group's own as well: one swap in four is none, and the places that
+    // keep their turn must not stand one above the other.
+    int turned = slot - rest * sc_period + int(sc_residue(key * 0xC2B2AE35u));
+    turned -= turned >= sc_period ? sc_period : 0;
+    return sc_swap(sc_swap(turned, key), key * 0x85EBCA6Bu);
 #elif SC_REFRESH_TILED
     // As many tiles as there are frames in a period, each due in one of them.
     vec2 blocks = sc_blocks();

@@ -74,7 +74,9 @@ int sc_turn() {
     int slot = number - group * sc_period;
     int rest = int(floor((float(slot) + 0.5) / float(sc_period)));
     uint key = sc_hash(uint(group + rest) * 9277u + 26699u);
-    return sc_swap(sc_swap(slot - rest * sc_period, key), key * 0x85EBCA6Bu);
+    int turned = slot - rest * sc_period + int(sc_residue(key * 0xC2B2AE35u));
+    turned -= turned >= sc_period ? sc_period : 0;
+    return sc_swap(sc_swap(turned, key), key * 0x85EBCA6Bu);
 }
 
 bool sc_due() {
