@@ -64,20 +64,14 @@ class FragmentEmitter(PassBuilder):
         return self.finish("passes/reuse_late", [self.shaded("use")])
 
     def payload_only(self) -> Shader:
-        """Three passes, second: compute payloads; where the cache may not hold one (and a guard is
-        to see to that), the colour with it."""
-        if self.cache.guard == "miss":
-            return self.miss()
+        """Three passes, second: compute payloads."""
         if self.whole:
             return self.finish("passes/miss", [self.shaded("keep")])
         return self.finish("passes/payload", [self.computed()])
 
     def shade(self) -> Shader:
         """Three passes, third: the colour from the payload."""
-        early = self.finish("passes/shade", [self.shaded("use")], store=False)
-        if self.cache.guard != "miss" or not self.takes_derivatives(early.module):
-            return early
-        return self.finish("passes/shade_late", [self.shaded("use")], store=False)
+        return self.finish("passes/shade", [self.shaded("use")], store=False)
 
     def payload_alone(self) -> Shader:
         """The payloads in place of the colour, for their cost (P of P/T)."""

@@ -169,12 +169,9 @@ class _Writer:
         self.made.files[f"{item.file}.frag"] = self._text(item, fragment, "fragment")
         self.made.files[f"{item.file}.vert"] = self._text(item, vertex, "vertex")
         uniforms = tuple(dict.fromkeys((*vertex.uniforms, *fragment.uniforms)))
-        # A guard makes the second of three passes write the colour as well.
-        colors = item.name == "payload" and self.made.color in fragment.outputs
-        targets = (COLOR, *item.targets) if colors else item.targets
         return replace(
             item,
-            targets=self._with_second(targets, fragment.outputs, {CACHE: "store"}),
+            targets=self._with_second(item.targets, fragment.outputs, {CACHE: "store"}),
             reads=self._with_second(item.reads, uniforms, {PREVIOUS: "cache", CURRENT: "payloads"}),
             uniforms=uniforms,
             attributes=vertex.inputs,

@@ -94,7 +94,13 @@ class VariantLane:
 
     def __init__(self, stage: Stage, entry: Entry, algorithm: str, options: MeasureOptions) -> None:
         """Raises as ``VariantRunner``."""
-        run = RunOptions(options.period, options.block, options.epsilon, options.cache_format)
+        run = RunOptions(
+            options.period,
+            options.block,
+            options.epsilon,
+            options.cache_format,
+            short_reset=True,
+        )
         self.runner = VariantRunner(stage, entry.bundle, algorithm, run)
         self.entry = entry
         self.times: dict[int, float] = {}

@@ -264,8 +264,7 @@ class Verifier:
         """What plain mode changes: a reset in every frame draws the passes that compute, and not
         those that would find nothing to reuse (compiling these takes a third of the time)."""
         found = Difference()
-        options = RunOptions(period=1, short_reset=False)
-        with VariantRunner(self.stage, bundle, name, options) as runner:
+        with VariantRunner(self.stage, bundle, name, RunOptions(period=1)) as runner:
             for frame in ALWAYS:
                 runner.reset("cut")
                 image = runner.image(frame)

@@ -19,8 +19,8 @@ from shadercache.emit.assemble import Shader
 from shadercache.emit.fragment import FragmentEmitter
 from shadercache.emit.printer import print_module
 from shadercache.front.parse import parse
-from shadercache.options import CacheOptions
 from shadercache.sema.check import check
+from shadercache.options import CacheOptions
 from shadercache.source import Source
 from shadercache.transform.precisions import with_precisions
 from tests.cases.cases import analysed
@@ -36,8 +36,8 @@ NOISE = (
 )
 AT, ONCE = "v_position * noise(v_position * 2.0)", "noise(at + 1.0)"
 
-PADDING = 20.0
-"""What packing and unpacking a payload of seven channels costs at most."""
+PADDING = 22.0
+"""What packing and unpacking a payload of seven channels costs at most, and marking its depth."""
 
 
 def test_what_both_passes_need_is_told() -> None:
@@ -112,7 +112,7 @@ def _compare(analysis: Analysis, *nodes: Candidate) -> None:
     """No pass costs more than the original and its look-ups; one pass also what is done twice."""
     parts, prefix = analysis.parts(*nodes), analysis.program.prefix
     assert parts.payload <= parts.whole and parts.remainder <= parts.whole
-    # A guard shades in the payload pass, for what the cache may not hold.
+    # What a guard compares is no part of any slice.
     emitter = FragmentEmitter(analysis.program, nodes, cache=CacheOptions(guard="off"))
     assert _cost(emitter.payload_only(), prefix) <= parts.payload + PADDING
     assert _cost(emitter.shade(), prefix) <= parts.remainder + 2 * FETCH + PADDING

@@ -80,6 +80,8 @@ def test_laws_1_to_4(name: str, gpu: Gpu, scene_folder: Path) -> None:
         f"{item.path}: {item.text}": item.failure or item.broken for item in verdicts if item.broken
     }
     assert not broken, f"{VARIABLE}={seed()} repeats this"
+    if analysed(name).program.module.profile == "es":
+        return  # a driver may compute mediump in 16 bits
     plain = {
         item.text: found for item in verdicts for found in item.plain.values() if found.changed
     }

@@ -26,7 +26,7 @@ def test_every_view_on_request(shell: Shell, tmp_path: Path) -> None:
     assert outcome.status == 0, outcome.err
     pictures = {"original", "cached", "difference"}
     assert kinds(tmp_path) == pictures | {
-        *("hits", "hit", "refresh", "outside", "depth", "old", "age")
+        *("hits", "hit", "refresh", "outside", "depth", "poison", "old", "age")
     }
 
 

@@ -210,13 +210,6 @@ def test_the_look_up_takes_derivatives_ahead_of_its_exits(analysis: Analysis) ->
         assert not any(takes[exits.index(True) :])
 
 
-def test_a_guarded_payload_pass_shades_what_the_cache_cannot_hold(analysis: Analysis) -> None:
-    emission = rewrite(analysis, find(analysis, NODES["two-octaves"]))
-    passes = emission.manifest["variants"][2]["passes"]
-    assert [item["targets"] for item in passes] == [["cache"], ["color", "cache"], ["color"]]
-    assert "discard" in emission.files["3-pass.shade.frag"]
-
-
 def test_one_pass_fetches_ahead_of_its_branch(analysis: Analysis) -> None:
     text = rewrite(analysis, find(analysis, NODES["albedo"])).files["1-pass.frag"]
     main = text[text.index("void main()") :]

@@ -208,12 +208,6 @@
 #define SC_STORE_AGAIN sc_store = sc_texel()
 #endif
 
-#if SC_BITS
-#define SC_POISONED uvec4(0u, 0u, 0u, SC_POISON_DEPTH)
-#else
-#define SC_POISONED vec4(0.0, 0.0, 0.0, SC_POISON_DEPTH)
-#endif
-
 // What is computed anew is guarded; what was reused has been, and filters keep to its range. Only
 // passes that compute are drawn after a reset.
 #if SC_GUARD_OFF

@@ -80,6 +80,21 @@ SC_TEXEL sc_texel_2() {
 }
 #endif
 
+#if !SC_GUARD_OFF
+// Values as near as the cache can hold them; nothing is near to NaN.
+vec4 sc_held(vec4 values) {
+    bvec4 numbers = lessThanEqual(floatBitsToUint(values) & 0x7FFFFFFFu, uvec4(0x7F800000u));
+    return mix(vec4(0.0), clamp(values, vec4(-sc_limit), vec4(sc_limit)), numbers);
+}
+
+void sc_hold() {
+    sc_store = SC_MERGED(SC_OF_FLOATS(sc_held(SC_FLOATS(sc_store))), sc_store, SC_DISCRETE_1);
+#if SC_TARGETS == 2
+    sc_store_2 = SC_MERGED(SC_OF_FLOATS(sc_held(SC_FLOATS(sc_store_2))), sc_store_2, SC_DISCRETE_2);
+#endif
+}
+#endif
+
 #if SC_GUARD_MISS
 // Can the cache not hold a value? The bits are compared: they are in the order of the sizes, NaN lies
 // above infinity, and no driver can make less of them than they are.
@@ -90,30 +105,20 @@ bool sc_unfit(vec4 values) {
             || any(lessThan(sizes - 1u, uvec4(least)));
 }
 
-// Marks a texel that must not be read again: the next frame computes it anew, and so does this one.
+// Marks a texel that must not be reused: the next frame computes it anew. The third of three passes
+// reads it in this one, so it holds what comes nearest.
 void sc_guard() {
     bool unfit = sc_unfit(SC_FLOATS(SC_ONLY_FLOATS(sc_store, SC_DISCRETE_1)));
 #if SC_TARGETS == 2
     unfit = unfit || sc_unfit(SC_FLOATS(SC_ONLY_FLOATS(sc_store_2, SC_DISCRETE_2)));
 #endif
     if (unfit && sc_store.w != SC_NO_DEPTH) {
-        sc_store = SC_POISONED;
-#if SC_TARGETS == 2
-        sc_store_2 = SC_TEXEL(0);
-#endif
+        sc_hold();
+        sc_store.w = SC_POISON_DEPTH;
     }
 }
 #elif SC_GUARD_CLAMP
-// Values as near as the cache can hold them; nothing is near to NaN.
-vec4 sc_held(vec4 values) {
-    bvec4 numbers = lessThanEqual(floatBitsToUint(values) & 0x7FFFFFFFu, uvec4(0x7F800000u));
-    return mix(vec4(0.0), clamp(values, vec4(-sc_limit), vec4(sc_limit)), numbers);
-}
-
 void sc_guard() {
-    sc_store = SC_MERGED(SC_OF_FLOATS(sc_held(SC_FLOATS(sc_store))), sc_store, SC_DISCRETE_1);
-#if SC_TARGETS == 2
-    sc_store_2 = SC_MERGED(SC_OF_FLOATS(sc_held(SC_FLOATS(sc_store_2))), sc_store_2, SC_DISCRETE_2);
-#endif
+    sc_hold();
 }
 #endif

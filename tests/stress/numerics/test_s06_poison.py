@@ -54,7 +54,13 @@ def test_none_is_stored_and_the_pixel_is_right(
     for name, poison in POISONS.items():
         made.runner.reset()
         image = injected(made, poison)
-        expected = np.array([poison, 0.5, 0.5], np.float32) * np.float32(0.5)
+        shown = poison
+        if algorithm == "3-pass":
+            # The third pass reads what comes nearest among what the cache can hold.
+            shown = (
+                0.0 if name == "nan" else float(np.clip(poison, -LIMITS[form][0], LIMITS[form][0]))
+            )
+        expected = np.array([shown, 0.5, 0.5], np.float32) * np.float32(0.5)
         if name == "subnormal":
             # Drivers may flush it, before the guard or behind it.
             assert 0.0 <= image[at, at, 0] < 1e-37

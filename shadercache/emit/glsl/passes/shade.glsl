@@ -7,16 +7,10 @@ uniform SC_SAMPLER sc_payloads_2;
 SC_DECLARE_PAYLOADS;
 
 void main() {
-#if defined(SC_CHANNELS) && !SC_GUARD_MISS
+#ifdef SC_CHANNELS
     sc_payload = texelFetch(sc_payloads, ivec2(gl_FragCoord.xy), 0).SC_CHANNELS;
 #else
     SC_TEXEL SC_LOCAL_1 = texelFetch(sc_payloads, ivec2(gl_FragCoord.xy), 0);
-#if SC_GUARD_MISS
-    // The second pass has drawn the colour here, and its payload is no good.
-    if (SC_LOCAL_1.w == SC_POISON_DEPTH) {
-        discard;
-    }
-#endif
 #if SC_TARGETS == 2
     SC_TEXEL SC_LOCAL_2 = texelFetch(sc_payloads_2, ivec2(gl_FragCoord.xy), 0);
 #endif

@@ -158,6 +158,16 @@ uvec4 sc_texel_2() {
     return uvec4(uint(sc_payload.sign), uvec2(sc_payload.cell), sc_payload.number);
 }
 
+vec4 sc_held(vec4 values) {
+    bvec4 numbers = lessThanEqual(floatBitsToUint(values) & 0x7FFFFFFFu, uvec4(0x7F800000u));
+    return mix(vec4(0.0), clamp(values, vec4(-sc_limit), vec4(sc_limit)), numbers);
+}
+
+void sc_hold() {
+    sc_store = sc_store & uvec4(0u, 0u, 0u, 0u) | floatBitsToUint(sc_held(uintBitsToFloat(sc_store))) & ~uvec4(0u, 0u, 0u, 0u);
+    sc_store_2 = sc_store_2 & uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu) | floatBitsToUint(sc_held(uintBitsToFloat(sc_store_2))) & ~uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu);
+}
+
 bool sc_unfit(vec4 values) {
     uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
     uint least = max(floatBitsToUint(sc_least), 1u) - 1u;
@@ -168,8 +178,8 @@ void sc_guard() {
     bool unfit = sc_unfit(uintBitsToFloat(sc_store & ~uvec4(0u, 0u, 0u, 0u)));
     unfit = unfit || sc_unfit(uintBitsToFloat(sc_store_2 & ~uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu)));
     if (unfit && sc_store.w != 0u) {
-        sc_store = uvec4(0u, 0u, 0u, 0x80000000u);
-        sc_store_2 = uvec4(0);
+        sc_hold();
+        sc_store.w = 0x80000000u;
     }
 }
 

@@ -27,9 +27,6 @@ void sc_shade() {
 
 void main() {
     uvec4 sc_local_1 = texelFetch(sc_payloads, ivec2(gl_FragCoord.xy), 0);
-    if (sc_local_1.w == 0x80000000u) {
-        discard;
-    }
     uvec4 sc_local_2 = texelFetch(sc_payloads_2, ivec2(gl_FragCoord.xy), 0);
     sc_payload = Mixed(Pair(uintBitsToFloat(sc_local_1.xy), uintBitsToFloat(sc_local_1.z)), bool(sc_local_2.x), ivec2(sc_local_2.yz), sc_local_2.w);
     sc_shade();

@@ -27,10 +27,6 @@ void sc_shade() {
 }
 
 void main() {
-    vec4 texel = texelFetch(sc_payloads, ivec2(gl_FragCoord.xy), 0);
-    sc_payload = texel.xyz;
+    sc_payload = texelFetch(sc_payloads, ivec2(gl_FragCoord.xy), 0).xyz;
     sc_shade();
-    if (texel.w == 32768.0) {
-        discard;
-    }
 }

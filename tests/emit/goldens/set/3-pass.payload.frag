@@ -4,34 +4,25 @@
 in vec4 sc_current;
 float sc_payload_1;
 vec3 sc_payload_2;
-layout(location = 1) out vec4 sc_store;
-layout(location = 2) out vec4 sc_store_2;
+layout(location = 0) out vec4 sc_store;
+layout(location = 1) out vec4 sc_store_2;
 uniform float sc_limit;
 uniform float sc_least;
 uniform sampler2D u_map;
-uniform vec3 u_tint;
 in vec3 v_position;
-in vec3 v_normal;
-in vec2 v_uv;
-layout(location = 0) out vec4 o_color;
 
 float noise(vec3 p) {
     return sin(p.x * 12.9) * sin(p.y * 78.2) * sin(p.z * 37.7);
 }
 
-vec3 sc_stone(vec3 p) {
+void sc_stone(vec3 p) {
     sc_payload_1 = noise(p) + 0.5 * noise(p * 2.0);
-    float octaves = sc_payload_1 + 0.25 * noise(p * 4.0);
     vec4 grain = texture(u_map, p.xy);
     sc_payload_2 = grain.rgb;
-    return mix(vec3(0.2), vec3(0.9), octaves) * sc_payload_2;
 }
 
-void sc_shade() {
-    vec3 normal = normalize(v_normal);
-    vec3 albedo = sc_stone(v_position);
-    float light = max(dot(normal, u_tint), 0.0);
-    o_color = vec4(albedo * light + texture(u_map, v_uv).rgb, 1.0);
+void sc_compute() {
+    sc_stone(v_position);
 }
 
 vec4 sc_texel() {
@@ -40,6 +31,16 @@ vec4 sc_texel() {
 
 vec4 sc_texel_2() {
     return vec4(sc_payload_2.z, 0.0, 0.0, 0.0);
+}
+
+vec4 sc_held(vec4 values) {
+    bvec4 numbers = lessThanEqual(floatBitsToUint(values) & 0x7FFFFFFFu, uvec4(0x7F800000u));
+    return mix(vec4(0.0), clamp(values, vec4(-sc_limit), vec4(sc_limit)), numbers);
+}
+
+void sc_hold() {
+    sc_store = sc_held(sc_store);
+    sc_store_2 = sc_held(sc_store_2);
 }
 
 bool sc_unfit(vec4 values) {
@@ -52,13 +53,13 @@ void sc_guard() {
     bool unfit = sc_unfit(sc_store);
     unfit = unfit || sc_unfit(sc_store_2);
     if (unfit && sc_store.w != 0.0) {
-        sc_store = vec4(0.0, 0.0, 0.0, 32768.0);
-        sc_store_2 = vec4(0);
+        sc_hold();
+        sc_store.w = 32768.0;
     }
 }
 
 void main() {
-    sc_shade();
+    sc_compute();
     sc_store = sc_texel();
     sc_store_2 = sc_texel_2();
     sc_guard();

@@ -34,7 +34,4 @@ void main() {
     sc_payload_1 = texel.x;
     sc_payload_2 = vec3(texel.yz, texel_2.x);
     sc_shade();
-    if (texel.w == 32768.0) {
-        discard;
-    }
 }

@@ -28,10 +28,6 @@ void sc_shade() {
 }
 
 void main() {
-    vec4 texel = texelFetch(sc_payloads, ivec2(gl_FragCoord.xy), 0);
-    sc_payload = texel.x;
+    sc_payload = texelFetch(sc_payloads, ivec2(gl_FragCoord.xy), 0).x;
     sc_shade();
-    if (texel.w == 32768.0) {
-        discard;
-    }
 }

@@ -131,6 +131,16 @@ vec4 sc_texel_2() {
     return vec4(sc_payload.w, 0.0, 0.0, 0.0);
 }
 
+vec4 sc_held(vec4 values) {
+    bvec4 numbers = lessThanEqual(floatBitsToUint(values) & 0x7FFFFFFFu, uvec4(0x7F800000u));
+    return mix(vec4(0.0), clamp(values, vec4(-sc_limit), vec4(sc_limit)), numbers);
+}
+
+void sc_hold() {
+    sc_store = sc_held(sc_store);
+    sc_store_2 = sc_held(sc_store_2);
+}
+
 bool sc_unfit(vec4 values) {
     uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
     uint least = max(floatBitsToUint(sc_least), 1u) - 1u;
@@ -141,8 +151,8 @@ void sc_guard() {
     bool unfit = sc_unfit(sc_store);
     unfit = unfit || sc_unfit(sc_store_2);
     if (unfit && sc_store.w != 0.0) {
-        sc_store = vec4(0.0, 0.0, 0.0, 32768.0);
-        sc_store_2 = vec4(0);
+        sc_hold();
+        sc_store.w = 32768.0;
     }
 }
 

@@ -3,19 +3,15 @@
 
 in vec4 sc_current;
 vec4 sc_payload;
-layout(location = 1) out vec4 sc_store;
-layout(location = 2) out vec4 sc_store_2;
+layout(location = 0) out vec4 sc_store;
+layout(location = 1) out vec4 sc_store_2;
 uniform float sc_limit;
 uniform float sc_least;
 in vec3 v_position;
-in vec3 v_normal;
-layout(location = 0) out vec4 o_color;
 
-void sc_shade() {
+void sc_compute() {
     vec4 wave = sin(9.0 * v_position.xyzx) * cos(5.0 * v_position.yzxy);
     sc_payload = wave * wave.yzwx;
-    vec4 it = sc_payload;
-    o_color = vec4(0.5 + 0.5 * (it.xyz * it.w) * normalize(v_normal).z, 1.0);
 }
 
 vec4 sc_texel() {
@@ -24,6 +20,16 @@ vec4 sc_texel() {
 
 vec4 sc_texel_2() {
     return vec4(sc_payload.w, 0.0, 0.0, 0.0);
+}
+
+vec4 sc_held(vec4 values) {
+    bvec4 numbers = lessThanEqual(floatBitsToUint(values) & 0x7FFFFFFFu, uvec4(0x7F800000u));
+    return mix(vec4(0.0), clamp(values, vec4(-sc_limit), vec4(sc_limit)), numbers);
+}
+
+void sc_hold() {
+    sc_store = sc_held(sc_store);
+    sc_store_2 = sc_held(sc_store_2);
 }
 
 bool sc_unfit(vec4 values) {
@@ -36,13 +42,13 @@ void sc_guard() {
     bool unfit = sc_unfit(sc_store);
     unfit = unfit || sc_unfit(sc_store_2);
     if (unfit && sc_store.w != 0.0) {
-        sc_store = vec4(0.0, 0.0, 0.0, 32768.0);
-        sc_store_2 = vec4(0);
+        sc_hold();
+        sc_store.w = 32768.0;
     }
 }
 
 void main() {
-    sc_shade();
+    sc_compute();
     sc_store = sc_texel();
     sc_store_2 = sc_texel_2();
     sc_guard();

@@ -14,9 +14,6 @@ void sc_shade() {
 
 void main() {
     vec4 texel = texelFetch(sc_payloads, ivec2(gl_FragCoord.xy), 0);
-    if (texel.w == 32768.0) {
-        discard;
-    }
     vec4 texel_2 = texelFetch(sc_payloads_2, ivec2(gl_FragCoord.xy), 0);
     sc_payload = vec4(texel.xyz, texel_2.x);
     sc_shade();
