@@ -70,7 +70,7 @@ class RunOptions:
     epsilon: float | None = None
     cache_format: str | None = None
     moving: bool = True
-    short_reset: bool = True
+    short_reset: bool = False
 
 
 @dataclass(eq=False)

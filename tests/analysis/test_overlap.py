@@ -19,8 +19,8 @@ from shadercache.emit.assemble import Shader
 from shadercache.emit.fragment import FragmentEmitter
 from shadercache.emit.printer import print_module
 from shadercache.front.parse import parse
-from shadercache.sema.check import check
 from shadercache.options import CacheOptions
+from shadercache.sema.check import check
 from shadercache.source import Source
 from shadercache.transform.precisions import with_precisions
 from tests.cases.cases import analysed
