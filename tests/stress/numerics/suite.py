@@ -24,6 +24,9 @@ ROOT = FOLDER.parent.parent.parent
 
 HEADER = ("test", "case", "what", "measured", "demanded", "")
 
+SAME = {19: 3}
+"""S19 measures what S3 does, with the other filters beside it; both stand in one file."""
+
 PYTEST = ("-q", "--no-header", "--tb=short", "-p", "no:cacheprovider", "--timeout=3600")
 
 
@@ -33,7 +36,8 @@ def run_numerics(names: Collection[str], deep: bool, results: Path | None) -> in
     The result is written as ``stress-numerics.json`` into ``results``, or where results of this
     machine lie, if all were run in the long form.
     """
-    wanted = {int(name.upper().removeprefix("S")) for name in names}
+    asked = {int(name.upper().removeprefix("S")) for name in names}
+    wanted = {SAME.get(number, number) for number in asked}
     files = sorted(FOLDER.glob("test_s*.py"), key=stress_number)
     missing = wanted - {stress_number(file) for file in files}
     if missing:
