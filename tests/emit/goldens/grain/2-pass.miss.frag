@@ -36,8 +36,10 @@ vec4 sc_texel() {
 }
 
 vec4 sc_held(vec4 values) {
-    bvec4 numbers = lessThanEqual(floatBitsToUint(values) & 0x7FFFFFFFu, uvec4(0x7F800000u));
-    return mix(vec4(0.0), clamp(values, vec4(-sc_limit), vec4(sc_limit)), numbers);
+    uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
+    bvec4 numbers = lessThanEqual(sizes, uvec4(0x7F800000u));
+    vec4 held = mix(vec4(0.0), clamp(values, vec4(-sc_limit), vec4(sc_limit)), numbers);
+    return mix(held, vec4(0.0), lessThan(sizes, uvec4(floatBitsToUint(sc_least))));
 }
 
 void sc_hold() {
