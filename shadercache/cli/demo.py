@@ -19,7 +19,6 @@ if TYPE_CHECKING:
     from shadercache.harness.context import Gpu
     from shadercache.harness.measurement import Measurement, NodeResult, Shot
     from shadercache.harness.scene import Scene
-    from shadercache.harness.shaders import analyse_scene
     from shadercache.harness.sheet import SheetRow
 
 SCENES = ("dragon", "trashcan")
@@ -72,6 +71,7 @@ def _measure(
     from shadercache.harness.measure import measure
     from shadercache.harness.measurement import MeasureOptions
     from shadercache.harness.mesh import load_mesh
+    from shadercache.harness.shaders import analyse_scene
     from shadercache.harness.sweep import make_entry
 
     demo = scene.demo
