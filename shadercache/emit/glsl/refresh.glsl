@@ -65,7 +65,7 @@ int sc_turn() {
     return int(sc_residue(sc_hash(block.x * 1973u + block.y * 9277u + 26699u)));
 #elif SC_REFRESH_STRATIFIED
     // Of each group of sc_period blocks one is due in every frame, in an order of the group's own.
-    // Blocks are numbered row by row: groups as high as wide took twice the time.
+    // Blocks are numbered row by row, which is less to compute than groups as high as wide.
     vec2 block = floor(gl_FragCoord.xy / float(sc_block));
     int number = int(block.y) * int(sc_blocks().x) + int(block.x);
     // The first quotient may be a little off where the picture has millions of blocks.
