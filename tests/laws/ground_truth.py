@@ -199,9 +199,9 @@ def due(size: tuple[int, int], clock: int, period: int, block: int) -> Mask:
     number = y * across + x
     group, turn = np.divmod(number.astype(np.uint64), np.uint64(period))
     key = _mixed(group * 9277 + 26699)
-    turn = (turn + ((key * 0xC2B2AE35 & _BITS) >> 16) * period // 65536) % period
-    for keys in (key, key * 0x85EBCA6B & _BITS):
-        other = (((keys >> 16) * period >> 16) + period - turn) % period
+    turn = (turn + _residue(key * 0xC2B2AE35, period)) % period
+    for partner, keys in ((key, key), (key << 16, key ^ 0x85EBCA6B)):
+        other = (_residue(partner, period) + period - turn) % period
         swaps = (keys + np.maximum(turn, other)) * 0x9E3779B9 >> 31 & 1
         turn = np.where(swaps == 1, other, turn)
     due = (turn + clock) % period == 0
@@ -210,6 +210,11 @@ def due(size: tuple[int, int], clock: int, period: int, block: int) -> Mask:
 
 
 _BITS = 0xFFFFFFFF
+
+
+def _residue(hashed: NDArray[np.uint64], period: int) -> NDArray[np.uint64]:
+    """A hash made even in [0, period)."""
+    return ((hashed & _BITS) >> 16) * period >> 16
 
 
 def _mixed(numbers: NDArray[np.uint64]) -> NDArray[np.uint64]:

@@ -25,18 +25,17 @@ uint sc_hash(uint x) {
 }
 
 // A hash made uniform in [0, sc_period).
-uint sc_residue(uint hashed) {
-    return ((hashed >> 16) * uint(sc_period)) >> 16;
+int sc_residue(uint hashed) {
+    return int(((hashed >> 16) * uint(sc_period)) >> 16);
 }
 
-#if SC_REFRESH_STRATIFIED || SC_REFRESH_TILED
-// The picture in blocks. Numbers are divided as floats throughout, with half of one added, so that
-// no rounding can matter: many renderers divide integers slowly.
+#if SC_REFRESH_TILED
+// The picture in blocks. Numbers are divided as floats, with half of one added, so that no rounding
+// can matter: many renderers divide integers slowly.
 vec2 sc_blocks() {
     return floor((vec2(textureSize(sc_cache, 0) + sc_block) - 0.5) / float(sc_block));
 }
 
-#if SC_REFRESH_TILED
 // The pixel's block, numbered from 0 without gaps: strips that are `tall` blocks high, one above the
 // other, and in each column after column. So neighbours in number are neighbours in the picture.
 int sc_number(vec2 blocks, float tall) {
@@ -46,13 +45,12 @@ int sc_number(vec2 blocks, float tall) {
     return int(bottom) * int(blocks.x) + int(block.x * column + block.y - bottom);
 }
 #endif
-#endif
 
 #if SC_REFRESH_STRATIFIED
 // One round of a shuffle of [0, sc_period) by swaps, each made or not (Hoang, Morris and Rogaway
 // 2012): for any period, without a table.
-int sc_swap(int slot, uint key) {
-    int other = int(sc_residue(key)) - slot;
+int sc_swap(int slot, int partner, uint key) {
+    int other = partner - slot;
     other += other < 0 ? sc_period : 0;
     return ((key + uint(max(slot, other))) * 0x9E3779B9u & 0x80000000u) == 0u ? slot : other;
 }
@@ -62,22 +60,23 @@ int sc_swap(int slot, uint key) {
 int sc_turn() {
 #if SC_REFRESH_RANDOM
     uvec2 block = uvec2(gl_FragCoord.xy / float(sc_block));
-    return int(sc_residue(sc_hash(block.x * 1973u + block.y * 9277u + 26699u)));
+    return sc_residue(sc_hash(block.x * 1973u + block.y * 9277u + 26699u));
 #elif SC_REFRESH_STRATIFIED
     // Of each group of sc_period blocks one is due in every frame, in an order of the group's own.
-    // Blocks are numbered row by row, which is less to compute than groups as high as wide.
-    vec2 block = floor(gl_FragCoord.xy / float(sc_block));
-    int number = int(block.y) * int(sc_blocks().x) + int(block.x);
-    // The first quotient may be a little off where the picture has millions of blocks.
-    int group = int(float(number) / float(sc_period));
-    int slot = number - group * sc_period;
-    int rest = int(floor((float(slot) + 0.5) / float(sc_period)));
-    uint key = sc_hash(uint(group + rest) * 9277u + 26699u);
+    // Blocks are numbered row by row, which is less to compute than groups as high as wide, and as
+    // floats: exact below 2^23 blocks, and above them a pixel still has one turn in each period.
+    float shrink = 1.0 / float(sc_block);
+    vec2 block = floor(gl_FragCoord.xy * shrink);
+    float across = ceil((float(textureSize(sc_cache, 0).x) - 0.5) * shrink);
+    float number = block.y * across + block.x;
+    float group = floor((number + 0.5) / float(sc_period));
+    uint key = sc_hash(uint(group) * 9277u + 26699u);
     // Turned by a number of the group's own as well: one swap in four is none, and the places that
     // keep their turn must not stand one above the other.
-    int turned = slot - rest * sc_period + int(sc_residue(key * 0xC2B2AE35u));
-    turned -= turned >= sc_period ? sc_period : 0;
-    return sc_swap(sc_swap(turned, key), key * 0x85EBCA6Bu);
+    int turn = int(number - group * float(sc_period)) + sc_residue(key * 0xC2B2AE35u);
+    turn -= turn >= sc_period ? sc_period : 0;
+    turn = sc_swap(turn, sc_residue(key), key);
+    return sc_swap(turn, sc_residue(key << 16), key ^ 0x85EBCA6Bu);
 #elif SC_REFRESH_TILED
     // As many tiles as there are frames in a period, each due in one of them.
     vec2 blocks = sc_blocks();
@@ -85,7 +84,7 @@ int sc_turn() {
     return int((float(sc_number(blocks, floor(sqrt(tile) + 0.01))) + 0.5) / tile);
 #elif SC_REFRESH_SURFACE
     // Neighbouring triangles of a mesh are drawn one behind the other, so they share a turn.
-    return int(sc_residue(sc_hash(uint(gl_PrimitiveID >> 6) * 9277u + 26699u)));
+    return sc_residue(sc_hash(uint(gl_PrimitiveID >> 6) * 9277u + 26699u));
 #endif
 }
 

@@ -70,30 +70,27 @@ uint sc_hash(uint x) {
     return x ^ x >> 15;
 }
 
-uint sc_residue(uint hashed) {
-    return (hashed >> 16) * uint(sc_period) >> 16;
+int sc_residue(uint hashed) {
+    return int((hashed >> 16) * uint(sc_period) >> 16);
 }
 
-vec2 sc_blocks() {
-    return floor((vec2(textureSize(sc_cache, 0) + sc_block) - 0.5) / float(sc_block));
-}
-
-int sc_swap(int slot, uint key) {
-    int other = int(sc_residue(key)) - slot;
+int sc_swap(int slot, int partner, uint key) {
+    int other = partner - slot;
     other += other < 0 ? sc_period : 0;
     return ((key + uint(max(slot, other))) * 0x9E3779B9u & 0x80000000u) == 0u ? slot : other;
 }
 
 int sc_turn() {
-    vec2 block = floor(gl_FragCoord.xy / float(sc_block));
-    int number = int(block.y) * int(sc_blocks().x) + int(block.x);
-    int group = int(float(number) / float(sc_period));
-    int slot = number - group * sc_period;
-    int rest = int(floor((float(slot) + 0.5) / float(sc_period)));
-    uint key = sc_hash(uint(group + rest) * 9277u + 26699u);
-    int turned = slot - rest * sc_period + int(sc_residue(key * 0xC2B2AE35u));
-    turned -= turned >= sc_period ? sc_period : 0;
-    return sc_swap(sc_swap(turned, key), key * 0x85EBCA6Bu);
+    float shrink = 1.0 / float(sc_block);
+    vec2 block = floor(gl_FragCoord.xy * shrink);
+    float across = ceil((float(textureSize(sc_cache, 0).x) - 0.5) * shrink);
+    float number = block.y * across + block.x;
+    float group = floor((number + 0.5) / float(sc_period));
+    uint key = sc_hash(uint(group) * 9277u + 26699u);
+    int turn = int(number - group * float(sc_period)) + sc_residue(key * 0xC2B2AE35u);
+    turn -= turn >= sc_period ? sc_period : 0;
+    turn = sc_swap(turn, sc_residue(key), key);
+    return sc_swap(turn, sc_residue(key << 16), key ^ 0x85EBCA6Bu);
 }
 
 bool sc_due() {
