@@ -1,6 +1,7 @@
-"""Verify every legal node of the corpus by every algorithm, and keep the results.
+"""Verify the nodes of the corpus by every algorithm, and keep the results.
 
-``python -m tests.verify_all [-j N] [--scene NAME] [--resume]`` writes
+Every legal node of the two scenes of the paper's kind; of those with several objects one of each
+value that is offered. ``python -m tests.verify_all [-j N] [--scene NAME] [--resume]`` writes
 ``bench/results/<machine>/verify-<scene>.json``, from time to time while it works and whole each
 time; what an interrupted run found, ``--resume`` keeps. Exit status 1 if a law is broken.
 """
@@ -21,8 +22,12 @@ from typing import Any
 
 import shadercache
 from shadercache.analysis.candidates import Candidate
+from shadercache.analysis.groups import one_of_each
 from shadercache.cli.progress import progress
+from shadercache.cli.scenes import cache_options
+from shadercache.compiler import Analysis
 from shadercache.diagnostics import DiagnosticError
+from shadercache.harness.animation import Rows
 from shadercache.harness.context import open_context
 from shadercache.harness.files import write_bytes
 from shadercache.harness.parallel import verify_in_parallel
@@ -30,10 +35,14 @@ from shadercache.harness.results import environment, machine_name
 from shadercache.harness.scene import Scene, load_scene
 from shadercache.harness.shaders import analyse_scene
 from shadercache.harness.verify import MAX_TIES, Difference, Verdict, Verifier
+from shadercache.options import DEFAULT_CACHE, CacheOptions
 from shadercache.paths import data_path
 
 SCHEMA_VERSION = 1
-SCENES = ("dragon", "trashcan")
+WHOLE = ("dragon", "trashcan")
+"""Scenes of which every legal node is verified."""
+
+SCENES = (*WHOLE, "heroine", "colonnade")
 RESULTS = Path(__file__).resolve().parent.parent / "bench" / "results"
 
 SAVE_SECONDS = 20.0
@@ -48,14 +57,16 @@ class Report:
 
     path: Path
     head: dict[str, Any]
-    legal: Sequence[Candidate]
+    every: Sequence[Candidate]
+    chosen: Sequence[Candidate]
+    cache: CacheOptions = DEFAULT_CACHE
     rows: dict[str, Row] = field(default_factory=dict)
     saved: float = 0.0
 
     @property
     def left(self) -> list[str]:
         """The ids of nodes without a row."""
-        return [node.id for node in self.legal if node.id not in self.rows]
+        return [node.id for node in self.chosen if node.id not in self.rows]
 
     @property
     def broken(self) -> list[str]:
@@ -71,7 +82,7 @@ class Report:
 
     def save(self) -> None:
         """Write the file, rows in the order of the shader's nodes, one to a line."""
-        ordered = [self.rows[node.id] for node in self.legal if node.id in self.rows]
+        ordered = [self.rows[node.id] for node in self.chosen if node.id in self.rows]
         head = json.dumps(self.head | {"counts": self.counts()}, indent=1).removesuffix("\n}")
         rows = ",\n".join(f"  {json.dumps(row, ensure_ascii=False)}" for row in ordered)
         write_bytes(self.path, f'{head},\n "nodes": [\n{rows}\n ]\n}}\n'.encode())
@@ -81,8 +92,9 @@ class Report:
         """How many nodes are legal, verified, exact, ... so far."""
         rows = self.rows.values()
         return {
-            "legal": len(self.legal),
-            "offered": sum(node.offered for node in self.legal),
+            "legal": sum(node.legal for node in self.every),
+            "offered": sum(node.offered for node in self.every),
+            "chosen": len(self.chosen),
             "verified": len(rows),
             "exact in proof mode": sum("broken" not in row for row in rows),
             "broken": sum("broken" in row for row in rows),
@@ -139,12 +151,15 @@ def fingerprint(scene: Scene) -> str:
         for path in package.rglob("*")
         if path.suffix in (".py", ".glsl", ".vert", ".frag", ".txt")
     )
-    meshes = (scene.verify_mesh or scene.mesh, scene.vertex)
-    textures = (texture.path for texture in scene.textures.values())
-    files = [*code, *data_path("grammars").glob("*"), scene.path, scene.fragment]
+    files = {*code, *data_path("grammars").glob("*"), scene.path}
+    for item in scene.parts:
+        of = item.scene
+        given = (of.fragment, of.vertex, of.verify_mesh or of.mesh)
+        files |= {path for path in given if path is not None}
+        files |= {texture.path for texture in of.textures.values()}
+        files |= {rows.path for rows in of.animated.values() if isinstance(rows, Rows)}
     digest = hashlib.sha256()
-    given = (path for path in meshes if path is not None)
-    for path in sorted({*files, *given, *textures}):
+    for path in sorted(files):
         digest.update(path.name.encode() + b"\0" + path.read_bytes())
     return digest.hexdigest()[:16]
 
@@ -167,11 +182,23 @@ def prepare(path: Path, output: Path | None, resume: bool) -> Report:
         "depth_ties": ties,
     }
     folder = output or RESULTS / machine_name(about)
-    legal = [node for node in analysis.nodes if node.legal]
-    report = Report(folder / f"verify-{scene.name}.json", head, legal)
+    report = Report(
+        folder / f"verify-{scene.name}.json",
+        head,
+        analysis.nodes,
+        nodes_of(scene, analysis),
+        cache_options(scene, None),
+    )
     if resume:
         report.rows = earlier_rows(report)
     return report
+
+
+def nodes_of(scene: Scene, analysis: Analysis) -> list[Candidate]:
+    """What is verified of a scene."""
+    if scene.name in WHOLE:
+        return [node for node in analysis.nodes if node.legal]
+    return list(one_of_each([node for node in analysis.nodes if node.offered], analysis.groups))
 
 
 def earlier_rows(report: Report) -> dict[str, Row]:
@@ -179,7 +206,7 @@ def earlier_rows(report: Report) -> dict[str, Row]:
     try:
         stored = json.loads(report.path.read_text(encoding="utf-8"))
         if stored["fingerprint"] == report.head["fingerprint"]:
-            known = {node.id for node in report.legal}
+            known = {node.id for node in report.chosen}
             return {row["id"]: row for row in stored["nodes"] if row["id"] in known}
     except (OSError, ValueError, KeyError, TypeError):
         pass
@@ -200,7 +227,8 @@ def verify(path: Path, report: Report, jobs: int, limit: int | None) -> None:
                 if verdict.broken:
                     _say(f"{verdict.node} ({verdict.path}): {', '.join(verdict.broken)}")
 
-            verify_in_parallel(path, left, max(1, min(jobs, len(left))), told=told)
+            at_once = max(1, min(jobs, len(left)))
+            verify_in_parallel(path, left, at_once, told=told, cache=report.cache)
     finally:
         report.save()
 
@@ -210,7 +238,8 @@ def summary(report: Report) -> str:
     counts = report.counts()
     lines = [
         f"{report.head['scene']}: {counts['exact in proof mode']} of {counts['verified']} nodes "
-        f"exact in proof mode ({counts['legal']} legal, {counts['offered']} offered)",
+        f"exact in proof mode ({counts['legal']} legal, {counts['offered']} offered, "
+        f"{counts['chosen']} to verify)",
         f"  law 1: {report.head['law_1']}; plain mode changes bits of "
         f"{counts['plain mode changes bits']}; {counts['without 1-pass']} cannot be cached in one "
         f"pass",

@@ -10,7 +10,11 @@ from typing import Any
 import pytest
 import verify_all
 
+from shadercache.harness.scene import load_scene
+from shadercache.harness.shaders import analyse_scene
 from shadercache.harness.verify import Difference, Verdict
+from shadercache.options import CacheOptions
+from shadercache.paths import data_path
 
 pytestmark = pytest.mark.xdist_group("laws-trashcan")
 
@@ -25,7 +29,9 @@ class Renderer:
         self.stops_after: int | None = None
         self.broken: set[str] = set()
 
-    def __call__(self, scene: Path, nodes: Sequence[str], jobs: int, told: Told) -> None:
+    def __call__(
+        self, scene: Path, nodes: Sequence[str], jobs: int, told: Told, cache: CacheOptions
+    ) -> None:
         for count, node in enumerate(nodes):
             if count == self.stops_after:
                 raise KeyboardInterrupt
@@ -55,6 +61,14 @@ def test_every_legal_node_has_a_row(tmp_path: Path, renderer: Renderer) -> None:
     assert found["nodes"][0] == {"id": renderer.asked[0], "path": "main"}
     assert found["law_1"] == "exact"
     assert found["environment"]["gl"]["renderer"]
+
+
+def test_of_scenes_with_several_objects_each_offered_value_is_taken_once() -> None:
+    scene, analysis = analyse_scene(load_scene(data_path("corpus", "heroine")))
+    chosen = verify_all.nodes_of(scene, analysis)
+    values = {analysis.groups[node] for node in analysis.nodes if node.offered}
+    assert all(node.offered for node in chosen)
+    assert len(chosen) == len({analysis.groups[node] for node in chosen}) == len(values)
 
 
 def test_an_interrupted_run_is_taken_up(tmp_path: Path, renderer: Renderer) -> None:
