@@ -11,6 +11,7 @@ import typer
 
 from shadercache.cli.io import folder
 from shadercache.cli.measuring import (
+    WeighOption,
     parse_blocks,
     parse_passes,
     parse_periods,
@@ -77,6 +78,7 @@ def command(
     unroll: UnrollOption = False,
     fetches: FetchesOption = "whole",
     cache: CacheOption = None,
+    weigh: WeighOption = True,
     out: Annotated[
         Path,
         typer.Option(
@@ -133,7 +135,7 @@ def command(
     with open_context() as gpu:
         where = environment(gpu)
         for every, edge in choices:
-            how = MeasureOptions(extent, frames, period=every, block=edge)
+            how = MeasureOptions(extent, frames, period=every, block=edge, weigh=weigh)
             with step_progress(f"{scene.name}, period {every}, block {edge}") as tell:
                 found = measure(gpu, scene, entries, how, tell, replacement)
             report = to_json(found, where)

@@ -4,14 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
+
+import typer
 
 from shadercache.cli.progress import progress
 from shadercache.cli.tables import format_table
 from shadercache.diagnostics import usage_error
 
 if TYPE_CHECKING:
-    from shadercache.harness.measurement import Measurement, NodeResult, VariantResult
+    from shadercache.harness.measurement import Gain, Measurement, NodeResult, VariantResult
+
+WeighOption = Annotated[
+    bool,
+    typer.Option(
+        "--weigh/--no-weigh",
+        help="Of several objects, leave those to their originals where caching gains nothing.",
+    ),
+]
 
 HEADER = (
     "node",
@@ -112,6 +122,7 @@ def summary(measurement: Measurement) -> str:
                 f"and not drawn, which saves the original {skipped.saved:.0%}; "
                 f"{skipped.uncached} drawn by their originals"
             )
+    lines += [_worth(gain) for gain in measurement.gains]
     options = measurement.options
     lines.append(
         f"{options.size[0]}x{options.size[1]}, {options.frames} frames, period {options.period}, "
@@ -120,6 +131,16 @@ def summary(measurement: Measurement) -> str:
     )
     lines += [f"note: {note}" for note in measurement.notes]
     return "\n".join(lines)
+
+
+def _worth(gain: Gain) -> str:
+    drawn = "cached" if gain.pays else "nothing gained, so drawn by the original"
+    names = f"{len(gain.objects)} objects" if len(gain.objects) > 1 else gain.objects[0]
+    ratio = gain.ratio
+    return (
+        f"{names} ({gain.shader}): cached, a frame is {ratio.median:.2f}x "
+        f"[{ratio.low:.2f}-{ratio.high:.2f}] as fast with {gain.algorithm}: {drawn}"
+    )
 
 
 def _marked(variants: Sequence[VariantResult]) -> Iterator[tuple[bool, VariantResult]]:

@@ -9,6 +9,7 @@ import typer
 
 from shadercache.cli.io import folder
 from shadercache.cli.measuring import (
+    WeighOption,
     parse_blocks,
     parse_periods,
     parse_size,
@@ -71,6 +72,7 @@ def command(
     unroll: UnrollOption = False,
     fetches: FetchesOption = "whole",
     cache: CacheOption = None,
+    weigh: WeighOption = True,
     view: Annotated[
         list[str] | None,
         typer.Option(
@@ -111,7 +113,9 @@ def command(
     )
     context.obj.show(depth_warnings(options, scene.camera.near, scene.camera.far))
     entry = make_entry(analysis, label, chosen, options, (passes,), unprofitable=unprofitable)
-    how = MeasureOptions(extent, frame + 1, period=every, block=edge, picture_frame=frame)
+    how = MeasureOptions(
+        extent, frame + 1, period=every, block=edge, picture_frame=frame, weigh=weigh
+    )
     replacement = replacement_mesh(scene, mesh)
     with open_context() as gpu, step_progress(f"running {label}") as tell:
         found = measure(gpu, scene, [entry], how, tell, replacement)

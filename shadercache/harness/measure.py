@@ -16,6 +16,7 @@ from shadercache.harness.clock import Clock, no_collection, pick_clock
 from shadercache.harness.context import Gpu
 from shadercache.harness.curves import outcome_curve, skipped_of
 from shadercache.harness.debug_views import Probe
+from shadercache.harness.gains import weigh
 from shadercache.harness.lanes import PartsLane, ReferenceLane, VariantLane
 from shadercache.harness.measurement import Entry, Group, Measurement, MeasureOptions, Shot
 from shadercache.harness.mesh import Mesh
@@ -58,7 +59,9 @@ def measure(
     covered: list[float] = []
     notes: dict[str, None] = {}
     batches = list(_batches(entries, options.group))
-    with Stage(gpu, scene, options.size, mesh=mesh) as stage:
+    with Stage(gpu, scene, options.size, mesh=mesh) as whole:
+        gains = weigh(whole, entries[0], options, clock) if options.weigh else ()
+        stage = whole.without_caching({name for g in gains if not g.pays for name in g.objects})
         for number, batch in enumerate(batches):
             tell = _teller(progress, number, len(batches), options)
             run = _GroupRun(stage, batch, options, clock)
@@ -72,7 +75,7 @@ def measure(
             notes |= dict.fromkeys(run.notes)
     share = float(np.mean(covered)) if covered else 0.0
     return Measurement(
-        scene.name, options, clock.name, share, tuple(groups), tuple(shots), (*notes,)
+        scene.name, options, clock.name, share, tuple(groups), tuple(shots), (*notes,), gains
     )
 
 

@@ -44,6 +44,7 @@ class MeasureOptions:
     ``group``: how many variants are interleaved at once; more need more memory for caches.
     ``picture_frame``: the frame whose pictures are kept; None keeps none.
     ``curves``: of at most so many nodes what becomes of the pixels is counted in every frame.
+    ``weigh``: first find out which objects with shaders of their own are worth caching.
     """
 
     size: tuple[int, int] = (1024, 1024)
@@ -57,6 +58,7 @@ class MeasureOptions:
     group: int = 12
     picture_frame: int | None = None
     curves: int = 8
+    weigh: bool = True
 
     @property
     def first_compared(self) -> int:
@@ -184,6 +186,24 @@ class Skipped:
 
 
 @dataclass(frozen=True, slots=True)
+class Gain:
+    """How many times as fast a frame is with the objects of one shader cached, all else the same.
+
+    ``shader`` is its file's name; ``ratio`` is of the algorithm that gains the most by it.
+    """
+
+    shader: str
+    objects: tuple[str, ...]
+    algorithm: str
+    ratio: Ratio
+
+    @property
+    def pays(self) -> bool:
+        """Is the frame any faster for it?"""
+        return self.ratio.median > 1.0
+
+
+@dataclass(frozen=True, slots=True)
 class Group:
     """Nodes whose frames were interleaved with the same draws of the original.
 
@@ -199,7 +219,8 @@ class Group:
 @dataclass(frozen=True, eq=False)
 class Measurement:
     """The whole answer. ``covered``: mean share of the frame that the mesh covers; ``notes``: what
-    the runs gave away, such as cuts that were not told."""
+    the runs gave away, such as cuts that were not told; ``gains``: what caching the objects with
+    shaders of their own is worth. Those where it is nothing were drawn by their originals."""
 
     scene: str
     options: MeasureOptions
@@ -208,6 +229,7 @@ class Measurement:
     groups: tuple[Group, ...]
     shots: tuple[Shot, ...]
     notes: tuple[str, ...] = ()
+    gains: tuple[Gain, ...] = ()
 
     @cached_property
     def nodes(self) -> tuple[NodeResult, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from copy import copy
 from dataclasses import replace
 from pathlib import Path
@@ -115,6 +116,19 @@ class Stage(Owner):
         other.scene = self.scene.seen_from(camera, path)
         other.props = tuple(
             prop.seen_as(replace(prop.item, scene=prop.scene.seen_from(camera, path)))
+            for prop in self.props
+        )
+        return other
+
+    def without_caching(self, names: Collection[str]) -> Stage:
+        """The same objects, some of them drawn by their originals.
+
+        It shares all that is on the GPU with this stage, which must outlive it.
+        """
+        other = copy(self)
+        other._owns = False
+        other.props = tuple(
+            prop.seen_as(replace(prop.item, cached=False)) if prop.item.name in names else prop
             for prop in self.props
         )
         return other

@@ -1,0 +1,99 @@
+"""Objects with shaders of their own are weighed: where caching gains nothing the original draws."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from itertools import cycle
+
+import pytest
+
+from shadercache.harness import measure as measuring
+from shadercache.harness.context import Gpu
+from shadercache.harness.measure import measure
+from shadercache.harness.measurement import Entry, MeasureOptions
+from shadercache.harness.runner import VariantRunner
+from shadercache.harness.scene import Scene, load_scene
+from shadercache.harness.shaders import analyse_scene
+from shadercache.harness.stage import Stage
+from shadercache.harness.sweep import make_entry
+from shadercache.options import CacheOptions, Options
+from shadercache.paths import data_path
+
+pytestmark = pytest.mark.xdist_group("gl")
+
+SIZE = (32, 32)
+OPTIONS = MeasureOptions(SIZE, frames=4)
+
+
+class Told:
+    """A clock that draws, and says what it is told to, over and over."""
+
+    name = "told"
+
+    def __init__(self, *seconds: float) -> None:
+        self._seconds = cycle(seconds)
+
+    def time(self, draw: Callable[[], None]) -> float:
+        draw()
+        return next(self._seconds)
+
+
+@pytest.fixture(scope="module")
+def heroine() -> tuple[Scene, Entry]:
+    """The scene's shader; the ground has one of its own, cached too; the sky's is not cached."""
+    scene, analysis = analyse_scene(load_scene(data_path("corpus", "heroine")))
+    node = analysis.nodes_of(scene.nodes["surface"])
+    options = Options(cache=CacheOptions(ids=True))
+    return scene, make_entry(analysis, "surface", node, options, (2,), unprofitable=True)
+
+
+@pytest.fixture
+def clock(monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[[Sequence[float]], None]]:
+    def tell(seconds: Sequence[float]) -> None:
+        monkeypatch.setattr(measuring, "pick_clock", lambda _: Told(*seconds))
+
+    yield tell
+
+
+# Weighing takes turns: first without caching the object, then with it.
+@pytest.mark.parametrize(("seconds", "uncached"), [((3.0, 2.0), 1), ((2.0, 3.0), 2), ((2.0,), 2)])
+def test_an_object_that_gains_nothing_is_drawn_by_its_original(
+    gpu: Gpu,
+    heroine: tuple[Scene, Entry],
+    clock: Callable[[Sequence[float]], None],
+    seconds: Sequence[float],
+    uncached: int,
+) -> None:
+    scene, entry = heroine
+    clock(seconds)
+    found = measure(gpu, scene, [entry], OPTIONS)
+    [gain] = found.gains
+    assert (gain.shader, gain.objects, gain.algorithm) == ("ground.frag", ("ground",), "2-pass")
+    assert gain.ratio.median == seconds[0] / seconds[-1]
+    assert gain.pays == (uncached == 1)
+    assert found.groups[0].skipped is not None
+    assert found.groups[0].skipped.uncached == uncached
+
+
+def test_nothing_is_weighed_unasked(
+    gpu: Gpu, heroine: tuple[Scene, Entry], clock: Callable[[Sequence[float]], None]
+) -> None:
+    scene, entry = heroine
+    clock((2.0, 3.0))
+    found = measure(gpu, scene, [entry], MeasureOptions(SIZE, frames=4, weigh=False))
+    assert found.gains == ()
+    assert found.groups[0].skipped is not None
+    assert found.groups[0].skipped.uncached == 1
+
+
+def test_what_is_left_out_stores_nothing(gpu: Gpu, heroine: tuple[Scene, Entry]) -> None:
+    scene, entry = heroine
+    with Stage(gpu, scene, SIZE) as stage:
+        kept = []
+        for on in (stage, stage.without_caching(["ground"])):
+            with VariantRunner(on, entry.bundle, "2-pass") as runner:
+                runner.draw(0)
+                runner.draw(1)
+                kept.append(int((runner.cache()[..., 3] != 0.0).sum()))
+    everything, heroine_alone = kept
+    assert 0 < heroine_alone < everything
