@@ -89,6 +89,7 @@ def _measure(
         period=demo.period,
         block=demo.block,
         picture_frame=frames - 1,
+        curves=0,
     )
     with step_progress(f"measuring {scene.name}") as tell:
         return measure(gpu, scene, entries, how, tell, load_mesh(mesh) if mesh else None)
