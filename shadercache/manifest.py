@@ -72,8 +72,8 @@ RESET = (
     "After a resize or a lost context make them anew first, as large as the target.",
     "Draw only the passes with on_reset true: what was stored is not looked up, and the image is "
     "the original's.",
-    "Three passes may then be drawn as the one of two passes with on_reset true: image and cache "
-    "are the same, and the geometry is drawn once.",
+    "One and three passes may then be drawn as the one of two passes with on_reset true: image and "
+    "cache are the same, no branch is in the way, and the geometry is drawn once.",
     "An object that the last frame did not show, or that jumps, is drawn so by itself; the caches "
     "stay as they are.",
     "A cut that is not told is drawn rightly up to what passes the hit test by chance, and costs "

@@ -61,8 +61,8 @@ class RunOptions:
 
     ``period`` in frames (1 refreshes everything), ``block`` in pixels (even), ``epsilon`` relative
     to 1/w; without ``moving`` every frame shows the scene of frame 0, while the clock runs on.
-    With ``short_reset`` three passes are drawn after a reset as the one of two that computes:
-    image and cache are the same (law 4), and the geometry is drawn once.
+    With ``short_reset`` one and three passes are drawn after a reset as the one of two that
+    computes: image and cache are the same (law 4), and nothing is looked up or drawn twice.
     """
 
     period: int = 32
@@ -257,7 +257,7 @@ class VariantRunner(Runner):
         specs = bundle.passes(chosen)
         passes = tuple(self._bind(prop, spec, naming) for spec in specs)
         on_reset = tuple(bound for bound, spec in zip(passes, specs, strict=True) if spec.on_reset)
-        if len(on_reset) > 1 and self.options.short_reset and "2-pass" in bundle.algorithms:
+        if chosen != "2-pass" and self.options.short_reset and "2-pass" in bundle.algorithms:
             whole = [spec for spec in bundle.passes("2-pass") if spec.on_reset]
             on_reset = tuple(self._bind(prop, spec, naming) for spec in whole)
         return Role(prop, bundle, naming, passes, on_reset, bundle.debug, self._caches)
