@@ -33,6 +33,11 @@ do is the same for all payloads of a type."""
 # are shaders to the driver's cache of compiled code, which goes by the text.
 _HEADING = re.compile(r"^// shadercache: [^\\\n]*$", re.MULTILINE)
 
+VERSION_HINT = (
+    "'shadercache doctor' lists what the driver has; proof mode raises shaders to GLSL 4.00 or "
+    "GLSL ES 3.20, where `precise` begins"
+)
+
 # "0:12(5): error: ..." (Mesa), "0(12) : error ..." (NVIDIA), "ERROR: 0:12: ..." (others).
 _LOG_LINE = re.compile(r"^(?:ERROR: )?0[:(](\d+)(?:\((\d+)\))?[):]*\s*(.*)$", re.MULTILINE)
 
@@ -187,7 +192,13 @@ def _refused(log: str, vertex: Source, fragment: Source) -> InputError:
     source = vertex if at_vertex else fragment
     body = log.split("=\n", 1)[-1].strip()
     places = [
-        Diagnostic("SC602", f"the driver says: {found[3]}", source, _place(source, found))
+        Diagnostic(
+            "SC602",
+            f"the driver says: {found[3]}",
+            source,
+            _place(source, found),
+            VERSION_HINT if "GLSL" in found[3] and "not supported" in found[3] else None,
+        )
         for found in _LOG_LINE.finditer(body)
         if "warning" not in found[3].lower()
     ]
