@@ -18,6 +18,12 @@ Matrix = NDArray[np.float64]
 Values = Mapping[str, NDArray[np.float64]]
 """Uniform name -> its numbers in the order of upload (n,); matrices column by column."""
 
+
+def root_of(name: str) -> str:
+    """The variable that a uniform is part of: ``light`` of ``light.color`` and ``light[1]``."""
+    return name.partition("[")[0].partition(".")[0]
+
+
 FRAMES_PER_SECOND = 60.0
 
 

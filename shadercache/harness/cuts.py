@@ -8,13 +8,13 @@ test by chance is wrong.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterable
+from collections.abc import Collection
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias, get_args
 
 import numpy as np
 
-from shadercache.harness.camera import Values
+from shadercache.harness.camera import Values, root_of
 
 ResetReason: TypeAlias = Literal[
     "first frame", "cut", "resize", "projection change", "shader reload", "lost context"
@@ -63,9 +63,13 @@ class CutWatch:
         self._changes.clear()
         self._rates.clear()
 
-    def moved(self, frame: int, before: Values, now: Values, names: Iterable[str]) -> None:
-        """Compare the uniforms that decide where things are with those of the last frame."""
-        change = max((_change(before[name], now[name]) for name in names), default=0.0)
+    def moved(self, frame: int, before: Values, now: Values, names: Collection[str]) -> None:
+        """Compare the uniforms that decide where things are with those of the last frame.
+
+        ``names`` may be of structs and instances of blocks, whose parts have the values.
+        """
+        changes = (_change(before[name], now[name]) for name in now if root_of(name) in names)
+        change = max(changes, default=0.0)
         usual = float(np.median(self._changes)) if self._changes else change
         if change > max(LEAP, UNUSUAL * usual):
             self._suspect(frame, f"what it is seen from changed by {change:.0%} at once")

@@ -16,6 +16,7 @@ from pathlib import Path
 
 from shadercache.ast import nodes as n
 from shadercache.compiler import Analysis
+from shadercache.harness.blocks import block_fields
 from shadercache.harness.scene import (
     RESTING_CAMERA,
     RESTING_MOTION,
@@ -65,7 +66,7 @@ def made_scene(fragment: Path, analysis: Analysis, vertex: Path | None = None) -
     textures: dict[str, TextureSpec] = {}
     old = {new: name for name, new in analysis.renamed.items()}
     for name, kind in _declared(analysis.raised, "uniform", old):
-        word = _PREFIX.sub("", name, count=1).replace("_", "").lower()
+        word = _PREFIX.sub("", name.rpartition(".")[2], count=1).replace("_", "").lower()
         texture = MADE_TEXTURES.get(kind.name)
         if texture is not None:
             textures[name] = TextureSpec(Path(texture), "linear", True, "repeat", 1.0, made=True)
@@ -103,6 +104,10 @@ def _declared(
     """Name and type of each uniform or attribute without an initialiser, by its old name too."""
     for stage in stages:
         for decl in stage.module.decls:
+            if isinstance(decl, n.BlockDecl) and decl.qualifiers.has(word):
+                prefix = f"{decl.instance}." if decl.instance else ""
+                for name, kind in block_fields(decl, stage.facts).items():
+                    yield prefix + name, kind
             if not isinstance(decl, n.VarDecl) or not decl.qualifiers.has(word):
                 continue
             for item in decl.declarators:

@@ -13,7 +13,7 @@ from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.front.parse import parse
 from shadercache.harness.bundle import PassSpec
 from shadercache.harness.cache import CachePair
-from shadercache.harness.camera import Values
+from shadercache.harness.camera import Values, root_of
 from shadercache.harness.programs import Uniform
 from shadercache.harness.prop import Prop
 from shadercache.harness.stage import Stage
@@ -47,6 +47,12 @@ class Naming:
 
     roles: Mapping[str, str]
     twins: Mapping[str, str]
+
+    def original(self, name: str) -> str | None:
+        """What a twin, or a part of one, has the last value of; None for other uniforms."""
+        whole = root_of(name)
+        found = self.twins.get(whole)
+        return None if found is None else found + name[len(whole) :]
 
 
 NO_NAMES = Naming({}, {})
@@ -115,6 +121,7 @@ class BoundPass:
             texture = _cache_texture(source, caches) if isinstance(source, str) else source
             texture.use(unit)
             uniform.write(self._unit_bytes[unit])
+        self._program.bind_blocks()
 
     def _targets(self, caches: CachePair | None) -> tuple[moderngl.Texture, ...]:
         made = self._stage.targets
@@ -138,7 +145,7 @@ class BoundPass:
             elif role is not None:
                 problems += self._bind_role(uniform, role)
             else:
-                problems += self._bind_value(uniform, naming.twins.get(name), values)
+                problems += self._bind_value(uniform, naming.original(name), values)
         if problems:
             raise InputError(problems)
 
@@ -170,7 +177,8 @@ class BoundPass:
         if name not in values:
             if _has_initialiser(self._spec, uniform.name):
                 return []
-            hint = f"in the scene, under [uniforms], add: {name} = ..."
+            key = name if root_of(name) == name else f'"{name}"'
+            hint = f"in the scene, under [uniforms], add: {key} = ..."
             return [self._problem("SC520", f"needs the uniform {name}", hint)]
         try:
             uniform.encode(values[name], f"{name} of {self._prop.scene.path}")

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.diagnostics import Diagnostic, InputError, input_error
+from shadercache.harness.blocks import Member, Place, UniformBuffer, members_of
 from shadercache.harness.context import Gpu
 from shadercache.source import Source, Span
 
@@ -44,11 +45,11 @@ _LOG_LINE = re.compile(r"^(?:ERROR: )?0[:(](\d+)(?:\((\d+)\))?[):]*\s*(.*)$", re
 
 @dataclass(eq=False)
 class Uniform:
-    """One active uniform of a linked program, and the bytes it holds now."""
+    """One active uniform of a linked program, or member of a block, and the bytes it holds now."""
 
     name: str
     sampler: str | None
-    _gl: moderngl.Uniform
+    _gl: moderngl.Uniform | Place
     _dtype: np.dtype[Any]
     _count: int
     _is_array: bool
@@ -84,13 +85,21 @@ class Program:
     gl: moderngl.Program
     uniforms: dict[str, Uniform]
     attributes: dict[str, int]
+    blocks: tuple[UniformBuffer, ...] = ()
     arrays: dict[tuple[int, ...], moderngl.VertexArray] = field(default_factory=dict)
     users: int = 0
+
+    def bind_blocks(self) -> None:
+        """Upload what has changed of the uniform blocks, and bind them."""
+        for block in self.blocks:
+            block.bind()
 
     def release(self) -> None:
         """Free the GL objects."""
         for array in self.arrays.values():
             array.release()
+        for block in self.blocks:
+            block.release()
         self.gl.release()
 
 
@@ -152,6 +161,7 @@ def _link(
         raise _refused(str(error), vertex, fragment) from None
     uniforms: dict[str, Uniform] = {}
     attributes: dict[str, int] = {}
+    blocks: dict[str, moderngl.UniformBlock] = {}
     for name in gl:
         member: Any = gl[name]
         if isinstance(member, moderngl.Uniform):
@@ -159,10 +169,21 @@ def _link(
         elif isinstance(member, moderngl.Attribute):
             if not name.startswith("gl_"):
                 attributes[name] = _attribute(vertex.name, name, member)
-        else:
-            message = f"{fragment.name}: the harness cannot fill the uniform block {name}"
-            raise input_error("SC524", message)
-    return Program(fragment.name, gl, uniforms, attributes)
+        elif isinstance(member, moderngl.UniformBlock):
+            blocks[name.partition("[")[0]] = member
+    buffers: dict[str, UniformBuffer] = {}
+    if blocks:
+        sizes = {name: block.size for name, block in blocks.items()}
+        members = members_of(((vertex, "vertex"), (fragment, "fragment")), sizes)
+        for at, (name, block) in enumerate(blocks.items()):
+            buffers[name] = UniformBuffer(ctx, block, at)
+        uniforms |= {item.name: _member(item, buffers[item.block]) for item in members}
+    return Program(fragment.name, gl, uniforms, attributes, tuple(buffers.values()))
+
+
+def _member(item: Member, buffer: UniformBuffer) -> Uniform:
+    place = Place(buffer, item.words)
+    return Uniform(item.name, None, place, item.dtype, len(item.words), item.is_array)
 
 
 def _uniform(shader: str, name: str, member: Any) -> Uniform:

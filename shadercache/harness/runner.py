@@ -305,7 +305,7 @@ class VariantRunner(Runner):
         for role in self._roles:
             if role.caches is not None and role.before is not None:
                 before, now = role.prop.values(role.before), role.prop.values(self._shown(frame))
-                self.cuts.moved(frame, before, now, role.bundle.twins.values())
+                self.cuts.moved(frame, before, now, set(role.bundle.twins.values()))
 
     def _begin(self) -> None:
         self.stage.begin()

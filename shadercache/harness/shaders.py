@@ -12,7 +12,7 @@ import numpy as np
 from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import input_error, usage_error
 from shadercache.front.options import ReadOptions
-from shadercache.harness.camera import scene_values
+from shadercache.harness.camera import root_of, scene_values
 from shadercache.harness.made_scene import made_scene
 from shadercache.harness.scene import Scene, load_scene
 from shadercache.options import MappingKind
@@ -106,7 +106,7 @@ def with_aliases(scene: Scene, renamed: Mapping[str, str]) -> Scene:
     def aliased(values: Mapping[str, T]) -> dict[str, T]:
         made = dict(values)
         for name, value in values.items():
-            root = name.partition("[")[0].partition(".")[0]
+            root = root_of(name)
             if root in renamed:
                 made[renamed[root] + name[len(root) :]] = value
         return made

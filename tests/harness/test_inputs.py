@@ -94,7 +94,7 @@ def test_what_the_harness_cannot_give(stage: Stage) -> None:
     out = "out vec4 o; void main() { "
     for fragment in (
         "uniform sampler3D u_t; " + out + "o = texture(u_t, vec3(0.0)); }",
-        "layout(std140) uniform Block { vec4 a; }; " + out + "o = a; }",
+        "uniform Block { vec4 a; }; " + out + "o = a; }",
         "uniform sampler2D u_t[2]; " + out + "o = texture(u_t[0], vec2(0)) * texture(u_t[1], "
         "vec2(0)); }",
     ):

@@ -83,7 +83,24 @@ def test_everything_can_be_drawn(gpu: Gpu) -> None:
     assert (later[..., 2] > first[..., 2]).all(), "three clocks go on"
 
 
-def test_nothing_is_made_for_a_uniform_block(gpu: Gpu, tmp_path: Path) -> None:
+def test_members_of_blocks_have_values_as_uniforms_do(gpu: Gpu, tmp_path: Path) -> None:
+    path = tmp_path / "block.frag"
+    path.write_text("""#version 330
+        layout(std140) uniform Light { vec4 tint; };
+        layout(std140) uniform Host { float u_time; float gain; } host;
+        out vec4 c;
+        void main() { c = vec4(tint.xy, host.u_time / 8.0, host.gain); }
+    """)
+    scene, analysis = open_scene(path)
+    emission = emit_original(analysis)
+    with Stage(gpu, scene, (8, 8), "rgba32f") as stage:
+        [image] = render_original(stage, Bundle(emission.manifest, emission.files), (0,))
+    assert image[0, 0].tolist() == pytest.approx([0.8, 0.6, START / 8.0, 0.5])
+
+
+def test_nothing_is_made_for_a_block_in_a_layout_of_the_drivers_own(
+    gpu: Gpu, tmp_path: Path
+) -> None:
     path = tmp_path / "block.frag"
     path.write_text(
         "#version 330\nuniform Light { vec4 tint; };\nout vec4 c;\nvoid main() { c = tint; }\n"
