@@ -77,6 +77,7 @@ def to_json(measurement: Measurement, where: Mapping[str, Any]) -> dict[str, Any
         "options": asdict(measurement.options),
         "covered": measurement.covered,
         "notes": list(measurement.notes),
+        "gains": [_plain(asdict(gain)) for gain in measurement.gains],
         "groups": [_plain(asdict(group)) for group in measurement.groups],
     }
 

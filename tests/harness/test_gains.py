@@ -11,6 +11,7 @@ from shadercache.harness import measure as measuring
 from shadercache.harness.context import Gpu
 from shadercache.harness.measure import measure
 from shadercache.harness.measurement import Entry, MeasureOptions
+from shadercache.harness.results import to_json
 from shadercache.harness.runner import VariantRunner
 from shadercache.harness.scene import Scene, load_scene
 from shadercache.harness.shaders import analyse_scene
@@ -71,6 +72,8 @@ def test_an_object_that_gains_nothing_is_drawn_by_its_original(
     assert (gain.shader, gain.objects, gain.algorithm) == ("ground.frag", ("ground",), "2-pass")
     assert gain.ratio.median == seconds[0] / seconds[-1]
     assert gain.pays == (uncached == 1)
+    [told] = to_json(found, {})["gains"]
+    assert (told["shader"], told["ratio"]["median"]) == ("ground.frag", gain.ratio.median)
     assert found.groups[0].skipped is not None
     assert found.groups[0].skipped.uncached == uncached
 
