@@ -57,8 +57,9 @@ FRAME = (
     "Set the uniforms. A name among the values of 'previous' gets what its key had in the last "
     "frame (of a jittered projection: with the jitter of this frame, which is no motion); the "
     "clock is the frame number modulo the period, reduced on the CPU.",
-    "Draw the passes of the variant in order. All objects finish a pass before the next begins. "
-    "Bind targets[i] at colour attachment i; do not blend.",
+    "Draw the passes of the variant in order. All objects finish a pass before the next begins; "
+    "those that are not cached come first, with no cache attached, so that nothing they hide is "
+    "stored. Bind targets[i] at colour attachment i; do not blend.",
 )
 
 FRAME_OF_TWO = (

@@ -9,13 +9,16 @@ from datetime import date
 from functools import cache
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import pytest
 
 from shadercache.compiler import Emission, analyse, rewrite
 from shadercache.harness.bundle import Bundle, load_bundle
+from shadercache.harness.camera import Values
 from shadercache.harness.context import Gpu
 from shadercache.harness.mesh import load_mesh
+from shadercache.harness.prop import Prop
 from shadercache.harness.runner import RunOptions, VariantRunner
 from shadercache.harness.scene import load_scene
 from shadercache.harness.shaders import open_scene
@@ -60,10 +63,7 @@ def agree(stage: Stage, bundle: Bundle, folder: Path, algorithm: str, form: str 
     )
     with VariantRunner(stage, bundle, algorithm, RunOptions(5, 4, cache_format=form)) as runner:
         for frame in range(6):
-            values = {
-                name: tuple(map(float, numbers)) if numbers.size > 1 else float(numbers[0])
-                for name, numbers in stage.values(frame).items()
-            }
+            values = values_of(stage.values(frame))
             expected = runner.image(frame)
             assert expected.any(), "an empty picture proves nothing"
             if other.draw(frame, values, 5, 4).tobytes() != expected.tobytes():
@@ -139,3 +139,65 @@ def test_same_bits_for_other_ways_to_refresh(gpu: Gpu, tmp_path: Path, settings:
     with Stage(gpu, scene, (64, 64), "rgba32f") as stage:
         for algorithm in bundle.algorithms:
             assert agree(stage, bundle, tmp_path, algorithm, None), algorithm
+
+
+@pytest.mark.parametrize("algorithm", ["1-pass", "2-pass", "3-pass"])
+def test_same_bits_for_several_objects(
+    gpu: Gpu, scene_folder: Path, tmp_path: Path, algorithm: str
+) -> None:
+    """By two shaders, of two periods, one that is hidden for a while and one that is not cached:
+    they share caches and depth, and the manifests say how."""
+    scene, analysis = open_scene(scene_folder / "objects" / "scene.toml")
+    # A number beside the object's own leaves room in one texture, as the other shader's node does.
+    node = next(node for node in analysis.nodes if node.legal and str(node.type) == "float")
+    options = Options(cache=read_cache_options(["ids=on"]))
+    emission = rewrite(analysis, node, options, unprofitable=True)
+    bundle = Bundle(emission.manifest, emission.files)
+    independent = independent_runner()
+    with (
+        Stage(gpu, scene, (96, 80), "rgba32f") as stage,
+        VariantRunner(stage, bundle, algorithm, RunOptions(5, 4)) as runner,
+    ):
+        canvas = independent.Canvas(gpu.ctx, stage.size, bundle.manifest["cache"])
+        others: list[tuple[Prop, Any]] = []
+        for prop in stage.props:
+            own = stage.cast.bundle(prop.item, bundle)
+            folder = tmp_path / prop.item.name
+            folder.mkdir()
+            write(Emission(dict(own.files), dict(own.manifest)), folder)
+            attributes = {
+                name: prop.mesh.arrays[array] for name, array in prop.scene.attributes.items()
+            }
+            assert own.cache == bundle.cache
+            how = algorithm if prop.item.cached else "original"
+            made = independent.IndependentRunner(
+                *(gpu.ctx, folder, how, stage.size, attributes, prop.mesh.index, {}),
+                cull=prop.scene.cull,
+                canvas=canvas,
+                number=prop.number,
+            )
+            others.append((prop, made))
+        for frame in range(8):
+            expected = runner.image(frame).copy()
+            turns = [
+                independent.Turn(
+                    other,
+                    values_of(prop.values(frame)) if prop.is_there(frame) else None,
+                    min(prop.item.period or 5, 5),
+                    prop.item.block or 4,
+                )
+                for prop, other in others
+            ]
+            assert expected.any(), "an empty picture proves nothing"
+            assert independent.draw_together(frame, turns).tobytes() == expected.tobytes(), frame
+
+
+def values_of(found: Values) -> dict[str, object]:
+    """Uniforms as moderngl takes them."""
+    made: dict[str, object] = {}
+    for name, numbers in found.items():
+        flat = tuple(map(float, numbers))
+        rows = [flat[at : at + 16] for at in range(0, len(flat), 16)]
+        is_table = len(flat) > 16 and len(flat) % 16 == 0
+        made[name] = rows if is_table else flat if len(flat) > 1 else flat[0]
+    return made
