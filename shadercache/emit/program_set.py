@@ -17,6 +17,7 @@ from shadercache.emit.printer import print_module
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.options import Options
 from shadercache.sema.facts import Stage
+from shadercache.transform.hide_constants import hide_constants
 from shadercache.transform.hide_counters import hide_counters
 from shadercache.transform.make_precise import make_precise
 from shadercache.transform.precisions import with_precisions
@@ -191,6 +192,8 @@ class _Writer:
         if self.options.mode == "proof":
             if self.unrolled and stage == "fragment":
                 module = hide_counters(module)
+            if stage == "fragment":
+                module = hide_constants(module, memo)
             module = make_precise(module, self.vertex.prefix, stage, memo)
         version, rest = print_module(module, memo).split("\n", 1)
         return f"{version}\n// shadercache: {item.file}, {self.about}\n{rest}"
