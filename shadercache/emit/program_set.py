@@ -17,8 +17,7 @@ from shadercache.emit.printer import print_module
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.options import Options
 from shadercache.sema.facts import Stage
-from shadercache.transform.hide_constants import hide_constants
-from shadercache.transform.hide_counters import hide_counters
+from shadercache.transform.hide_arguments import hide_arguments
 from shadercache.transform.make_precise import make_precise
 from shadercache.transform.precisions import with_precisions
 
@@ -111,7 +110,7 @@ def emit_programs(
         color=program.color,
     )
     about = ", ".join(f"node {node.id}" for node in nodes)
-    write = _Writer(made, vertex, options, about, program.unrolled)
+    write = _Writer(made, vertex, options, about)
     made.original = write.original(program)
     made.debug = write.add(_HIT_MASK, emitter.made(FragmentEmitter.hit_mask))
     made.payload = write.add(_PAYLOAD, emitter.made(FragmentEmitter.payload_alone))
@@ -141,7 +140,7 @@ def _emitter(
 def emit_original(program: FragmentProgram, vertex: VertexEmitter, options: Options) -> ProgramSet:
     """The user's shaders themselves, printed: what variants are compared with."""
     made = ProgramSet(prefix=program.prefix, color=program.color)
-    write = _Writer(made, vertex, options, "unchanged", program.unrolled)
+    write = _Writer(made, vertex, options, "unchanged")
     made.original = write.original(program)
     return made
 
@@ -154,7 +153,6 @@ class _Writer:
     vertex: VertexEmitter
     options: Options
     about: str
-    unrolled: bool
 
     def original(self, program: FragmentProgram) -> Pass:
         """The user's own shaders: word for word, or ready for proof mode."""
@@ -190,10 +188,8 @@ class _Writer:
         memo = self.vertex.memo
         module = with_precisions(shader.module, memo)
         if self.options.mode == "proof":
-            if self.unrolled and stage == "fragment":
-                module = hide_counters(module)
             if stage == "fragment":
-                module = hide_constants(module, memo)
+                module = hide_arguments(module, memo)
             module = make_precise(module, self.vertex.prefix, stage, memo)
         version, rest = print_module(module, memo).split("\n", 1)
         return f"{version}\n// shadercache: {item.file}, {self.about}\n{rest}"

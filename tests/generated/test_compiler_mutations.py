@@ -175,9 +175,9 @@ NOTICED: dict[str, tuple[str, Break]] = {
             program_set, "make_precise", lambda module, *_: replace(module, version=400)
         ),
     ),
-    "hide_constants: nothing": (
-        "gl330-constant_part",
-        lambda patch: patch.setattr(program_set, "hide_constants", lambda module, _: module),
+    "hide_arguments: nothing": (
+        "gl330-known_part",
+        lambda patch: patch.setattr(program_set, "hide_arguments", lambda module, _: module),
     ),
     "legacy_calls: no bias": ("gl120-bias", a_bias_is_dropped),
     "fixed_function: nothing declared": (

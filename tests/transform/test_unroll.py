@@ -193,7 +193,7 @@ def test_24_of_25_samples() -> None:
 
 
 def test_the_reference_is_the_shader_as_it_was() -> None:
-    """The laws prove the unrolling, too. In proof mode no counter is known beforehand."""
+    """The laws prove the unrolling, too. In proof mode no sine is known beforehand."""
     analysis = unrolled(f"for (int i = 0; i < 3; i++) {SUM.format('i')}")
     for mode in ("plain", "proof"):
         text = emit_original(analysis, mode).files["original.frag"]
@@ -202,7 +202,8 @@ def test_the_reference_is_the_shader_as_it_was() -> None:
     variants = rewrite(analysis, find(analysis, "vec4(a)"), Options("proof")).files
     hidden = variants["2-pass.miss.frag"]
     assert "for (" not in hidden
-    assert "int i = 0 - int(gl_FragCoord.x < 0.0);" in hidden
+    assert "int i = 0;" in hidden
+    assert hidden.count(" - float(gl_FragCoord.x < 0.0))") >= 3, "in each trip"
 
 
 def test_counters_keep_their_precision() -> None:

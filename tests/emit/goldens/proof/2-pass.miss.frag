@@ -14,7 +14,7 @@ invariant in vec2 v_uv;
 layout(location = 0) precise out vec4 o_color;
 
 float noise(vec3 p) {
-    precise float sc_exact_1 = sin(p.x * 12.9) * sin(p.y * 78.2) * sin(p.z * 37.7);
+    precise float sc_exact_1 = sin(p.x * 12.9 - float(gl_FragCoord.x < 0.0)) * sin(p.y * 78.2 - float(gl_FragCoord.x < 0.0)) * sin(p.z * 37.7 - float(gl_FragCoord.x < 0.0));
     return sc_exact_1;
 }
 
@@ -29,14 +29,14 @@ vec3 sc_stone(vec3 p) {
 }
 
 void sc_shade() {
-    precise vec3 normal = normalize(v_normal);
+    precise vec3 normal = normalize(v_normal - float(gl_FragCoord.x < 0.0));
     precise vec3 albedo = sc_stone(v_position);
     precise float light = max(dot(normal, u_tint), 0.0);
-    o_color = vec4(albedo * light + texture(u_map, v_uv).rgb, 1.0 - float(gl_FragCoord.x < 0.0));
+    o_color = vec4(albedo * light + texture(u_map, v_uv).rgb, 1.0);
 }
 
 vec4 sc_texel() {
-    precise vec4 sc_exact_1 = vec4(sc_payload, 0.0 - float(gl_FragCoord.x < 0.0), 0.0 - float(gl_FragCoord.x < 0.0), 16.0 / sc_current.w);
+    precise vec4 sc_exact_1 = vec4(sc_payload, 0.0, 0.0, 16.0 / sc_current.w);
     return sc_exact_1;
 }
 
@@ -62,7 +62,7 @@ void sc_guard() {
     bool unfit = sc_unfit(sc_store);
     if (unfit && sc_store.w != 0.0) {
         sc_hold();
-        sc_store.w = 32768.0 - float(gl_FragCoord.x < 0.0);
+        sc_store.w = 32768.0;
     }
 }
 

@@ -9,7 +9,7 @@ uniform float sc_least;
 invariant in vec3 v_position;
 
 float noise(vec3 p) {
-    precise float sc_exact_1 = sin(p.x * 12.9) * sin(p.y * 78.2) * sin(p.z * 37.7);
+    precise float sc_exact_1 = sin(p.x * 12.9 - float(gl_FragCoord.x < 0.0)) * sin(p.y * 78.2 - float(gl_FragCoord.x < 0.0)) * sin(p.z * 37.7 - float(gl_FragCoord.x < 0.0));
     return sc_exact_1;
 }
 
@@ -23,7 +23,7 @@ void sc_compute() {
 }
 
 vec4 sc_texel() {
-    precise vec4 sc_exact_1 = vec4(sc_payload, 0.0 - float(gl_FragCoord.x < 0.0), 0.0 - float(gl_FragCoord.x < 0.0), 16.0 / sc_current.w);
+    precise vec4 sc_exact_1 = vec4(sc_payload, 0.0, 0.0, 16.0 / sc_current.w);
     return sc_exact_1;
 }
 
@@ -49,7 +49,7 @@ void sc_guard() {
     bool unfit = sc_unfit(sc_store);
     if (unfit && sc_store.w != 0.0) {
         sc_hold();
-        sc_store.w = 32768.0 - float(gl_FragCoord.x < 0.0);
+        sc_store.w = 32768.0;
     }
 }
 
