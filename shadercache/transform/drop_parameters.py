@@ -7,7 +7,8 @@ An argument computed for nobody would keep the code behind it alive::
 
 Only functions that this compiler made are touched (their names are not overloaded), and only
 parameters whose arguments have no side effects. An ``inout`` parameter that is not used gives back
-what it got; an ``out`` parameter stays.
+what it got, which matters where the function writes to the same variable by another name: a global
+one, or one that it was given twice. An ``out`` parameter stays.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from collections.abc import Collection, Mapping
 from dataclasses import replace
 from typing import TypeAlias, TypeVar
 
-from shadercache.analysis.effects import EffectTable
+from shadercache.analysis.effects import EffectTable, root_variable
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.walk import walk
@@ -91,13 +92,32 @@ def _impure_arguments(
 ) -> dict[str, set[int]]:
     """For each function the argument places that have a side effect in some call."""
     table = EffectTable(module, memo)
+    shared = {
+        item.name
+        for decl in module.decls
+        if isinstance(decl, n.VarDecl)
+        for item in decl.declarators
+    }
     found: dict[str, set[int]] = {}
     callers = (decl for decl in module.decls if not kept_names(decl, memo).isdisjoint(functions))
     for item in (item for decl in callers for item in walk(decl)):
         if isinstance(item, n.Call) and item.name in functions:
             places = {i for i, arg in enumerate(item.args) if table.of(arg).writes}
+            places |= _given_back(item, table.functions[item.name], shared)
             found.setdefault(item.name, set()).update(places)
     return found
+
+
+def _given_back(call: n.Call, function: n.FunctionDef, shared: Collection[str]) -> set[int]:
+    """The places of a call whose variables the function may write to otherwise as well."""
+    params = function.proto.params
+    roots = {
+        place: root_variable(arg)
+        for place, (param, arg) in enumerate(zip(params, call.args, strict=True))
+        if param.writes_back
+    }
+    names = list(roots.values())
+    return {at for at, name in roots.items() if name in shared or names.count(name) > 1}
 
 
 def _keep(items: tuple[_T, ...], dropped: set[int]) -> tuple[_T, ...]:

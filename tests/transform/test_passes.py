@@ -135,6 +135,23 @@ def test_specialise_goal_cuts_everything_behind_it() -> None:
     assert text[text.index("void sc_entry() {") + 1] == "sc_outer(u_a);"
 
 
+def test_an_inout_parameter_that_gives_a_written_variable_back_stays() -> None:
+    module = module_of(
+        """vec2 g;
+        void f(inout vec2 x) { g.y = 1.0; }
+        void h(inout vec2 x, inout vec2 y) { y.x = 2.0; }
+        void k(inout vec2 x, vec2 y) { g.x = y.x; }
+        void main() {
+            vec2 a; vec2 b;
+            f(g); h(a, a); h(a, b); k(b, b);
+            color = vec4(a, b);
+        }"""
+    )
+    text = print_module(drop_parameters(module, {"f", "h", "k"}))
+    assert "f(g);" in text and "h(a, a);" in text and "h(a, b);" in text
+    assert "k(b);" in text, "nothing else writes to what it is given"
+
+
 def test_drop_parameters() -> None:
     module = module_of(
         """float f(float x, float y) { return y; }
