@@ -36,6 +36,8 @@ class Coverage:
     algorithms: Counter[str] = field(default_factory=Counter)
     nodes: int = 0
     not_finite: int = 0
+    turned_down: int = 0
+    """Shaders that the driver does not take as they are, so that nothing was drawn."""
     plain: int = 0
     """Variants in plain mode that were drawn."""
     plain_changed: int = 0
@@ -49,6 +51,7 @@ class Coverage:
         self.algorithms += report.algorithms
         self.nodes += report.nodes
         self.not_finite += not report.finite
+        self.turned_down += report.turned_down
         self.plain += len(report.plain)
         self.plain_changed += sum(share > 0.0 for share in report.plain)
 
@@ -63,6 +66,7 @@ class Coverage:
             mine.update(theirs)
         self.nodes += other.nodes
         self.not_finite += other.not_finite
+        self.turned_down += other.turned_down
         self.plain += other.plain
         self.plain_changed += other.plain_changed
 
@@ -84,6 +88,7 @@ class Coverage:
         """The counts as text, the most frequent first."""
         lines = [f"{self.shaders.total()} shaders, {self.nodes} nodes checked"]
         lines.append(f"{self.not_finite} shaders with values that are not finite")
+        lines.append(f"{self.turned_down} shaders that the driver turns down as they are")
         lines.append(f"plain mode changes bits of {self.plain_changed} of {self.plain} variants")
         for title in ("shaders", "constructs", "codes", "algorithms"):
             lines.append(f"{title}:")

@@ -42,6 +42,7 @@ def test_laws_1_to_4(gpu: Gpu) -> None:
     assert not missing, "never occurred"
     assert coverage.nodes > coverage.shaders.total(), "too few legal nodes"
     assert coverage.not_finite <= 0.05 * coverage.shaders.total()
+    assert coverage.turned_down <= 0.02 * coverage.shaders.total()
 
 
 def test_what_broke_once(gpu: Gpu) -> None:
