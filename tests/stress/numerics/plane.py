@@ -86,14 +86,14 @@ class Plane:
 
     def cached(self, texture: int = 0) -> NDArray[np.float32]:
         """What the last frame stored in the first or second texture, (h, w, channels)."""
-        made = self.runner.caches[0][texture]
+        made = self.runner.canvas.caches[0][texture]
         kind = np.float16 if made.dtype == "f2" else np.float32
         stored = np.frombuffer(made.read(), kind).astype(np.float32)
         return stored.reshape(SIZE, SIZE, -1)
 
     def overwrite(self, texels: NDArray[np.float32]) -> None:
         """Replace what the last frame stored in the first texture."""
-        made = self.runner.caches[0][0]
+        made = self.runner.canvas.caches[0][0]
         made.write(texels.astype(np.float16 if made.dtype == "f2" else np.float32).tobytes())
 
 
