@@ -249,7 +249,7 @@ class PartsLane:
         if not self.payload:
             return None
         bare = reference.share(reference.geometry)
-        if bare >= 1.0:  # a clock too coarse for the scene sees no shading
+        if bare == 1.0:  # a clock too coarse for the scene sees no shading
             return None
         return (reference.share(self.payload) - bare) / (1.0 - bare)
 

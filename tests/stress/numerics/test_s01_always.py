@@ -37,7 +37,7 @@ void main() { v_place = vec2(0.5); gl_Position = vec4(a_place, 0.0, 1.0); }
 
 
 def draws_primitive_ids(gpu: Gpu) -> bool:
-    """Mesa's softpipe does not (22.3.6): one triangle, number 0."""
+    """Some drivers draw nothing then: one triangle, number 0."""
     program = gpu.ctx.program(vertex_shader=PLACE, fragment_shader=PRIMITIVE)
     corners = gpu.ctx.buffer(np.array([-1, -1, 3, -1, -1, 3], np.float32).tobytes())
     array = gpu.ctx.vertex_array(program, corners, "a_place")
