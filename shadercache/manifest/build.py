@@ -1,6 +1,6 @@
-"""The manifest: everything an engine must know to run the variants, as plain JSON data.
+"""Manifests put together from what was emitted.
 
-The published schema is ``manifest.schema.json`` beside this file.
+The published schema is ``manifest.schema.json`` in the folder above.
 """
 
 from __future__ import annotations

@@ -1,0 +1,10 @@
+"""The manifest: everything an engine must know to run the variants, as plain JSON data."""
+
+from shadercache.manifest.build import (
+    DEPTH_FUNCTIONS,
+    build_manifest,
+    original_manifest,
+    with_mapping,
+)
+
+__all__ = ["DEPTH_FUNCTIONS", "build_manifest", "original_manifest", "with_mapping"]
