@@ -16,6 +16,8 @@ from shadercache.emit.layout import Layout, extras_of
 from shadercache.emit.program_set import Pass, ProgramSet
 from shadercache.emit.runtime import outcomes
 from shadercache.emit.uniforms import added_uniforms
+from shadercache.manifest.relies import relies_on
+from shadercache.manifest.sentences import frame_sentences, reset_sentences
 from shadercache.options import (
     PREVIOUS_CLIP,
     CacheOptions,
@@ -50,53 +52,8 @@ _ALWAYS = ("previous-cache", "current-cache", "previous-cache-2", "current-cache
 
 _CHANNELS = ("x", "xy", "xyz", "xyzw")
 
-FRAME = (
-    "Swap the two caches: what was written in the last frame is the previous cache now.",
-    "Clear the depth buffer to 1, the colour target to the background, and the cache that is "
-    "written in this frame to cache.clear.",
-    "Set the uniforms. A name among the values of 'previous' gets what its key had in the last "
-    "frame (of a jittered projection: with the jitter of this frame, which is no motion); the "
-    "clock is the frame number modulo the period, reduced on the CPU.",
-    "Draw the passes of the variant in order. All objects finish a pass before the next begins; "
-    "those that are not cached come first, with no cache attached, so that nothing they hide is "
-    "stored. Bind targets[i] at colour attachment i; do not blend.",
-)
-
-FRAME_OF_TWO = (
-    "What is said of a cache holds for its second texture (cache.second) as well; both are cleared "
-    "to values of their own."
-)
-
-RESET = (
-    "On the first frame, and whenever the last frame does not show the same scene (camera cut, "
-    "resize, new projection, reloaded shader, lost context): clear both caches to cache.clear. "
-    "After a resize or a lost context make them anew first, as large as the target.",
-    "Draw only the passes with on_reset true: what was stored is not looked up, and the image is "
-    "the original's.",
-    "One and three passes may then be drawn as the one of two passes with on_reset true: image and "
-    "cache are the same, no branch is in the way, and the geometry is drawn once.",
-    "An object that the last frame did not show, or that jumps, is drawn so by itself; the caches "
-    "stay as they are.",
-    "A cut that is not told is drawn rightly up to what passes the hit test by chance, and costs "
-    "look-ups that find nothing.",
-)
-
 FULL_SCREEN = {"geometry": "full-screen triangle", "mode": "triangles", "vertices": 3}
 """Three vertices without attributes: the vertex shaders make their positions."""
-
-WHOLE_TARGET = "a viewport that covers the whole target and begins at (0, 0), as large as the cache"
-PART_OF_TARGET = "a viewport inside of the target, which is as large as the cache"
-
-RELIES_ON = (
-    "opaque geometry, drawn without blending, alpha to coverage or multisampling",
-    "the depth function 'less' in the application, with depth cleared to 1; for any other, "
-    "depth_functions says what the passes' are and what depth is cleared to",
-    "one colour output; colours are written as the shader computes them, with no conversion to "
-    "sRGB between the passes",
-    WHOLE_TARGET,
-    "the same geometry, in the same order, in every pass of a frame",
-)
-
 
 _FORWARD: dict[str, Any] = {"less": "less", "lequal": "lequal", "clear": 1}
 _REVERSED: dict[str, Any] = {"less": "greater", "lequal": "gequal", "clear": 0}
@@ -126,18 +83,6 @@ def build_manifest(
     assert programs.payload is not None
     layout = Layout(tuple(node.type for node in nodes), extras=extras_of(options.cache))
     declared = _declared(programs)
-    relies = list(RELIES_ON)
-    if options.cache.viewport:
-        relies[relies.index(WHOLE_TARGET)] = PART_OF_TARGET
-    if options.cache.depth != "ndc":
-        relies.append("a perspective projection: in an orthographic one w tells no depth")
-    if programs.unchanging:
-        names = ", ".join(programs.unchanging)
-        relies.append(f"these decide the position and do not change between frames: {names}")
-    if options.fetches == "level" and 1 in programs.variants:
-        relies.append(
-            "isotropic texture filtering: one pass asks for levels of detail, then fetches at these"
-        )
     return {
         "schema_version": SCHEMA_VERSION,
         "generator": f"shadercache {__version__}",
@@ -166,9 +111,9 @@ def build_manifest(
         ],
         "payload": _pass(programs.payload),
         "debug": _pass(programs.debug) | {"values": outcomes(options.cache)},
-        "frame": [*FRAME, *[FRAME_OF_TWO] * layout.second],
-        "reset": list(RESET),
-        "relies_on": relies,
+        "frame": frame_sentences(bool(layout.second)),
+        "reset": reset_sentences(),
+        "relies_on": relies_on(options, programs),
         "depth_functions": {name: dict(found) for name, found in DEPTH_FUNCTIONS.items()},
     }
 

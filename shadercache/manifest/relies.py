@@ -1,0 +1,36 @@
+"""What the variants take for granted, in sentences: the manifest's ``relies_on``."""
+
+from __future__ import annotations
+
+from shadercache.emit.program_set import ProgramSet
+from shadercache.options import Options
+
+WHOLE_TARGET = "a viewport that covers the whole target and begins at (0, 0), as large as the cache"
+PART_OF_TARGET = "a viewport inside of the target, which is as large as the cache"
+
+RELIES_ON = (
+    "opaque geometry, drawn without blending, alpha to coverage or multisampling",
+    "the depth function 'less' in the application, with depth cleared to 1; for any other, "
+    "depth_functions says what the passes' are and what depth is cleared to",
+    "one colour output; colours are written as the shader computes them, with no conversion to "
+    "sRGB between the passes",
+    WHOLE_TARGET,
+    "the same geometry, in the same order, in every pass of a frame",
+)
+
+
+def relies_on(options: Options, programs: ProgramSet) -> list[str]:
+    """What these programs rely on."""
+    relies = list(RELIES_ON)
+    if options.cache.viewport:
+        relies[relies.index(WHOLE_TARGET)] = PART_OF_TARGET
+    if options.cache.depth != "ndc":
+        relies.append("a perspective projection: in an orthographic one w tells no depth")
+    if programs.unchanging:
+        names = ", ".join(programs.unchanging)
+        relies.append(f"these decide the position and do not change between frames: {names}")
+    if options.fetches == "level" and 1 in programs.variants:
+        relies.append(
+            "isotropic texture filtering: one pass asks for levels of detail, then fetches at these"
+        )
+    return relies
