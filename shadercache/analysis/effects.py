@@ -206,6 +206,23 @@ class EffectTable:
         return total
 
 
+def direct_writes(node: n.Node, table: EffectTable) -> frozenset[str]:
+    """What a node writes itself: not its operands, but the functions that it calls."""
+    targets: tuple[n.Expr, ...] = ()
+    found: frozenset[str] = frozenset()
+    match node:
+        case n.Assign(target=target):
+            targets = (target,)
+        case n.Unary(op="++" | "--", operand=target) | n.Postfix(operand=target):
+            targets = (target,)
+        case n.Call(args=args):
+            outs = out_arguments(node, table)
+            targets = tuple(arg for arg, out in zip(args, outs, strict=True) if out)
+            if node.name in table.functions:
+                found = table.summary(node.name).writes
+    return found.union(root for item in targets if (root := root_variable(item)))
+
+
 def out_arguments(call: n.Call, table: EffectTable) -> tuple[bool, ...]:
     """For each argument of a call: may the called function write to it?"""
     function = table.functions.get(call.name)

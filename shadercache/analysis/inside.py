@@ -4,16 +4,21 @@ The parts of the step are its plain statements and the conditions that they stan
 relevant for a value if it writes what the value reads, directly or through other parts, in whatever
 order they come; then its conditions are relevant too. Conditions of a ``return``, ``discard`` or
 ``break`` are relevant for everything: whether the rest is reached hangs on them.
+
+A plain statement has one part, itself. What it writes comes after what it reads, unless one of its
+operands has a side effect.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from typing import cast
 
-from shadercache.analysis.effects import Does, Effects, EffectTable, union
+from shadercache.analysis.effects import Does, Effects, EffectTable, direct_writes, union
+from shadercache.analysis.spine import order_matters
 from shadercache.ast import nodes as n
-from shadercache.ast.walk import children, walk
+from shadercache.ast.walk import STATEMENTS, children, walk
 
 _EXITS = Does.RETURN | Does.DISCARD | Does.JUMP
 _LOOPS = (n.For, n.While, n.DoWhile)
@@ -56,31 +61,65 @@ class Inside:
     def into_value(self, expr: n.Expr) -> Flow:
         """What the value of an expression hangs on, where it is evaluated."""
         own = self._of[expr]
-        return self._closure(expr, (), set(own.above), Does.JUMP)
+        return self._closure(self._table.of(expr).reads, self._later(own), (), own.above, Does.JUMP)
+
+    def into_global(self, call: n.Call, name: str) -> Flow:
+        """What gives a global the value that the function called finds in it."""
+        own = self._of[call]
+        later = None if name in self._written_beside(own, call) else own
+        return self._closure({name}, later, (), own.above, Does.JUMP)
 
     def into_use(self, expr: n.Expr, whole: bool) -> Flow:
         """What decides whether an expression is evaluated, and on what; ``whole``: its statement
         may skip it."""
         own = self._of[expr]
-        inner = (own,) if whole or isinstance(own.node, _LOOPS) else ()
-        return self._closure(expr, (*own.above, *inner), set(), _EXITS)
+        reads, first = self._table.of(expr).reads, self._deciding(own, whole)
+        return self._closure(reads, self._later(own), first, (), _EXITS)
 
-    def into_reach(self, expr: n.Expr) -> Flow:
+    def into_reach(self, expr: n.Expr, whole: bool) -> Flow:
         """What decides whether an expression is come by, without what it works on."""
         own = self._of[expr]
-        inner = (own,) if isinstance(own.node, _LOOPS) else ()
-        return self._closure(None, (*own.above, *inner), set(), _EXITS)
+        return self._closure((), self._later(own), self._deciding(own, whole), (), _EXITS)
 
     def into_exits(self) -> Flow:
         """What decides whether a ``return`` or ``discard`` is come by."""
-        return self._closure(None, (), set(), _EXITS)
+        return self._closure((), None, (), (), _EXITS)
+
+    def _deciding(self, own: Part, whole: bool) -> tuple[Part, ...]:
+        return (*own.above, own) if whole or isinstance(own.node, _LOOPS) else own.above
+
+    def _later(self, own: Part) -> Part | None:
+        """The part itself where nothing that it writes can be read in it afterwards."""
+        if isinstance(own.node, _LOOPS):
+            return None
+        if isinstance(own.node, STATEMENTS):
+            back = order_matters(cast("n.Stmt", own.node), self._table)
+        else:
+            back = bool(own.effects.writes)
+        return None if back else own
+
+    def _written_beside(self, own: Part, call: n.Call) -> frozenset[str]:
+        """What is written in a part before the call, or may be: all that others than it write."""
+        if isinstance(own.node, _LOOPS):
+            return own.effects.writes
+        others = (item for item in walk(own.node) if item is not call)
+        return frozenset[str]().union(*(direct_writes(item, self._table) for item in others))
 
     def _closure(
-        self, expr: n.Expr | None, first: Iterable[Part], given: set[Part], exits: Does
+        self,
+        reads: Iterable[str],
+        later: Part | None,
+        first: Iterable[Part],
+        given: Iterable[Part],
+        exits: Does,
     ) -> Flow:
-        """``first`` are relevant from the start, ``given`` hold anyway, and conditions above what
-        does any of ``exits`` decide on everything."""
-        names = set(self._table.of(expr).reads) if expr is not None else set()
+        """What flows into ``reads``; what ``later`` writes does not, as it comes too late.
+
+        ``first`` are relevant from the start, ``given`` hold anyway, and conditions above what
+        does any of ``exits`` decide on everything.
+        """
+        names = set(reads)
+        given = frozenset(given)
         relevant: dict[Part, None] = {}
         todo = [*first, *self._above_of(exits)]
         while True:
@@ -91,7 +130,7 @@ class Inside:
             todo = [
                 item
                 for part in self.parts
-                if part not in relevant and part.effects.writes & names
+                if part not in relevant and part is not later and part.effects.writes & names
                 for item in (part, *part.above)
                 if item not in relevant and item not in given
             ]
@@ -102,8 +141,17 @@ class Inside:
         for part in self.parts:
             if part.effects.does & exits:
                 yield from part.above
-                if isinstance(part.node, _LOOPS):
+                if isinstance(part.node, _LOOPS) or self._may_skip_discard(part.node):
                     yield part
+
+    def _may_skip_discard(self, node: n.Node) -> bool:
+        """Does a choice in an expression decide on a discard, in a function that it calls?"""
+        return any(
+            isinstance(item, n.Conditional)
+            or (isinstance(item, n.Binary) and item.op in ("&&", "||"))
+            for item in walk(node)
+            if self._table.of(item).does & Does.DISCARD
+        )
 
     def _collect(self, node: n.Node, above: tuple[Part, ...]) -> Iterator[Part]:
         match node:

@@ -63,11 +63,8 @@ class Dependents:
         for instance, found, parts in operands:
             self._atoms |= found.atoms
             self._parts.setdefault(instance, set()).update(parts)
-        for (instance, name), bit in slices.argument_bits.items():
-            if bit & self._atoms and instance.parent is not None and instance.call is not None:
-                names = [param.name for param in instance.places.function.proto.params]
-                arg = instance.call.args[names.index(name)]
-                self._parts.setdefault(instance.parent, set()).update(walk(arg))
+        for instance, parts in slices.handed_down(self._atoms):
+            self._parts.setdefault(instance, set()).update(parts)
         self._fed: dict[Instance, bool] = {}
 
     def fed_by(self, instance: Instance, place: Place) -> bool:
@@ -149,23 +146,19 @@ class SharedUses:
             at = use.instance
             while at not in seen and at.parent is not None and at.place is not None:
                 seen.add(at)
-                step = at.place.step
-                if step.is_control and at.call is not None:
-                    flow = self._slices.inside(step.stmt).into_reach(at.call)
+                step, guarded = at.place.step, at.place.use is Use.CONDITIONAL
+                if (step.is_control or guarded) and at.call is not None:
+                    flow = self._slices.inside(step.stmt).into_reach(at.call, guarded)
                     found = self._slices.flow(at.parent, step.index, flow)
                     yield at.parent, found, flow.expressions()
                 at = at.parent
 
     def _use(self, instance: Instance, place: Place, call: n.Call) -> SharedUse:
-        step, guarded = place.step, place.use is Use.CONDITIONAL
-        if step.is_control:
-            flow = self._slices.inside(step.stmt).into_use(call, guarded)
-            operands = self._slices.flow(instance, step.index, flow)
-            parts = {*flow.expressions(), *walk(call)}
-        else:
-            root = step.stmt if guarded else call
-            operands, parts = self._slices.before(instance, step.index, root), {*walk(root)}
-        return SharedUse(instance, place, operands, frozenset(parts - {call}))
+        step = place.step
+        flow = self._slices.inside(step.stmt).into_use(call, place.use is Use.CONDITIONAL)
+        operands = self._slices.flow(instance, step.index, flow)
+        parts = {*flow.expressions(), *walk(call)} - {call}
+        return SharedUse(instance, place, operands, frozenset(parts))
 
     def _is_inside(
         self, use: SharedUse, instance: Instance, below: set[n.Call], found: Slice
@@ -197,7 +190,7 @@ class SharedUses:
 
 
 def discards(instances: tuple[Instance, ...], slices: SliceTable) -> Dependents:
-    """What decides whether a fragment is discarded: conditionals with a discard inside, and those
+    """What decides whether a fragment is discarded: conditions with a discard under them, and those
     with a return in front of one."""
 
     def operands() -> Iterator[tuple[Instance, Slice, Iterable[n.Node]]]:
@@ -206,7 +199,7 @@ def discards(instances: tuple[Instance, ...], slices: SliceTable) -> Dependents:
             for step in reversed(instance.places.spine.steps):
                 does = step.effects.does
                 ahead = ahead or bool(does & Does.DISCARD)
-                if step.is_control and ahead and does & (Does.DISCARD | Does.RETURN):
+                if ahead and does & (Does.DISCARD | Does.RETURN):
                     flow = slices.inside(step.stmt).into_exits()
                     yield instance, slices.flow(instance, step.index, flow), flow.expressions()
 

@@ -1,14 +1,17 @@
 """Which steps of the program, and which inputs, the value of an expression depends on.
 
 Everything is kept as bit sets in plain integers: one bit for each (instance, step) and for each
-argument handed down a call path (an *atom*), one bit for each input (a *leaf*: a uniform, a
-varying, a built-in variable, a global, or a marker such as :data:`DERIVATIVE`).
+argument or global handed down a call path (an *atom*), one bit for each input (a *leaf*: a
+uniform, a varying, a built-in variable, a global, or a marker such as :data:`DERIVATIVE`).
+
+A global that the shader writes is followed like a parameter: what a function finds in it is what
+the caller's steps before the call left there, and before these the caller's own callers.
 """
 
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import compress
 
@@ -16,6 +19,7 @@ from shadercache.analysis.cost import CostTable
 from shadercache.analysis.effects import Does, EffectTable
 from shadercache.analysis.inside import Flow, Inside
 from shadercache.analysis.instances import Instance, Place
+from shadercache.analysis.spine import written_anywhere
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 
@@ -58,6 +62,7 @@ class SliceTable:
         self._totals: dict[int, float] = {}
         self._word_costs: dict[tuple[int, bytes], float] = {}
         self._globals = _global_initialisers(module)
+        self._mutable = written_anywhere(module, table)
         self._params: dict[tuple[Instance, str], Slice] = {}
         self._of_globals: dict[str, Slice] = {}
         self._steps: dict[Instance, list[Slice]] = {}
@@ -65,6 +70,8 @@ class SliceTable:
         self._reaching: dict[tuple[Instance, str], list[tuple[Slice, bool]]] = {}
         self.step_bits: dict[Instance, list[int]] = {}
         self.argument_bits: dict[tuple[Instance, str], int] = {}
+        self._found: dict[tuple[Instance, str], Slice] = {}
+        self._found_bits: dict[tuple[Instance, str], int] = {}
         for instance in instances:  # callers first
             self._hand_down(instance)
             self._fill(instance)
@@ -137,6 +144,19 @@ class SliceTable:
         self._atom_costs.append(cost)
         return 1 << (len(self._atom_costs) - 1)
 
+    def handed_down(self, atoms: int) -> Iterator[tuple[Instance, Iterable[n.Node]]]:
+        """For each argument and global among the atoms: the caller, and the expressions of the
+        calling step that flow into it."""
+        for (instance, name), bit in self.argument_bits.items():
+            if bit & atoms and instance.parent is not None and instance.call is not None:
+                names = [param.name for param in instance.places.function.proto.params]
+                arg = instance.call.args[names.index(name)]
+                yield instance.parent, walk(arg)
+                yield instance.parent, self._into_argument(instance, arg).expressions()
+        for (instance, name), bit in self._found_bits.items():
+            if bit & atoms and instance.parent is not None:
+                yield instance.parent, self._into_global(instance, name).expressions()
+
     def _hand_down(self, instance: Instance) -> None:
         """Slices of the arguments that the caller passes to this instance."""
         caller, call, place = instance.parent, instance.call, instance.place
@@ -148,10 +168,30 @@ class SliceTable:
                 continue
             bit = self._new_atom(self._cost.of(arg))
             self.argument_bits[instance, param.name] = bit
-            self._params[instance, param.name] = self.before(caller, index, arg) | Slice(bit)
-            if place.step.is_control:
-                flow = self.inside(place.step.stmt).into_value(arg)
-                self._params[instance, param.name] |= self.flow(caller, index, flow)
+            found = self.before(caller, index, arg) | Slice(bit)
+            if place.step.is_control or place.order_matters:
+                found = found | self.flow(caller, index, self._into_argument(instance, arg))
+            self._params[instance, param.name] = found
+
+    def _into_argument(self, instance: Instance, arg: n.Expr) -> Flow:
+        assert instance.place is not None
+        return self.inside(instance.place.step.stmt).into_value(arg)
+
+    def _into_global(self, instance: Instance, name: str) -> Flow:
+        assert instance.place is not None and instance.call is not None
+        return self.inside(instance.place.step.stmt).into_global(instance.call, name)
+
+    def _found_in(self, instance: Instance, name: str) -> Slice:
+        """What a function finds in a global when it is called."""
+        if instance.parent is None or instance.place is None:
+            return NOTHING
+        found = self._found.get((instance, name))
+        if found is None:
+            bit = self._found_bits[instance, name] = self._new_atom(0.0)
+            flow = self._into_global(instance, name)
+            found = self.flow(instance.parent, instance.place.step.index, flow) | Slice(bit)
+            self._found[instance, name] = found
+        return found
 
     def _fill(self, instance: Instance) -> None:
         slices = self._steps[instance] = []
@@ -169,6 +209,8 @@ class SliceTable:
             if name in self._globals:
                 # A global may also have been written elsewhere: it always counts as an input.
                 found = found | self._of_global(name)
+                if from_entry and name in self._mutable:
+                    found = found | self._found_in(instance, name)
             elif from_entry and (instance, name) in self._params:
                 found = found | self._params[instance, name]
         return found

@@ -1,0 +1,25 @@
+#version 330
+// SC316: the same outside of conditionals.
+in vec3 v_position;
+in vec3 v_normal;
+in vec2 v_uv;
+uniform vec3 u_light;
+uniform float u_time;
+uniform sampler2D u_map;
+uniform samplerCube u_sky;
+out vec4 o_color;
+
+float costly(vec3 p) {
+    return sin(exp(p.x) * 9.0) * cos(exp(p.y) * 7.0);
+}
+
+float cut() {
+    if (v_uv.x < 2.0) discard;
+    return 0.5;
+}
+
+void main() {
+    float n = costly(v_position);
+    float edge = n > 0.3 ? cut() : 0.25;
+    o_color = vec4(edge, v_uv, 1.0);
+}

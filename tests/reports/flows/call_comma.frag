@@ -1,0 +1,23 @@
+#version 330
+// SC315: written in the statement that takes the derivative.
+in vec3 v_position;
+in vec3 v_normal;
+in vec2 v_uv;
+uniform vec3 u_light;
+uniform float u_time;
+uniform sampler2D u_map;
+uniform samplerCube u_sky;
+out vec4 o_color;
+
+float costly(vec3 p) {
+    return sin(exp(p.x) * 9.0) * cos(exp(p.y) * 7.0);
+}
+
+float keep(float x) { return x; }
+
+void main() {
+    float n = costly(v_position);
+    float x = 0.0;
+    float edge = (x = keep(n), fwidth(x));
+    o_color = vec4(edge, v_uv, 1.0);
+}

@@ -1,0 +1,25 @@
+#version 330
+// SC319: the argument of a function that looks a cube map up.
+in vec3 v_position;
+in vec3 v_normal;
+in vec2 v_uv;
+uniform vec3 u_light;
+uniform float u_time;
+uniform sampler2D u_map;
+uniform samplerCube u_sky;
+out vec4 o_color;
+
+float costly(vec3 p) {
+    return sin(exp(p.x) * 9.0) * cos(exp(p.y) * 7.0);
+}
+
+vec3 look(vec3 to) { return textureLod(u_sky, to, 0.0).rgb; }
+
+void main() {
+    float edge = 0.0;
+    if (u_time < 2.0) {
+        float n = costly(v_position);
+        edge = look(v_normal + n).x;
+    }
+    o_color = vec4(edge, v_uv, 1.0);
+}

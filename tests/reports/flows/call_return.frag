@@ -1,0 +1,28 @@
+#version 330
+// SC315: it decides whether the function returns before its derivative.
+in vec3 v_position;
+in vec3 v_normal;
+in vec2 v_uv;
+uniform vec3 u_light;
+uniform float u_time;
+uniform sampler2D u_map;
+uniform samplerCube u_sky;
+out vec4 o_color;
+
+float costly(vec3 p) {
+    return sin(exp(p.x) * 9.0) * cos(exp(p.y) * 7.0);
+}
+
+float slope(float x, float y) {
+    if (x > 0.3) return 0.0;
+    return fwidth(y);
+}
+
+void main() {
+    float edge = 0.0;
+    if (u_time < 2.0) {
+        float n = costly(v_position);
+        edge = slope(n, v_uv.x);
+    }
+    o_color = vec4(edge, v_uv, 1.0);
+}

@@ -1,0 +1,25 @@
+#version 330
+// SC315: an argument's side effect writes it.
+in vec3 v_position;
+in vec3 v_normal;
+in vec2 v_uv;
+uniform vec3 u_light;
+uniform float u_time;
+uniform sampler2D u_map;
+uniform samplerCube u_sky;
+out vec4 o_color;
+
+float costly(vec3 p) {
+    return sin(exp(p.x) * 9.0) * cos(exp(p.y) * 7.0);
+}
+
+float level;
+float slope() { return fwidth(level); }
+float set(float x) { level = x; return x; }
+float slope_of(float x) { return slope() + x; }
+
+void main() {
+    float n = costly(v_position);
+    float both = slope_of(set(n));
+    o_color = vec4(both, v_uv, 1.0);
+}
