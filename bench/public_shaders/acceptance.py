@@ -47,7 +47,7 @@ def read_all(shaders: Sequence[Shader], processes: int) -> list[Outcome]:
 def outcome_of(shader: Shader) -> Outcome:
     """The outcome of one shader; whatever is raised becomes one."""
     try:
-        with _time_limit():
+        with time_limit():
             printed = _pass(shader.text, shader.stage)
             return _read_again(printed, shader.stage)
     except InputError as error:
@@ -88,7 +88,8 @@ def _place(error: Exception) -> str:
 
 
 @contextmanager
-def _time_limit() -> Iterator[None]:
+def time_limit() -> Iterator[None]:
+    """Raise :class:`TimeoutError` in what takes longer than it may."""
     signal.signal(signal.SIGALRM, _too_long)
     signal.alarm(SECONDS)
     try:

@@ -34,6 +34,7 @@ from shadercache.paths import data_path
 from tests.cases.cases import NAMES, analysed
 from tests.cases.scenery import make_scene, scene_of
 
+from .folder import folder_costs
 from .offers import Refused, programs, refused_cost
 
 CORPUS = ("dragon", "trashcan")
@@ -115,9 +116,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run; returns the exit status."""
     parser = argparse.ArgumentParser(prog="./dev refused", description=__doc__)
     parser.add_argument("--static", action="store_true", help="nothing is drawn or written")
+    text = "in place of corpus and cases: the shaders in this folder (static, nothing is written)"
+    parser.add_argument("--shaders", type=Path, metavar="DIR", help=text)
     parser.add_argument("--rounds", type=int, default=ROUNDS, metavar="N")
     parser.add_argument("-o", "--output", type=Path, metavar="DIR", help="for the result file")
     options = parser.parse_args(arguments)
+    if options.shaders is not None:
+        if not options.shaders.is_dir():
+            parser.error(f"{options.shaders}: there is no such folder")
+        return _folder(options.shaders)
     shaders = list(static_rows())
     accepted = [(name, analysis) for name, analysis in shaders if analysis is not None]
     whole = [name for name, analysis in shaders if analysis is None]
@@ -154,6 +161,24 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return int(max(found["static"], found["measured"]) > MOST)
 
 
+def _folder(folder: Path) -> int:
+    """Print the refused cost of a folder's shaders; returns the exit status."""
+    found = folder_costs(folder)
+    rows = [row_of(item.name, item.cost, None) for item in found if item.cost is not None]
+    if not rows:
+        print(f"refused: no shader in {folder} can be analysed", file=sys.stderr)
+        return 1
+    _print(rows, [f"{item.name} ({item.code})" for item in found if item.cost is None])
+    return 0
+
+
+def by_code(rows: Sequence[Row]) -> dict[str, tuple[float, float]]:
+    """By code: its share of the static cost of all shaders, and the mean of its shares in each."""
+    codes = sorted({code for row in rows for code in row["codes"]})
+    pairs = {code: [(row["static"], row["codes"].get(code, 0.0)) for row in rows] for code in codes}
+    return {code: (_share(found), _mean(found)) for code, found in pairs.items()}
+
+
 def _print(rows: Sequence[Row], whole: Sequence[str]) -> None:
     table: list[tuple[str, ...]] = []
     for row in rows:
@@ -167,6 +192,8 @@ def _print(rows: Sequence[Row], whole: Sequence[str]) -> None:
         table.append((row["shader"], f"{row['static']:.0f}", f"{share:.1%}", measured_share, codes))
     header = ("shader", "static", "refused", "measured", "where it stands")
     print(format_table(header, table, "static refused measured"))
+    for code, (all_cost, mean) in by_code(rows).items():
+        print(f"{code}: {all_cost:.2%} of the cost of all shaders; mean of shaders {mean:.2%}")
     for name, share in summary(rows).items():
         print(f"refused, {name}: {share:.2%}")
     print(f"refused as a whole, and not counted: {', '.join(whole)}")

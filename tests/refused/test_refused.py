@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections import Counter
 from pathlib import Path
 
+import pytest
+
 from shadercache.analysis.refusals import Code
 from shadercache.compiler import Analysis, analyse
 from shadercache.source import Source
 from tests.conftest import Golden
 
-from .__main__ import MOST, row_of, static_rows, summary
+from .__main__ import MOST, main, row_of, static_rows, summary
+from .folder import folder_costs
 from .offers import programs, refused_cost
 
 HEAD = """#version 330
@@ -81,3 +84,27 @@ def test_the_program_of_the_offers_computes_them_and_nothing_else() -> None:
     assert "wave(p)" in text
     assert "dFdx" not in text
     assert "yxz" not in text
+
+
+def test_a_folder_of_shaders(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    body = "color = vec4(wave(p) + dFdx(wave(p.yxz)));"
+    (tmp_path / "half.frag").write_text(f"{HEAD}void main() {{ {body} }}")
+    (tmp_path / "half.vert").write_text(VERTEX)
+    (tmp_path / "wrong.frag").write_text("#version 330\nvoid main() { none(); }\n")
+    (tmp_path / "unfit.frag").write_text(f"{HEAD}void main() {{ color = vec4(1.0); }}")
+    (tmp_path / "unfit.vert").write_text(VERTEX.replace("out vec2 uv", "vec2 uv"))
+    found = {item.name: item for item in folder_costs(tmp_path, 1)}
+    root = tmp_path.name
+    assert found[f"{root}/half.frag"].cost == refused_cost(analysis_of(body))
+    assert found[f"{root}/wrong.frag"].code == "SC201"
+    assert found[f"{root}/unfit.frag"].code == "SC406"
+    assert main(["--static", "--shaders", str(tmp_path)]) == 0
+    told = capsys.readouterr().out
+    assert "SC312: " in told
+    assert f"{root}/wrong.frag (SC201)" in told
+
+
+def test_a_folder_without_shaders_is_told(tmp_path: Path) -> None:
+    assert main(["--shaders", str(tmp_path)]) == 1
+    with pytest.raises(SystemExit):
+        main(["--shaders", str(tmp_path / "none")])
