@@ -24,15 +24,19 @@ from shadercache.analysis.sets import check_needed, check_set, companion, note_o
 from shadercache.ast import nodes as n
 from shadercache.diagnostics import Diagnostic, InputError, UsageError, input_error, usage_error
 from shadercache.emit.builder import FragmentProgram
+from shadercache.emit.dependencies import Dependency, dependencies
 from shadercache.emit.fragment import FragmentEmitter
 from shadercache.emit.full_screen import full_screen_vertex
 from shadercache.emit.printer import print_node
+from shadercache.emit.reflection import Input, inputs_of
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.front.dialects import surrounded
 from shadercache.front.options import ReadOptions
 from shadercache.options import MappingKind
+from shadercache.sema.facts import Facts, Stage
 from shadercache.source import Source
 from shadercache.transform.raise_version import Raised
+from shadercache.transform.reachable import declared_names
 
 _UNROLLED = re.compile(r"\.\d+u-")
 _INCLUDE = re.compile(r"#[ \t]*include\b")
@@ -55,6 +59,7 @@ class Analysis:
     reading: ReadOptions
     kept_loops: tuple[Diagnostic, ...] = ()
     """Which loops were not unrolled, where that was asked for, and why."""
+    vertex_facts: Facts | None = None
 
     @property
     def nodes(self) -> tuple[Candidate, ...]:
@@ -106,12 +111,43 @@ class Analysis:
         if self.mapping != "screen":
             return None
         kinds = ("uniforms", "textures", "varyings")
-        named = {name for node in nodes for name in node.inputs if not name.startswith("gl_")}
-        inputs = {name for name in named if self.input_kinds.get(name) in kinds}
+        read = self._read(nodes)
+        inputs = frozenset(name for name in read if self.input_kinds.get(name) in kinds)
         passed = inputs & varyings(self.program.module)
         if self.vertex is None:
             return tuple(sorted(inputs))
-        return tuple(sorted((inputs - passed) | self.vertex_emitter.inputs(passed)))
+        return tuple(sorted((inputs - passed) | self.vertex_emitter.inputs(self._given(passed))))
+
+    def dependencies(self, *nodes: Candidate) -> tuple[Dependency, ...]:
+        """What the engine sets that the values depend on, through varyings too."""
+        read = self._read(nodes)
+        passed = read & varyings(self.program.module)
+        stages: dict[Stage, frozenset[str]] = {"fragment": read - passed}
+        if self.vertex is not None:
+            stages["vertex"] = self.vertex_emitter.sources(self._given(passed))
+        return dependencies(stages, self.inputs)
+
+    @staticmethod
+    def _read(nodes: Sequence[Candidate]) -> frozenset[str]:
+        return frozenset(name for node in nodes for name in node.inputs)
+
+    def _given(self, passed: frozenset[str]) -> frozenset[str]:
+        """Names of varyings, and of the blocks of those that lie in one."""
+        blocks = {
+            decl.name
+            for decl in self.program.module.decls
+            if isinstance(decl, n.BlockDecl) and passed.intersection(declared_names(decl))
+        }
+        return passed | blocks
+
+    @cached_property
+    def inputs(self) -> tuple[Input, ...]:
+        """What an engine gives the user's shaders."""
+        program = self.program
+        stages: list[tuple[n.Module, Facts, Stage]] = []
+        if self.vertex_module is not None and self.vertex_facts is not None:
+            stages.append((self.vertex_module, self.vertex_facts, "vertex"))
+        return inputs_of([*stages, (program.module, program.facts, "fragment")])
 
     @property
     def notes(self) -> tuple[Diagnostic, ...]:

@@ -51,7 +51,7 @@ from shadercache.emit.depth_range import depth_warnings
 from shadercache.emit.layout import Layout, extras_of
 from shadercache.emit.printer import print_node
 from shadercache.front.options import ReadOptions
-from shadercache.manifest import build_manifest, original_manifest, with_mapping
+from shadercache.manifest import Setting, build_manifest, original_manifest
 from shadercache.options import ALGORITHMS, CacheOptions, MappingKind, Mode, Options, marks_depths
 from shadercache.sema.check import check
 from shadercache.sema.facts import Facts, Stage
@@ -128,12 +128,20 @@ def analyse(
     program = FragmentProgram(
         raised[0].module, module, facts, candidates, color, prefix, original, mapping
     )
-    vertex_module = None
+    vertex_module, vertex_facts = None, None
     if vertex is not None:
-        vertex_module, _ = _named(raised[1].module, raised[1].facts, vertex, "vertex")
+        vertex_module, vertex_facts = _named(raised[1].module, raised[1].facts, vertex, "vertex")
         check_stages(module, fragment, vertex_module, vertex)
     return Analysis(
-        fragment, vertex, candidates, program, tuple(raised), vertex_module, reading, kept_loops
+        fragment,
+        vertex,
+        candidates,
+        program,
+        tuple(raised),
+        vertex_module,
+        reading,
+        kept_loops,
+        vertex_facts,
     )
 
 
@@ -167,12 +175,15 @@ def rewrite(
     if not programs.variants:
         raise InputError(_unfit(analysis, nodes, programs))
     sources = analysis.fragment, analysis.vertex_source
-    manifest = with_mapping(
-        build_manifest(*sources, nodes, options, programs, analysis.renamed),
+    setting = Setting(
         analysis.mapping,
         analysis.full_screen,
+        analysis.inputs,
+        analysis.dependencies(*nodes),
         analysis.unchanged_for(*nodes),
+        analysis.renamed,
     )
+    manifest = build_manifest(*sources, nodes, options, programs, setting)
     notes = notes_on(nodes, analysis.fragment)
     if options.cache.depth == "ndc":  # of other depths it depends on the scene
         notes += depth_warnings(options, *USUAL_RANGE)

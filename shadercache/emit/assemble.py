@@ -93,7 +93,8 @@ def _located(decl: n.VarDecl, location: int) -> n.VarDecl:
 
 
 def interface(module: n.Module) -> Shader:
-    """The module with the names of its inputs, outputs and uniforms, in order of declaration."""
+    """The module with the names of its inputs, outputs and uniforms (blocks and buffers too), in
+    order of declaration."""
     inputs: list[str] = []
     outputs: list[str] = []
     uniforms: list[str] = []
@@ -108,7 +109,7 @@ def interface(module: n.Module) -> Shader:
             inputs += names
         elif decl.qualifiers.has("out"):
             outputs += names
-        elif decl.qualifiers.has("uniform"):
+        elif decl.qualifiers.has("uniform", "buffer"):
             uniforms += names
     return Shader(module, tuple(inputs), tuple(outputs), tuple(uniforms))
 

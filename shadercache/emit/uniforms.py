@@ -9,7 +9,7 @@ from shadercache.options import DEFAULT_MAGNIFICATION, Options
 
 
 def added_uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[str, Any]]:
-    """One entry for each: name, type, role, meaning, unit, range and default.
+    """One entry for each: name, type, role, meaning, unit, range, default, its value on a reset.
 
     ``prefix`` begins the names; ``options`` are those of the rewrite.
     """
@@ -17,8 +17,14 @@ def added_uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[s
     def entry(
         name: str, kind: str, role: str, meaning: str, unit: str | None = None, **more: Any
     ) -> dict[str, Any]:
-        base = {"name": prefix + name, "type": kind, "role": role, "meaning": meaning}
-        return base | {"unit": unit, "range": more.get("range"), "default": more.get("default")}
+        base: dict[str, Any] = {
+            "name": prefix + name,
+            "type": kind,
+            "role": role,
+            "meaning": meaning,
+        }
+        base |= {"unit": unit, "range": more.get("range"), "default": more.get("default")}
+        return base | ({"on_reset": more["on_reset"]} if "on_reset" in more else {})
 
     sampler = "usampler2D" if layout.bits else "sampler2D"
     most = f"[0, {2**31})" if layout.bits else f"[0, {MOST_IN_HALF}], with rgba32f [0, {2**24}]"
@@ -65,8 +71,9 @@ def added_uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[s
             "epsilon",
             "accepted difference between the cached and the expected depth",
             "relative to 1/w",
-            range="> 0",
+            range="> 0; below it nothing is found",
             default=options.epsilon,
+            on_reset=-1,
         ),
         entry(
             "viewport",
@@ -105,6 +112,7 @@ def added_uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[s
             "1 in a frame that follows a reset, else 0: payloads then start with different ages",
             range="0 or 1",
             default=0,
+            on_reset=1,
         ),
         entry(
             "unit",

@@ -56,11 +56,7 @@ class VertexEmitter:
     def _for_inputs(self, fragment: Shader) -> Shader:
         own = {self.prefix + "current", self.prefix + "previous"}
         module = self._extended() if own.intersection(fragment.inputs) else self.module
-        wanted = set(fragment.inputs)
-        for decl in self.module.decls:
-            if isinstance(decl, n.BlockDecl) and decl.name in wanted:
-                # Blocks meet by their block name; statements know the instance or the members.
-                wanted.update(declared_names(decl))
+        wanted = self._with_members(fragment.inputs)
         wanted |= {POSITION} | {name for name in _written(self.module) if name.startswith("gl_")}
         return interface(_invariant(remove_dead(module, wanted, self.memo)))
 
@@ -91,17 +87,32 @@ class VertexEmitter:
         return tuple(found)
 
     def inputs(self, varyings: Iterable[str]) -> frozenset[str]:
-        """Uniforms, textures and attributes that the position and these varyings depend on."""
-        sliced = remove_dead(self.module, {POSITION, *varyings}, self.memo)
-        return frozenset(
-            name
-            for decl in sliced.decls
-            if isinstance(decl, n.VarDecl | n.BlockDecl) and decl.qualifiers.has("in", "uniform")
-            for name in declared_names(decl)
-        )
+        """Uniforms, textures and attributes that the position and these varyings depend on.
 
-    def _slice(self) -> n.Module:
-        return remove_dead(self.module, (POSITION,), self.memo)
+        ``varyings`` are names, of blocks too.
+        """
+        return _inputs(self._slice((POSITION, *varyings)))
+
+    def sources(self, varyings: Iterable[str]) -> frozenset[str]:
+        """The same of the varyings alone, and the built-in inputs among them."""
+        sliced = self._slice(varyings)
+        builtin = {
+            node.name
+            for node in walk(sliced)
+            if isinstance(node, n.Name) and _is_builtin_input(node.name)
+        }
+        return _inputs(sliced) | builtin
+
+    def _with_members(self, names: Iterable[str]) -> set[str]:
+        """Blocks meet by their block name; statements know the instance or the members."""
+        wanted = set(names)
+        for decl in self.module.decls:
+            if isinstance(decl, n.BlockDecl) and decl.name in wanted:
+                wanted.update(declared_names(decl))
+        return wanted
+
+    def _slice(self, names: Iterable[str] = (POSITION,)) -> n.Module:
+        return remove_dead(self.module, self._with_members(names), self.memo)
 
     def _extended(self) -> n.Module:
         main = rename_function(self.module, "main", self.prefix + "vertex")
@@ -126,6 +137,25 @@ class VertexEmitter:
         if "main" in names:
             names["main"] = self.prefix + "vertex_previous"
         return names
+
+
+_OUTPUTS = ("gl_Position", "gl_PointSize", "gl_ClipDistance", "gl_CullDistance")
+_CONSTANTS = ("gl_Max", "gl_Min")
+
+
+def _is_builtin_input(name: str) -> bool:
+    return name.startswith("gl_") and name not in _OUTPUTS and not name.startswith(_CONSTANTS)
+
+
+def _inputs(module: n.Module) -> frozenset[str]:
+    """The names of what an engine gives a slice of a vertex shader."""
+    return frozenset(
+        name
+        for decl in module.decls
+        if isinstance(decl, n.VarDecl | n.BlockDecl)
+        and decl.qualifiers.has("in", "uniform", "buffer")
+        for name in declared_names(decl)
+    )
 
 
 def _is_opaque_uniform(decl: n.Decl) -> bool:

@@ -17,7 +17,7 @@ from shadercache.diagnostics import InputError, UsageError, input_error, usage_e
 from shadercache.options import DEFAULT_EPSILON, Mode, Options, read_cache_options
 from shadercache.source import Source
 
-SCHEMA_VERSION = 1
+SCHEMA_VERSION = 2
 
 _GLSL = Path(__file__).parent / "glsl"
 _DEPTH_TESTS = {"less": "<", "lequal": "<="}
@@ -181,6 +181,16 @@ class Bundle:
             str(_need(entry, "role")): float(entry["default"])
             for entry in entries
             if entry.get("default") is not None
+        }
+
+    @cached_property
+    def reset_numbers(self) -> dict[str, float]:
+        """Role -> value in the draws of a reset, of the added uniforms that have another then."""
+        entries = _need(self.manifest, "uniforms")
+        return {
+            str(_need(entry, "role")): float(entry["on_reset"])
+            for entry in entries
+            if "on_reset" in entry
         }
 
     @cached_property

@@ -214,9 +214,6 @@ class VariantRunner(Runner):
             if role.debug is None:
                 role.debug = self._bind(role.prop, role.debug_spec, role.naming)
             inputs = self._inputs(role, frame)
-            if role.before is None:
-                # A reset looks nothing up: no depth agrees to within less than nothing.
-                inputs = replace(inputs, numbers={**inputs.numbers, "epsilon": -np.ones(1)})
             role.debug.draw(inputs, role.caches)
         return self.stage.targets.mask_values()
 
@@ -338,8 +335,10 @@ class VariantRunner(Runner):
             "period": period,
             "block": item.block or options.block,
             "epsilon": epsilon,
-            "reset": role.before is None,
+            "reset": 0,
         }
+        if role.before is None and role.caches is not None:
+            numbers |= role.bundle.reset_numbers
         given = {name: np.array([value], np.float64) for name, value in numbers.items()}
         given |= object_numbers(role.prop)
         viewport = self.stage.viewport(shown)

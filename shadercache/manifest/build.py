@@ -5,30 +5,32 @@ The published schema is ``manifest.schema.json`` in the folder above.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from hashlib import sha256
 from typing import Any
 
 from shadercache import __version__
 from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.sets import is_skipped
+from shadercache.emit.dependencies import Dependency
 from shadercache.emit.layout import Layout, extras_of
 from shadercache.emit.program_set import Pass, ProgramSet
 from shadercache.emit.runtime import outcomes
 from shadercache.emit.uniforms import added_uniforms
+from shadercache.manifest.inputs import described_inputs
 from shadercache.manifest.relies import relies_on
 from shadercache.manifest.sentences import frame_sentences, reset_sentences
+from shadercache.manifest.setting import Setting
+from shadercache.manifest.state import state_of
 from shadercache.options import (
-    PREVIOUS_CLIP,
     CacheOptions,
-    MappingKind,
     Options,
     marks_depths,
     written_cache_options,
 )
 from shadercache.source import Source
 
-SCHEMA_VERSION = 1
+SCHEMA_VERSION = 2
 
 CLEAR = (0.0, 0.0, 0.0, -1.0)
 """Of an empty cache texel: depths are positive where something is drawn, so -1 matches nothing."""
@@ -52,8 +54,18 @@ _ALWAYS = ("previous-cache", "current-cache", "previous-cache-2", "current-cache
 
 _CHANNELS = ("x", "xy", "xyz", "xyzw")
 
+OBJECTS = {"geometry": "objects"}
 FULL_SCREEN = {"geometry": "full-screen triangle", "mode": "triangles", "vertices": 3}
 """Three vertices without attributes: the vertex shaders make their positions."""
+
+DEBUG = {
+    "format": "r32f",
+    "clear": 0,
+    "depth_buffer": "own",
+    "when": "behind the swap of the caches and in front of the passes of the frame; objects that "
+    "are not cached hide what is behind them and write 0. In a frame of a reset all is a miss",
+}
+"""Of the debug program. Its draws would close the depth that the passes find open."""
 
 _FORWARD: dict[str, Any] = {"less": "less", "lequal": "lequal", "clear": 1}
 _REVERSED: dict[str, Any] = {"less": "greater", "lequal": "gequal", "clear": 0}
@@ -76,9 +88,9 @@ def build_manifest(
     nodes: Sequence[Candidate],
     options: Options,
     programs: ProgramSet,
-    renamed: Mapping[str, str],
+    setting: Setting,
 ) -> dict[str, Any]:
-    """The manifest of a program set; ``renamed`` leads from the user's names to the variants'."""
+    """The manifest of a program set."""
     assert programs.original is not None and programs.debug is not None
     assert programs.payload is not None
     layout = Layout(tuple(node.type for node in nodes), extras=extras_of(options.cache))
@@ -98,8 +110,12 @@ def build_manifest(
             for entry in added_uniforms(programs.prefix, layout, options)
             if entry["name"] in declared or entry["role"] in _ALWAYS
         ],
-        "renamed": dict(renamed),
+        "renamed": dict(setting.renamed),
         "previous": programs.previous,
+        "inputs": described_inputs(setting.inputs, programs),
+        "depends_on": [_dependency(item) for item in setting.depends_on],
+        "mapping": _mapping(setting),
+        "draw": dict(FULL_SCREEN if setting.full_screen else OBJECTS),
         "original": _pass(programs.original),
         "variants": [
             {"algorithm": f"{number}-pass", "passes": [_pass(item) for item in passes]}
@@ -110,38 +126,24 @@ def build_manifest(
             for number, reason in programs.refused.items()
         ],
         "payload": _pass(programs.payload),
-        "debug": _pass(programs.debug) | {"values": outcomes(options.cache)},
-        "frame": frame_sentences(bool(layout.second)),
-        "reset": reset_sentences(),
-        "relies_on": relies_on(options, programs),
-        "depth_functions": {name: dict(found) for name, found in DEPTH_FUNCTIONS.items()},
-    }
+        "debug": _pass(programs.debug) | DEBUG | {"values": outcomes(options.cache)},
+        "frame": frame_sentences(bool(layout.second), setting, has_twins=bool(programs.previous)),
+        "reset": reset_sentences(options.cache, setting),
+        "relies_on": relies_on(options, programs, setting),
+        "state": state_of(setting.full_screen),
+    } | ({} if setting.full_screen else {"depth_functions": _depth_functions()})
 
 
-def with_mapping(
-    manifest: dict[str, Any],
-    mapping: MappingKind,
-    full_screen: bool,
-    unchanged: Sequence[str] | None,
-) -> dict[str, Any]:
-    """The manifest with where payloads are found, and what is drawn.
+def _depth_functions() -> dict[str, Any]:
+    return {name: dict(found) for name, found in DEPTH_FUNCTIONS.items()}
 
-    ``unchanged``: while which inputs do not change is reuse exact? (``None``: not said.)
-    """
-    how: dict[str, Any] = {"kind": mapping}
-    relies: list[str] = []
-    if unchanged is not None:
-        how["exact_while_unchanged"] = list(unchanged)
-        names = ", ".join(unchanged)
-        relies = [f"reuse is exact while these do not change: {names}"] * bool(unchanged)
-    if mapping == "user":
-        relies = [f"{PREVIOUS_CLIP}() says where the last frame showed what a pixel shows now"]
-    draw = FULL_SCREEN if full_screen else {"geometry": "objects"}
-    return manifest | {
-        "mapping": how,
-        "draw": dict(draw),
-        "relies_on": [*manifest["relies_on"], *relies],
-    }
+
+def _mapping(setting: Setting) -> dict[str, Any]:
+    """Where payloads are found."""
+    how: dict[str, Any] = {"kind": setting.mapping}
+    if setting.unchanged is not None:
+        how["exact_while_unchanged"] = list(setting.unchanged)
+    return how
 
 
 def original_manifest(programs: ProgramSet, options: Options) -> dict[str, Any]:
@@ -199,6 +201,11 @@ def _extras(layout: Layout, texel: int) -> dict[str, Any]:
 
 def _source(source: Source) -> dict[str, str]:
     return {"name": source.name, "sha256": sha256(source.text.encode()).hexdigest()}
+
+
+def _dependency(item: Dependency) -> dict[str, Any]:
+    found: dict[str, Any] = {"kind": item.kind, "name": item.name, "stages": list(item.stages)}
+    return found | ({"members": list(item.members)} if item.members else {})
 
 
 def _node(source: Source, node: Candidate, place: tuple[str, str]) -> dict[str, Any]:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from shadercache.emit.program_set import ProgramSet
-from shadercache.options import Options
+from shadercache.manifest.setting import Setting
+from shadercache.options import PREVIOUS_CLIP, Options
 
 WHOLE_TARGET = "a viewport that covers the whole target and begins at (0, 0), as large as the cache"
 PART_OF_TARGET = "a viewport inside of the target, which is as large as the cache"
@@ -18,13 +19,19 @@ RELIES_ON = (
     "the same geometry, in the same order, in every pass of a frame",
 )
 
+RELIES_ON_FULL_SCREEN = (
+    "no blending, alpha to coverage or multisampling",
+    "a depth buffer that nothing else is drawn into, which all passes of a frame share",
+    *RELIES_ON[2:4],
+)
 
-def relies_on(options: Options, programs: ProgramSet) -> list[str]:
+
+def relies_on(options: Options, programs: ProgramSet, setting: Setting) -> list[str]:
     """What these programs rely on."""
-    relies = list(RELIES_ON)
+    relies = list(RELIES_ON_FULL_SCREEN if setting.full_screen else RELIES_ON)
     if options.cache.viewport:
         relies[relies.index(WHOLE_TARGET)] = PART_OF_TARGET
-    if options.cache.depth != "ndc":
+    if options.cache.depth != "ndc" and not setting.full_screen:
         relies.append("a perspective projection: in an orthographic one w tells no depth")
     if programs.unchanging:
         names = ", ".join(programs.unchanging)
@@ -33,4 +40,13 @@ def relies_on(options: Options, programs: ProgramSet) -> list[str]:
         relies.append(
             "isotropic texture filtering: one pass asks for levels of detail, then fetches at these"
         )
-    return relies
+    return [*relies, *_of_mapping(setting)]
+
+
+def _of_mapping(setting: Setting) -> list[str]:
+    if setting.mapping == "user":
+        return [f"{PREVIOUS_CLIP}() says where the last frame showed what a pixel shows now"]
+    if setting.unchanged:
+        names = ", ".join(setting.unchanged)
+        return [f"reuse is exact while these do not change: {names}"]
+    return []

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from shadercache.manifest.setting import Setting
+from shadercache.options import CacheOptions
+
 FRAME = (
     "Swap the two caches: what was written in the last frame is the previous cache now.",
     "Clear the depth buffer to 1, the colour target to the background, and the cache that is "
@@ -12,6 +15,33 @@ FRAME = (
     "Draw the passes of the variant in order. All objects finish a pass before the next begins; "
     "those that are not cached come first, with no cache attached, so that nothing they hide is "
     "stored. Bind targets[i] at colour attachment i; do not blend.",
+)
+
+FRAME_FULL_SCREEN = (
+    *FRAME[:2],
+    "Set the uniforms; the clock is the frame number modulo the period, reduced on the CPU.",
+    "Draw the triangle once in each pass of the variant, in order. Bind targets[i] at colour "
+    "attachment i; do not blend.",
+)
+
+PLACES = (
+    "The samplers among 'uniforms' have no binding: give each a texture unit that no other sampler "
+    "of the program has; left alone they read unit 0.",
+    "Where 'inputs' has no location, each program may have another one: ask each program, or bind "
+    "attributes before it is linked.",
+)
+
+BLOCKS = (
+    "Where 'inputs' has no binding for a block, the block reads binding point 0 when left alone. "
+    "Give it (each element of an array of blocks) a point that no other block of the program has.",
+)
+
+TWINS_OF_BLOCKS = (
+    "A block with previous_of is the twin of the block of that name and has no binding of its own. "
+    "Give it a point as above, and bind there what the other one's buffer held in the last frame: "
+    "keep two buffers and swap them, or copy before you write. With takes_the_last_buffer it is "
+    "laid out like the other one; without, ask the program for the offsets and write a buffer of "
+    "its own.",
 )
 
 FRAME_OF_TWO = (
@@ -33,12 +63,59 @@ RESET = (
     "look-ups that find nothing.",
 )
 
+RESET_FULL_SCREEN = (
+    "On the first frame, and whenever the last frame shows something else (a cut, a resize, a "
+    "reloaded shader, a lost context): clear both caches to cache.clear. After a resize or a lost "
+    "context make them anew first, as large as the target.",
+    *RESET[1:3],
+)
 
-def frame_sentences(two_textures: bool) -> list[str]:
-    """What it does each frame, in order; ``two_textures``: is a payload too wide for one?"""
-    return [*FRAME, *[FRAME_OF_TWO] * two_textures]
+RESET_UNIFORMS = (
+    "Uniforms with on_reset have that value in the draws of a reset, so that one pass, which looks "
+    "up in every frame, finds nothing. Twins of the last frame may have any value then."
+)
 
 
-def reset_sentences() -> list[str]:
-    """What it does on the first frame and whenever the last one does not fit."""
-    return list(RESET)
+def frame_sentences(two_textures: bool, setting: Setting, has_twins: bool) -> list[str]:
+    """What it does each frame, in order.
+
+    ``two_textures``: is a payload too wide for one? ``has_twins``: are there twins of uniforms?
+    """
+    blocks = [item for item in setting.inputs if item.kind == "uniform block"]
+    return [
+        *(FRAME_FULL_SCREEN if setting.full_screen else FRAME),
+        *PLACES,
+        *(BLOCKS if blocks else ()),
+        *(TWINS_OF_BLOCKS if blocks and has_twins else ()),
+        *[FRAME_OF_TWO] * two_textures,
+    ]
+
+
+def reset_sentences(options: CacheOptions, setting: Setting) -> list[str]:
+    """What it does on the first frame, whenever the last one does not fit, and on a change."""
+    found = RESET_FULL_SCREEN if setting.full_screen else RESET
+    return [*found, RESET_UNIFORMS, *_of_changes(options, setting)]
+
+
+def _of_changes(options: CacheOptions, setting: Setting) -> list[str]:
+    if not setting.depends_on:
+        return []
+    whom = "" if setting.full_screen else ", or the objects that it concerns by themselves"
+    return [
+        f"What is reused was computed in an earlier frame; it is {_age(options, setting)}. Where "
+        "something in depends_on has another value now (a light, the eye, a texture's content), "
+        "reuse shows the old one for that long. If that must not be seen, reset in the frame of "
+        f"the change{whom}; what is not in depends_on needs no reset."
+    ]
+
+
+def _age(options: CacheOptions, setting: Setting) -> str:
+    """How old a payload may become."""
+    if options.age or (setting.mapping == "screen" and options.refresh != "none"):
+        return "at most a period old"
+    if options.refresh == "none":
+        return "as old as a surface has been in view: nothing is refreshed"
+    return (
+        "at most a period old where nothing moves, and may be older in motion, since it comes from "
+        "pixels with other turns"
+    )

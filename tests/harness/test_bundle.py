@@ -42,7 +42,7 @@ def test_the_schema_takes_the_fixture(
 
 
 BREAKAGES: dict[str, Change] = {
-    "version": lambda m: m.update(schema_version=2),
+    "version": lambda m: m.update(schema_version=1),
     "unknown key": lambda m: m.update(extra=1),
     "no node": lambda m: m.pop("nodes"),
     "no previous": lambda m: m.pop("previous"),
