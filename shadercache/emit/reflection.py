@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from shadercache.ast import nodes as n
+from shadercache.emit.packing import Packing, is_default
 from shadercache.lang.types import Type
 from shadercache.sema.facts import Facts, Stage
 
@@ -23,8 +24,6 @@ InputKind = Literal[
     "storage block",
 ]
 
-PACKINGS = ("shared", "packed", "std140", "std430")
-_MATRICES = ("column_major", "row_major")
 _STORAGES = ("uniform", "buffer")
 
 
@@ -36,24 +35,6 @@ class Member:
     type: str
     layout: str = ""
     members: tuple[Member, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class Packing:
-    """How a block lies in its buffer, where nothing else is said of a member."""
-
-    packing: str = "shared"
-    matrices: str = "column_major"
-
-    def saying(self, words: Iterable[str]) -> Packing:
-        """With what a ``layout(...)`` changes."""
-        found = self
-        for word in words:
-            if word in PACKINGS:
-                found = replace(found, packing=word)
-            elif word in _MATRICES:
-                found = replace(found, matrices=word)
-        return found
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,10 +111,10 @@ def _twin(item: Input, previous: Mapping[str, str]) -> Input:
 def _inputs(module: n.Module, facts: Facts, stage: Stage) -> Iterator[Input]:
     defaults = {storage: Packing() for storage in _STORAGES}
     for decl in module.decls:
-        if isinstance(decl, n.QualifierDecl) and not decl.names:
+        if isinstance(decl, n.QualifierDecl):
             for storage in _STORAGES:
-                if decl.qualifiers.has(storage):
-                    defaults[storage] = defaults[storage].saying(_words(decl.qualifiers))
+                if is_default(decl, storage):
+                    defaults[storage] = defaults[storage].under(decl.qualifiers)
         elif isinstance(decl, n.BlockDecl) and decl.qualifiers.has(*_STORAGES):
             yield _block(decl, facts, stage, defaults)
         elif isinstance(decl, n.VarDecl) and _is_given(decl, stage):
@@ -186,7 +167,7 @@ def _block(decl: n.BlockDecl, facts: Facts, stage: Stage, defaults: Mapping[str,
         members=tuple(_members(decl, facts)),
         instance=decl.instance,
         dims=tuple(size or 1 for size in dims),
-        layout=defaults[storage].saying(_words(decl.qualifiers)),
+        layout=defaults[storage].under(decl.qualifiers),
     )
 
 
@@ -209,11 +190,6 @@ def _layout(qualifiers: n.Qualifiers, facts: Facts) -> str:
         number = None if item.value is None else facts.constants.get(item.value)
         parts.append(item.name if number is None else f"{item.name} = {number}")
     return ", ".join(parts)
-
-
-def _words(qualifiers: n.Qualifiers) -> Iterator[str]:
-    """The words of a ``layout(...)``, which may be written in capitals."""
-    return (item.name.lower() for item in qualifiers.layout or ())
 
 
 def _number(qualifiers: n.Qualifiers, word: str, facts: Facts) -> int | None:

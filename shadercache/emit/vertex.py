@@ -23,6 +23,7 @@ from shadercache.ast.memo import Memo
 from shadercache.ast.walk import walk
 from shadercache.emit.assemble import Shader, interface, merge
 from shadercache.emit.layout import Layout
+from shadercache.emit.packing import with_layouts
 from shadercache.emit.runtime import load_part
 from shadercache.lang.types import FLOAT, builtin_type
 from shadercache.options import MappingKind
@@ -123,8 +124,8 @@ class VertexEmitter:
 
     def _twins(self) -> list[n.Decl]:
         """The position's slice with everything in it renamed that is its own in each frame."""
-        sliced = self._slice()
-        twinned = [_unplaced(decl) for decl in sliced.decls if _is_twinned(decl)]
+        laid_out = with_layouts(self._slice().decls)
+        twinned = [_unplaced(decl) for decl in laid_out if _is_twinned(decl)]
         names = {POSITION: self.prefix + "previous"}
         for decl in twinned:
             names |= self._twin_names(decl)

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import importlib.util
 import json
 import random
 from datetime import date
-from functools import cache
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import pytest
+from runner import independent_runner
+from runner.canvas import Canvas
+from runner.independent_runner import IndependentRunner, Turn, draw_together
 
 from shadercache.compiler import Emission, analyse, rewrite
 from shadercache.harness.bundle import Bundle, load_bundle
@@ -29,28 +29,19 @@ from shadercache.source import Source
 
 pytestmark = pytest.mark.xdist_group("gl")
 
-RUNNER = Path(__file__).parent.parent / "runner" / "independent_runner.py"
-
-
-@cache
-def independent_runner() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("independent_runner", RUNNER)
-    assert spec is not None and spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
 
 def test_it_imports_nothing_of_shadercache() -> None:
-    text = RUNNER.read_text()
-    assert "import shadercache" not in text
-    assert "from shadercache" not in text
+    for path in Path(independent_runner.__file__).parent.glob("*.py"):
+        text = path.read_text(encoding="utf-8")
+        assert "import shadercache" not in text
+        assert "from shadercache" not in text
+        assert len(text.splitlines()) < 150
 
 
 def agree(stage: Stage, bundle: Bundle, folder: Path, algorithm: str, form: str | None) -> bool:
     """Whether both runners draw the same six frames."""
     scene, mesh = stage.scene, stage.mesh
-    other = independent_runner().IndependentRunner(
+    other = IndependentRunner(
         stage.gpu.ctx,
         folder,
         algorithm,
@@ -153,12 +144,11 @@ def test_same_bits_for_several_objects(
     options = Options(cache=read_cache_options(["ids=on"]))
     emission = rewrite(analysis, node, options, unprofitable=True)
     bundle = Bundle(emission.manifest, emission.files)
-    independent = independent_runner()
     with (
         Stage(gpu, scene, (96, 80), "rgba32f") as stage,
         VariantRunner(stage, bundle, algorithm, RunOptions(5, 4)) as runner,
     ):
-        canvas = independent.Canvas(gpu.ctx, stage.size, bundle.manifest["cache"])
+        canvas = Canvas(gpu.ctx, stage.size, bundle.manifest["cache"])
         others: list[tuple[Prop, Any]] = []
         for prop in stage.props:
             own = stage.cast.bundle(prop.item, bundle)
@@ -170,7 +160,7 @@ def test_same_bits_for_several_objects(
             }
             assert own.cache == bundle.cache
             how = algorithm if prop.item.cached else "original"
-            made = independent.IndependentRunner(
+            made = IndependentRunner(
                 *(gpu.ctx, folder, how, stage.size, attributes, prop.mesh.index, {}),
                 cull=prop.scene.cull,
                 canvas=canvas,
@@ -180,7 +170,7 @@ def test_same_bits_for_several_objects(
         for frame in range(8):
             expected = runner.image(frame).copy()
             turns = [
-                independent.Turn(
+                Turn(
                     other,
                     values_of(prop.values(frame)) if prop.is_there(frame) else None,
                     min(prop.item.period or 5, 5),
@@ -189,7 +179,7 @@ def test_same_bits_for_several_objects(
                 for prop, other in others
             ]
             assert expected.any(), "an empty picture proves nothing"
-            assert independent.draw_together(frame, turns).tobytes() == expected.tobytes(), frame
+            assert draw_together(frame, turns).tobytes() == expected.tobytes(), frame
 
 
 def values_of(found: Values) -> dict[str, object]:

@@ -7,80 +7,16 @@ from its caller what every engine has anyway: a mesh, textures, and the uniforms
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import moderngl
 import numpy as np
+from runner.canvas import Canvas
+from runner.inputs import Given, Inputs
 
-CHANNELS = {"r": 1, "rg": 2, "rgba": 4}
-DTYPES = {"16f": "f2", "32f": "f4", "32ui": "u4"}
 DEPTH_TESTS = {"less": "<", "lequal": "<="}
-FILTERS = {"linear": moderngl.LINEAR, "nearest": moderngl.NEAREST}
-
-
-class Canvas:
-    """What all objects of a frame share: the target, its depth, and the two caches."""
-
-    def __init__(
-        self,
-        ctx: moderngl.Context,
-        size: tuple[int, int],
-        cache: Mapping[str, Any],
-        cache_format: str | None = None,
-    ) -> None:
-        """Args: ``cache`` as the manifest has it; ``cache_format`` replaces that of floats."""
-        self.ctx = ctx
-        self.layers = [cache, cache["second"]] if "second" in cache else [cache]
-        self.caches = [self._textures(size, cache_format) for _ in range(cache["buffers"])]
-        for texture in self.caches[0] + self.caches[1]:
-            texture.filter = (FILTERS[cache["filter"]],) * 2
-            texture.repeat_x = texture.repeat_y = False
-        self.color = ctx.texture(size, 4, dtype="f4")
-        self.depth = ctx.depth_renderbuffer(size)
-        self.framebuffers: dict[tuple[int, ...], moderngl.Framebuffer] = {}
-
-    def _textures(self, size: tuple[int, int], precision: str | None) -> list[moderngl.Texture]:
-        """The textures of one cache; ``precision`` (a format) replaces that of floats."""
-        made: list[moderngl.Texture] = []
-        for layer in self.layers:
-            channels, kind = re.fullmatch("([rgba]+)(.+)", layer["format"]).groups()
-            if precision and kind.endswith("f"):
-                kind = precision.removeprefix("rgba")
-            made.append(self.ctx.texture(size, CHANNELS[channels], dtype=DTYPES[kind]))
-        return made
-
-    def begin(self, forgets: bool) -> None:
-        """Clear what a frame begins with, and what the last one stored if it ``forgets`` that."""
-        previous, current = self.caches
-        if forgets:
-            self._clear(previous)
-        self._clear(current)
-        self.framebuffer(self.color).clear(0.0, 0.0, 0.0, 0.0, depth=1.0)
-
-    def end(self) -> np.ndarray:
-        """Swap the caches; the colours, (h, w, 4) float32 with row 0 at the bottom."""
-        self.caches.reverse()
-        width, height = self.color.size
-        return np.frombuffer(self.color.read(), "f4").reshape(height, width, 4)
-
-    def _clear(self, cache: list[moderngl.Texture]) -> None:
-        for texture, layer in zip(cache, self.layers, strict=True):
-            if texture.dtype == "u4":
-                texel = np.array(layer["clear"][: texture.components], "u4")
-                texture.write(np.tile(texel, texture.width * texture.height).tobytes())
-            else:
-                self.framebuffer(texture, depth=False).clear(*layer["clear"])
-
-    def framebuffer(self, *textures: moderngl.Texture, depth: bool = True) -> moderngl.Framebuffer:
-        """One with these textures, and the depth."""
-        key = (depth, *(texture.glo for texture in textures))
-        if key not in self.framebuffers:
-            made = self.ctx.framebuffer(textures, self.depth if depth else None)
-            self.framebuffers[key] = made
-        return self.framebuffers[key]
 
 
 class IndependentRunner:
@@ -109,9 +45,7 @@ class IndependentRunner:
         self.flags = moderngl.DEPTH_TEST | (moderngl.CULL_FACE if cull else 0)
         self.folder = folder
         self.manifest = json.loads((folder / "manifest.json").read_text())
-        self.textures = textures
-        self.roles = {item["name"]: item["role"] for item in self.manifest["uniforms"]}
-        self.twins = {twin: name for name, twin in self.manifest["previous"].items()}
+        self.inputs = Inputs(ctx, self.manifest, textures)
         self.buffers = {
             name: (ctx.buffer(array.astype("f4").tobytes()), f"{array.shape[1]}f")
             for name, array in attributes.items()
@@ -161,9 +95,12 @@ class IndependentRunner:
         on_reset = self.last_values is None
         if on_reset and not item["on_reset"]:
             return
-        defaults = {item["role"]: item["default"] for item in self.manifest["uniforms"]}
-        numbers = defaults | {"clock": frame % period, "period": period, "block": block}
-        numbers |= {"reset": int(on_reset), "object": self.number}
+        uniforms = self.manifest["uniforms"]
+        numbers = {item["role"]: item["default"] for item in uniforms}
+        numbers |= {"clock": frame % period, "period": period, "block": block}
+        numbers["object"] = self.number
+        if on_reset:
+            numbers |= {i["role"]: i["on_reset"] for i in uniforms if "on_reset" in i}
         previous, current = self.canvas.caches
         targets = {"color": self.canvas.color, **_named("cache", current)}
         caches = {**_named("previous-cache", previous), **_named("current-cache", current)}
@@ -172,27 +109,10 @@ class IndependentRunner:
         framebuffer.depth_mask = item["depth"]["write"]
         framebuffer.use()
         self.ctx.depth_func = DEPTH_TESTS[item["depth"]["test"]]
-        self._set_uniforms(program, item["uniforms"], values, numbers, caches)
+        last = values if on_reset else self.last_values
+        given = Given(values, last, numbers, caches)
+        self.inputs.give(program, item["uniforms"], given)
         array.render(vertices=self.vertices)
-
-    def _set_uniforms(
-        self,
-        program: moderngl.Program,
-        names: list[str],
-        values: Mapping[str, Any],
-        numbers: Mapping[str, Any],
-        caches: Mapping[str, moderngl.Texture],
-    ) -> None:
-        last = values if self.last_values is None else self.last_values
-        textures = {**self.textures, **{n: caches[r] for n, r in self.roles.items() if r in caches}}
-        for unit, name in enumerate(n for n in names if n in program):
-            if name in textures:
-                textures[name].use(unit)
-                program[name].value = unit
-            elif name in self.roles:
-                program[name].value = numbers[self.roles[name]]
-            else:
-                program[name].value = last[self.twins[name]] if name in self.twins else values[name]
 
 
 class Turn(NamedTuple):

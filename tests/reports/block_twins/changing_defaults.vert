@@ -1,0 +1,17 @@
+#version 330
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec3 a_normal;
+out vec3 v_p;
+out vec3 v_n;
+layout(std140, row_major) uniform;
+uniform Camera {
+    mat4 view;
+    mat4 projection;
+} camera;
+layout(shared, column_major) uniform;
+uniform mat4 u_model;
+void main() {
+    v_p = a_position;
+    v_n = a_normal;
+    gl_Position = camera.projection * camera.view * u_model * vec4(a_position, 1.0);
+}

@@ -1,0 +1,18 @@
+#version 430
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec3 a_normal;
+out vec3 v_p;
+out vec3 v_n;
+layout(std140, binding = 0) uniform Camera {
+    mat4 view;
+    mat4 projection;
+} camera;
+layout(std140, binding = 1) uniform Thing {
+    vec3 unread;
+    mat4 model;
+} thing;
+void main() {
+    v_p = a_position;
+    v_n = a_normal;
+    gl_Position = camera.projection * camera.view * thing.model * vec4(a_position, 1.0);
+}
