@@ -7,22 +7,23 @@ The passes, in order (each in its own file):
 3.  :mod:`transform.raise_version`  older versions, in words of the first that has what it takes
 4.  :mod:`transform.unique_names`   every identifier means one thing, so the rest works by name
 5.  :mod:`transform.split`          one declarator to a declaration
-6.  :mod:`transform.unroll`         loops of few trips are taken apart, on request; then 4 and 5
-7.  :mod:`transform.compound`       ``c += x`` is ``c = c + x``, a value as well
-8.  :mod:`transform.lower_choices`  costly choices inside expressions become conditionals
-9.  :mod:`sema.check`               types of the tree that the rest works on
-10. :mod:`analysis.candidates`      every node, offered or refused
+6.  :mod:`transform.spell_lists`    ``{a, b}`` is ``vec2(a, b)``, which may stand anywhere
+7.  :mod:`transform.unroll`         loops of few trips are taken apart, on request; then 4 to 6
+8.  :mod:`transform.compound`       ``c += x`` is ``c = c + x``, a value as well
+9.  :mod:`transform.lower_choices`  costly choices inside expressions become conditionals
+10. :mod:`sema.check`               types of the tree that the rest works on
+11. :mod:`analysis.candidates`      every node, offered or refused
 
 and for one node or a set of them, for each pass of each algorithm:
 
-11. :mod:`transform.specialise`     cut the nodes out of clones of the functions on their call paths
-12. :mod:`emit.assemble`            add the look-up, the store and a new ``main``
-13. :mod:`transform.remove_dead`    keep what the pass's outputs need, in turns with
-14. :mod:`transform.drop_results`
-15. :mod:`transform.drop_parameters`
-16. :mod:`transform.compound`       ``c += x`` again where nothing was cut out
-17. :mod:`transform.make_precise`   in proof mode only
-18. :mod:`emit.printer`             tree to text
+12. :mod:`transform.specialise`     cut the nodes out of clones of the functions on their call paths
+13. :mod:`emit.assemble`            add the look-up, the store and a new ``main``
+14. :mod:`transform.remove_dead`    keep what the pass's outputs need, in turns with
+15. :mod:`transform.drop_results`
+16. :mod:`transform.drop_parameters`
+17. :mod:`transform.compound`       ``c += x`` again where nothing was cut out
+18. :mod:`transform.make_precise`   in proof mode only
+19. :mod:`emit.printer`             tree to text
 """
 
 from __future__ import annotations
@@ -62,6 +63,7 @@ from shadercache.transform.lower_choices import lower_choices
 from shadercache.transform.make_precise import precise_version
 from shadercache.transform.names import fresh_prefix
 from shadercache.transform.raise_version import StageTree, raise_versions
+from shadercache.transform.spell_lists import spell_lists
 from shadercache.transform.split import split_declarations
 from shadercache.transform.unique_names import later_keywords, make_names_unique
 from shadercache.transform.unroll import unroll_loops
@@ -272,13 +274,17 @@ def _checked(source: Source, stage: Stage, reading: ReadOptions) -> StageTree:
 
 
 def _named(module: n.Module, facts: Facts, source: Source, stage: Stage) -> tuple[n.Module, Facts]:
-    """Passes 4 and 5: everything in a checked tree has a name and a declaration of its own."""
+    """Passes 4 to 6: everything in a checked tree has a name and a declaration of its own, and
+    every value may stand anywhere."""
     plain = split_declarations(make_names_unique(module, facts))
-    return (module, facts) if plain is module else (plain, check(plain, source, stage))
+    if plain is not module:
+        facts = check(plain, source, stage)
+    spelled = spell_lists(plain, facts)
+    return (plain, facts) if spelled is plain else (spelled, check(spelled, source, stage))
 
 
 def _lowered(module: n.Module, facts: Facts, source: Source) -> tuple[n.Module, Facts]:
-    """Passes 7 to 9: bring a fragment shader into the form that the rest works on."""
+    """Passes 8 to 10: bring a fragment shader into the form that the rest works on."""
     plain = lower_choices(spell_out(module, facts), facts)
     return (module, facts) if plain is module else (plain, check(plain, source))
 

@@ -6,6 +6,7 @@ A node is one expression on one call path from ``main`` (DESIGN section 2). The 
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from hashlib import blake2b
 
@@ -39,6 +40,9 @@ STORABLE = frozenset[str | None](("float", "int", "uint", "bool"))
 OF_PIXEL = frozenset(("gl_FragCoord", "gl_FrontFacing", "gl_PointCoord", "gl_PrimitiveID"))
 """Built-in inputs that are the same again at the same pixel, if nothing changes. (Those of samples
 and layers are not among them: a cache has neither.)"""
+
+_LAST_COMMA = re.compile(r"\s*,\s*\)")
+"""A list may end in a comma, a constructor may not."""
 
 MAX_TEXT = 2_000
 """Characters of a node's text: each of 10,000 sums in a row holds those before it."""
@@ -165,7 +169,7 @@ class _Judge:
             instance=instance,
             place=place,
             expr=place.expr,
-            text=_text(self.source, place.expr),
+            text=_text(self.source, place.expr, self.facts),
             path=path_to(instance, place, self.source),
             type=kind,
             cost=cost,
@@ -179,7 +183,7 @@ class _Judge:
     ) -> Refusal | None:
         return (
             self._by_place(instance, place)
-            or self._by_type(kind)
+            or self._by_type(place.expr, kind)
             or self._by_effects(instance, place)
             or self._by_inputs(place.expr, found)
             or self._by_use(instance, place)
@@ -200,12 +204,13 @@ class _Judge:
             return Refusal(Code.CONSTANT)
         return Refusal(Code.CONDITIONAL) if Use.CONDITIONAL in uses else None
 
-    def _by_type(self, kind: Type) -> Refusal | None:
+    def _by_type(self, expr: n.Expr, kind: Type) -> Refusal | None:
         if kind.is_void or kind.holds_opaque:
             return Refusal(Code.OPAQUE, str(kind))
         if kind.components is None or kind.components > FIRST_TEXEL + SECOND_TEXEL:
             return Refusal(Code.WIDE, str(kind))
-        if not kind.bases <= STORABLE or not self._declared_outside(kind):
+        spelled = not isinstance(expr, n.InitList)  # Else its type has no name of its own.
+        if not (spelled and kind.bases <= STORABLE and self._declared_outside(kind)):
             return Refusal(Code.UNSTORABLE, str(kind))
         return None
 
@@ -213,6 +218,8 @@ class _Judge:
         """Can a global variable of the type be declared?"""
         if kind.struct is None:
             return True
+        if not kind.struct.name:
+            return False
         known = self.facts.structs.get(kind.struct) in self.structs
         return known and all(map(self._declared_outside, kind.struct.fields.values()))
 
@@ -272,10 +279,26 @@ def varyings(module: n.Module) -> set[str]:
     return {name for name in found if name and not name.startswith("gl_")}
 
 
-def _text(source: Source, expr: n.Expr) -> str:
+def _text(source: Source, expr: n.Expr, facts: Facts) -> str:
     start, end = expr.span
-    text = " ".join(source.excerpt(Span(start, min(end, start + 2 * MAX_TEXT))).split())
+    excerpt = source.excerpt(Span(start, min(end, start + 2 * MAX_TEXT)))
+    if excerpt.startswith("{"):
+        excerpt = _spelled(excerpt, expr, facts)
+    text = " ".join(excerpt.split())
     return shortened(text if end <= start + 2 * MAX_TEXT else f"{text}…", MAX_TEXT)
+
+
+def _spelled(excerpt: str, root: n.Expr, facts: Facts) -> str:
+    """The text of an initialiser list with a constructor's name and brackets for each pair of
+    braces: as it is rewritten."""
+    pieces = list(excerpt)
+    for expr in expressions(root):
+        first, last = expr.span.start - root.span.start, expr.span.end - root.span.start - 1
+        if isinstance(expr, n.Construct) and pieces[first : first + 1] == ["{"]:
+            pieces[first] = f"{facts.types[expr]}("
+            if pieces[last : last + 1] == ["}"]:
+                pieces[last] = ")"
+    return _LAST_COMMA.sub(")", "".join(pieces))
 
 
 def _digest(*parts: str) -> str:
@@ -311,7 +334,9 @@ def _initialisers(
         if not isinstance(decl, n.VarDecl):
             continue
         for item in decl.declarators:
-            for number, expr in enumerate(expressions(item.init) if item.init else ()):
+            inside = expressions(item.init) if item.init else ()
+            own = (expr for expr in inside if expr.span != NOWHERE)
+            for number, expr in enumerate(own):
                 code = Code.CONSTANT if facts.is_constant(expr) else Code.INITIALISER
                 digest = _digest(printed[item.name], str(number))
                 found.append(
@@ -320,7 +345,7 @@ def _initialisers(
                         instance=None,
                         place=None,
                         expr=expr,
-                        text=_text(source, expr),
+                        text=_text(source, expr, facts),
                         path=f"(initialiser of {item.name})",
                         type=facts.types[expr],
                         cost=0.0,
