@@ -36,6 +36,7 @@ from shadercache.lang.words import (
     QUALIFIER_ORDER,
     UNARY,
 )
+from shadercache.sema.qualifiers import MEMORY
 
 
 def print_expression(node: Node, least: int = COMMA) -> str:
@@ -139,12 +140,14 @@ def print_layout_item(node: LayoutItem) -> str:
     return f"{node.name} = {print_expression(node.value, ASSIGN)}"
 
 
-def print_qualifiers(node: Qualifiers) -> str:
-    """The qualifiers, each with a blank after it: the layout, then the words.
+def print_qualifiers(node: Qualifiers, block: bool = False) -> str:
+    """The qualifiers of a variable or ``block``, each with a blank after it: the layout, the words.
 
     The words are put in the order that every version takes, whatever order a pass left them in.
     """
-    words = sorted(node.words, key=QUALIFIER_ORDER.__getitem__)
+    ranks = [QUALIFIER_ORDER[word] for word in node.words if block or word not in MEMORY]
+    ordered = ranks == sorted(ranks)
+    words = node.words if ordered else sorted(node.words, key=QUALIFIER_ORDER.__getitem__)
     text = "".join(f"{word} " for word in words)
     if node.layout is None:
         return text

@@ -199,7 +199,7 @@ def _proto(node: FunctionProto, indent: str) -> str:
 def _block(node: BlockDecl, indent: str, comments: Comments) -> str:
     instance = f" {node.instance}{print_dims(node.dims)}" if node.instance else ""
     fields = _fields(node.fields, node.span.end, indent, comments)
-    return f"{print_qualifiers(node.qualifiers)}{node.name} {fields}{instance};"
+    return f"{print_qualifiers(node.qualifiers, block=True)}{node.name} {fields}{instance};"
 
 
 def _qualifier_decl(node: QualifierDecl) -> str:

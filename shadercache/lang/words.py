@@ -216,14 +216,15 @@ QUALIFIER_ORDER: dict[str, int] = {
             ("smooth", "flat", "noperspective"),
             ("pervertexEXT", "pervertexNV", "__explicitInterpAMD"),
             ("const", "centroid", "patch", "sample"),
-            ("in", "out", "inout", "uniform", "buffer", "shared", "attribute", "varying"),
             ("coherent", "volatile", "restrict", "readonly", "writeonly"),
+            ("in", "out", "inout", "uniform", "buffer", "shared", "attribute", "varying"),
             ("highp", "mediump", "lowp"),
         )
     )
     for word in group
 }
-"""The order that versions before 4.20 demand of qualifiers; layouts may stand anywhere in it."""
+"""The order that versions before 4.20 demand of qualifiers; layouts may stand anywhere in it, and
+so may what is said about memory, but that Mesa wants it ahead of the storage of a block."""
 
 
 def _words_of(
