@@ -50,13 +50,16 @@ SHADERS = Path(__file__).parent.parent / "front" / "shaders"
 
 
 def shape(node: object) -> object:
-    """A tree without its spans; a block around one statement counts as that statement."""
+    """A tree without its spans; a block around one statement counts as that statement, and words
+    of qualifiers in any order."""
     if isinstance(node, tuple):
         return [shape(part) for part in node]
     if isinstance(node, Block) and len(node.body) == 1:
         return shape(node.body[0])
     if not isinstance(node, Node):
         return node
+    if isinstance(node, Qualifiers):
+        return [sorted(node.words), shape(node.layout)]
     inner = [shape(getattr(node, field.name)) for field in fields(node) if field.name != "span"]
     return [type(node).__name__, *inner]
 
