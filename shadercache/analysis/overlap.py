@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import cast
 
 from shadercache.analysis.candidates import Candidate
@@ -24,6 +25,7 @@ from shadercache.analysis.cost import UNKNOWN_TRIPS, CostTable
 from shadercache.analysis.effects import Does, EffectTable
 from shadercache.analysis.exposure import overwritten_by
 from shadercache.analysis.instances import Instance
+from shadercache.analysis.path_costs import Context, Cut, PathCosts, Walked
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import EXPRESSIONS, children
 
@@ -67,6 +69,9 @@ class _Need:
     reads: _Names
 
 
+_NOTHING = _Need(0.0, _NONE)
+
+
 class OverlapTable:
     """Splits one shader at any of its nodes."""
 
@@ -76,11 +81,52 @@ class OverlapTable:
         self._main, self._table, self._costs = instances[0], table, costs
         self._outputs = frozenset((color,))
         self._parents: dict[n.FunctionDef, dict[n.Node, n.Node]] = {}
+        self._mentions: dict[n.FunctionDef, _Names] = {}
         self._whole = self._cost((), goal=False)
+        self._payloads = self._paths(Context(_NONE, False), goal=True)
+        self._remainders = self._paths(Context(self._outputs, True), goal=False)
 
     def parts(self, nodes: Sequence[Candidate]) -> Parts:
         """The costs of both passes where the values of ``nodes`` are cached together."""
+        if len(nodes) == 1 and nodes[0].instance is not None:
+            at = nodes[0].instance, nodes[0].expr
+            payload, remainder = self._payloads.cost(*at), self._remainders.cost(*at)
+            if payload is not None and remainder is not None:
+                return Parts(payload, remainder, self._whole)
+        return self.parts_of_set(nodes)
+
+    def parts_of_set(self, nodes: Sequence[Candidate]) -> Parts:
+        """The same, by walking the whole shader with all its cuts."""
         return Parts(self._cost(nodes, goal=True), self._cost(nodes, goal=False), self._whole)
+
+    def _paths(self, top: Context, goal: bool) -> PathCosts:
+        return PathCosts(top, partial(self._walk, goal), self._mentioned)
+
+    def _walk(
+        self, goal: bool, instance: Instance, cut: Cut, context: Context, given: Walked | None
+    ) -> Walked:
+        """One function, with one cut in it."""
+        function, cuts = instance.places.function, _Cuts()
+        place = cut.call if isinstance(cut, Instance) else cut
+        assert place is not None
+        self._touch(function, place, cuts)
+        if isinstance(cut, Instance):
+            cuts.below[place] = (cut, _Cuts())
+        else:
+            cuts.here.add(place)
+        walker = _Level(self._table, self._costs, goal, cuts, context.at_exit, context.returns)
+        walker.given = _NOTHING if given is None else _Need(given.cost, given.reads)
+        live = walker.block(function.body.body, context.at_exit)
+        return Walked(walker.cost, live, walker.asked, walker.again)
+
+    def _mentioned(self, instance: Instance) -> _Names:
+        """Every name that a walk through a function may ask for."""
+        function = instance.places.function
+        if function not in self._mentions:
+            effects = self._table.of(function.body)
+            names = instance.places.spine.local_names
+            self._mentions[function] = names | effects.reads | effects.writes
+        return self._mentions[function]
 
     def _cost(self, nodes: Iterable[Candidate], goal: bool) -> float:
         walker = _Walker(self._table, self._costs, goal)
@@ -290,3 +336,19 @@ class _Walker:
             cost += sum(item.cost for item in needs)
             reads = reads.union(*(item.reads for item in needs))
         return _Need(cost, reads)
+
+
+@dataclass(slots=True)
+class _Level(_Walker):
+    """Stays in one function: what a call on the path needs is given."""
+
+    given: _Need = _NOTHING
+    asked: Context | None = None
+    """The context of that call, once somebody has asked for it."""
+    again: bool = False
+
+    def function(self, instance: Instance, cuts: _Cuts, at_exit: _Names, returns: bool) -> _Need:
+        """What is given."""
+        self.again = self.asked is not None
+        self.asked = Context(at_exit, returns)
+        return self.given

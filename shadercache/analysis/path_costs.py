@@ -1,0 +1,126 @@
+"""What a node costs or leaves, found out once for all the paths on which it is the same.
+
+A function is walked backward with one cut in it, a node or the call that leads to one
+(:mod:`analysis.overlap`). What comes of that depends on the function, the cut, what is live where
+the function ends, and for a call on what is needed inside: never on the path that leads there. So
+sixty thousand nodes on hundreds of paths take some thousand walks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable
+from dataclasses import dataclass, replace
+from typing import TypeAlias
+
+from shadercache.analysis.instances import Instance
+from shadercache.ast import nodes as n
+
+Names: TypeAlias = frozenset[str]
+
+
+@dataclass(frozen=True, slots=True)
+class Context:
+    """What is live where a function ends, and whether what it returns is wanted."""
+
+    at_exit: Names
+    returns: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Walked:
+    """What a function needs: its cost, and the variables that it reads.
+
+    ``asked`` is the context of the cut call; ``None`` where nobody asked for it. It may be asked
+    for ``again``: then what is given counts twice, and is no matter of one context.
+    """
+
+    cost: float
+    reads: Names
+    asked: Context | None = None
+    again: bool = False
+
+
+Cut: TypeAlias = "n.Expr | Instance"
+"""A node, or the instance that a cut call leads to."""
+
+Walk: TypeAlias = Callable[[Instance, Cut, Context, "Walked | None"], Walked]
+"""Walks a function with one cut; a cut call needs what is given."""
+
+_PROBE = Walked(0.0, frozenset())
+
+
+class PathCosts:
+    """Costs of the whole shader, cut at one node at a time."""
+
+    def __init__(self, top: Context, walk: Walk, mentioned: Callable[[Instance], Names]) -> None:
+        self._top, self._walk, self._mentioned = top, walk, mentioned
+        self._apart: dict[Instance, bool] = {}
+        self._contexts: dict[Instance, Context | None] = {}
+        self._walked: dict[Hashable, Walked] = {}
+        self._above: dict[Hashable, float] = {}
+
+    def cost(self, instance: Instance, expr: n.Expr) -> float | None:
+        """What the shader costs where it is cut at a node; ``None`` where that cannot be put
+        together from walks of single functions."""
+        if self._is_apart(instance):
+            return None
+        return self._whole(instance, self._within(instance, expr, None))
+
+    def _is_apart(self, instance: Instance) -> bool:
+        """Is one of the calls on the path asked for more than once?"""
+        if instance not in self._apart:
+            self._apart[instance] = instance.parent is not None and (
+                self._is_apart(instance.parent) or self._is_asked_again(instance.parent, instance)
+            )
+        return self._apart[instance]
+
+    def _is_asked_again(self, parent: Instance, instance: Instance) -> bool:
+        probe = self._within(parent, instance, _PROBE)
+        return probe is not None and probe.again
+
+    def _whole(self, instance: Instance, inside: Walked | None) -> float:
+        """What the shader costs where an instance needs what is ``inside``."""
+        cost = 0.0 if inside is None else inside.cost
+        if instance.parent is None:
+            return cost
+        key = (instance, inside and (inside.reads, cost > 0.0))
+        above = self._above.get(key)
+        if above is None:
+            outer = self._within(instance.parent, instance, inside)
+            above = self._above[key] = self._whole(instance.parent, outer) - cost
+        return above + cost
+
+    def _context(self, instance: Instance) -> Context | None:
+        """The context of an instance; ``None`` where its call is not evaluated."""
+        if instance.parent is None:
+            return self._top
+        if instance not in self._contexts:
+            outer = self._within(instance.parent, instance, _PROBE)
+            self._contexts[instance] = outer and outer.asked
+        return self._contexts[instance]
+
+    def _within(self, instance: Instance, cut: Cut, given: Walked | None) -> Walked | None:
+        context = self._context(instance)
+        if context is None:
+            return None
+        # What the function does not mention stays live all through it.
+        names = self._mentioned(instance)
+        past = context.at_exit - names
+        near = Context(context.at_exit & names, context.returns)
+        found = self._near(instance, cut, near, given)
+        asked = found.asked and Context(found.asked.at_exit | past, found.asked.returns)
+        cost = found.cost + (0.0 if given is None or asked is None else given.cost)
+        return Walked(cost, found.reads | past, asked, found.again)
+
+    def _near(self, instance: Instance, cut: Cut, context: Context, given: Walked | None) -> Walked:
+        """The walk of a function, with the cost of what is given taken off."""
+        place = cut.call if isinstance(cut, Instance) else cut
+        function = instance.places.function
+        need = given and (given.reads, given.cost > 0.0)
+        key = (function, place, context.at_exit, context.returns, need)
+        found = self._walked.get(key)
+        if found is None:
+            made = self._walk(instance, cut, context, given)
+            off = 0.0 if given is None or made.asked is None else given.cost
+            found = self._walked[key] = replace(made, cost=made.cost - off)
+        return found
