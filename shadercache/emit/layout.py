@@ -60,9 +60,11 @@ class Extra:
 class Precision:
     """What a channel of floats holds.
 
-    ``limit`` is the largest number, ``least`` the smallest above zero that drivers may not make
-    zero of, ``resolution`` how much of itself a number is rounded by. Half floats below 2^-14 are
-    rounded, as the format is meant to: by 3e-8, and payloads that change their sign have such.
+    ``limit`` is the largest number that is reused: of half floats the largest there is
+    (:data:`MOST_OF_HALF`); of others so much less that no filter can make infinity of several.
+    ``least`` is the smallest above zero that drivers may not make zero of, ``resolution`` how much
+    of itself a number is rounded by. Half floats below 2^-14 are rounded, as the format is meant
+    to: by 3e-8, and payloads that change their sign have such.
     """
 
     limit: float
@@ -70,9 +72,11 @@ class Precision:
     resolution: float
 
 
+MOST_OF_HALF = 65504.0
+
 PRECISIONS = {
-    "16f": Precision(65504.0, 0.0, 2.0**-11),
-    "32f": Precision((2.0 - 2.0**-23) * 2.0**127, 2.0**-126, 2.0**-24),
+    "16f": Precision(MOST_OF_HALF, 0.0, 2.0**-11),
+    "32f": Precision(2.0**126, 2.0**-126, 2.0**-24),
 }
 """By the end of a format's name; unsigned integers hold the bits of ``32f``."""
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import get_args, get_type_hints
 
 from shadercache.ast import nodes as n
-from shadercache.emit.layout import Layout
+from shadercache.emit.layout import MOST_OF_HALF, Layout
 from shadercache.front.parse import parse
 from shadercache.options import DEFAULT_CACHE, DEFAULT_EPSILON, CacheOptions, MappingKind
 from shadercache.source import Source
@@ -53,6 +53,7 @@ _NUMBERS = {
     "EPSILON": str(DEFAULT_EPSILON),
     "INTERPOLATION": str(INTERPOLATION),
     "LEAST_WEIGHT": str(LEAST_WEIGHT),
+    "MOST_OF_HALF": str(MOST_OF_HALF),
 }
 
 

@@ -134,7 +134,7 @@ def added_uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[s
             entry(role, "float", role, f"{meaning}; depends on cache.format", default=value)
             for role, meaning, value in (
                 ("resolution", "how much of itself a depth is rounded by", held.resolution),
-                ("limit", "the largest payload that the cache holds", held.limit),
+                ("limit", "the largest payload that is reused", held.limit),
                 ("least", "the smallest above zero that it surely holds", held.least),
             )
         ),

@@ -16,9 +16,40 @@ bool sc_same(uvec4 a, uvec4 b, uvec4 c, uvec4 d, uvec4 discrete) {
 }
 #endif
 
+#if SC_GUARD_CLAMP
+uniform float sc_limit;  // the largest value that is reused
+uniform float sc_least;  // the smallest one above zero that it surely holds
+
+// Values as near as the range that is reused has them; nothing is near to NaN.
+vec4 sc_near(vec4 values) {
+    uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
+    bvec4 numbers = lessThanEqual(sizes, uvec4(0x7F800000u));
+    vec4 held = mix(vec4(0.0), clamp(values, vec4(-sc_limit), vec4(sc_limit)), numbers);
+    return mix(held, vec4(0.0), lessThan(sizes, uvec4(floatBitsToUint(sc_least))));
+}
+
+#if SC_BITS
+uvec4 sc_in_range(uvec4 texel, uvec4 discrete) {
+    return (texel & discrete) | (floatBitsToUint(sc_near(uintBitsToFloat(texel))) & ~discrete);
+}
+#else
+vec4 sc_in_range(vec4 texel) {
+    return sc_near(texel);
+}
+#endif
+#endif
+
 // Four texels by their weights.
 vec4 sc_weighted(vec4 a, vec4 b, vec4 c, vec4 d, vec4 weights) {
     return weights.x * a + weights.y * b + weights.z * c + weights.w * d;
+}
+
+// The same of those that have a weight. The others may hold NaN, and 0 times NaN is NaN.
+vec4 sc_chosen(vec4 a, vec4 b, vec4 c, vec4 d, vec4 weights) {
+    vec4 sum = weights.x > 0.0 ? weights.x * a : vec4(0.0);
+    sum += weights.y > 0.0 ? weights.y * b : vec4(0.0);
+    sum += weights.z > 0.0 ? weights.z * c : vec4(0.0);
+    return sum + (weights.w > 0.0 ? weights.w * d : vec4(0.0));
 }
 
 #if SC_CUBIC
@@ -46,16 +77,16 @@ vec4 sc_kernel(float part) {
 
 // Adds the four texels of a row to a sum, and gives their depths; own: are all of this object?
 vec4 sc_row(ivec4 columns, int row, vec4 weights, SC_IN_OUT_SUMS) {
-    SC_TEXEL a = texelFetch(sc_cache, ivec2(columns.x, row), 0);
-    SC_TEXEL b = texelFetch(sc_cache, ivec2(columns.y, row), 0);
-    SC_TEXEL c = texelFetch(sc_cache, ivec2(columns.z, row), 0);
-    SC_TEXEL d = texelFetch(sc_cache, ivec2(columns.w, row), 0);
+    SC_TEXEL a = SC_READ(sc_cache, ivec2(columns.x, row), SC_DISCRETE_1);
+    SC_TEXEL b = SC_READ(sc_cache, ivec2(columns.y, row), SC_DISCRETE_1);
+    SC_TEXEL c = SC_READ(sc_cache, ivec2(columns.z, row), SC_DISCRETE_1);
+    SC_TEXEL d = SC_READ(sc_cache, ivec2(columns.w, row), SC_DISCRETE_1);
     sum += sc_weighted(SC_FLOATS(a), SC_FLOATS(b), SC_FLOATS(c), SC_FLOATS(d), weights);
 #if SC_TARGETS == 2
-    SC_TEXEL a_2 = texelFetch(sc_cache_2, ivec2(columns.x, row), 0);
-    SC_TEXEL b_2 = texelFetch(sc_cache_2, ivec2(columns.y, row), 0);
-    SC_TEXEL c_2 = texelFetch(sc_cache_2, ivec2(columns.z, row), 0);
-    SC_TEXEL d_2 = texelFetch(sc_cache_2, ivec2(columns.w, row), 0);
+    SC_TEXEL a_2 = SC_READ(sc_cache_2, ivec2(columns.x, row), SC_DISCRETE_2);
+    SC_TEXEL b_2 = SC_READ(sc_cache_2, ivec2(columns.y, row), SC_DISCRETE_2);
+    SC_TEXEL c_2 = SC_READ(sc_cache_2, ivec2(columns.z, row), SC_DISCRETE_2);
+    SC_TEXEL d_2 = SC_READ(sc_cache_2, ivec2(columns.w, row), SC_DISCRETE_2);
     sum_2 += sc_weighted(SC_FLOATS(a_2), SC_FLOATS(b_2), SC_FLOATS(c_2), SC_FLOATS(d_2), weights);
 #endif
 #if SC_IDS

@@ -51,9 +51,9 @@ bool sc_moved = false;  // is the payload not just that of this place?
 // Returns one of the outcomes.
 int sc_look_up(SC_OUT_TEXELS) {
     ivec2 own = ivec2(gl_FragCoord.xy);
-    texel = texelFetch(sc_cache, own, 0);
+    texel = SC_READ(sc_cache, own, SC_DISCRETE_1);
 #if SC_TARGETS == 2
-    texel_2 = texelFetch(sc_cache_2, own, 0);
+    texel_2 = SC_READ(sc_cache_2, own, SC_DISCRETE_2);
 #endif
 #if !SC_AGE
     if (sc_due()) {
@@ -115,20 +115,20 @@ int sc_look_up(SC_OUT_TEXELS) {
     ivec2 far = min(near + ivec2(ceil(part)), last);
 #if SC_SINGLE
     ivec2 own = ivec2(part.x < 0.5 ? near.x : far.x, part.y < 0.5 ? near.y : far.y);
-    texel = texelFetch(sc_cache, own, 0);
+    texel = SC_READ(sc_cache, own, SC_DISCRETE_1);
 #if SC_TARGETS == 2
-    texel_2 = texelFetch(sc_cache_2, own, 0);
+    texel_2 = SC_READ(sc_cache_2, own, SC_DISCRETE_2);
 #endif
 #else
-    SC_TEXEL a = texelFetch(sc_cache, near, 0);
-    SC_TEXEL b = texelFetch(sc_cache, ivec2(far.x, near.y), 0);
-    SC_TEXEL c = texelFetch(sc_cache, ivec2(near.x, far.y), 0);
-    SC_TEXEL d = texelFetch(sc_cache, far, 0);
+    SC_TEXEL a = SC_READ(sc_cache, near, SC_DISCRETE_1);
+    SC_TEXEL b = SC_READ(sc_cache, ivec2(far.x, near.y), SC_DISCRETE_1);
+    SC_TEXEL c = SC_READ(sc_cache, ivec2(near.x, far.y), SC_DISCRETE_1);
+    SC_TEXEL d = SC_READ(sc_cache, far, SC_DISCRETE_1);
 #if SC_TARGETS == 2
-    SC_TEXEL a_2 = texelFetch(sc_cache_2, near, 0);
-    SC_TEXEL b_2 = texelFetch(sc_cache_2, ivec2(far.x, near.y), 0);
-    SC_TEXEL c_2 = texelFetch(sc_cache_2, ivec2(near.x, far.y), 0);
-    SC_TEXEL d_2 = texelFetch(sc_cache_2, far, 0);
+    SC_TEXEL a_2 = SC_READ(sc_cache_2, near, SC_DISCRETE_2);
+    SC_TEXEL b_2 = SC_READ(sc_cache_2, ivec2(far.x, near.y), SC_DISCRETE_2);
+    SC_TEXEL c_2 = SC_READ(sc_cache_2, ivec2(near.x, far.y), SC_DISCRETE_2);
+    SC_TEXEL d_2 = SC_READ(sc_cache_2, far, SC_DISCRETE_2);
 #endif
 #if SC_BITS
     texel = sc_blend(a, b, c, d, part, SC_DISCRETE_1);
@@ -211,9 +211,9 @@ int sc_look_up(SC_OUT_TEXELS) {
             return SC_MISS_OF_FOUR;
         }
         weights /= total;
-        texel = SC_MERGED(SC_OF_FLOATS(SC_WEIGHTED(a, b, c, d)), a, SC_DISCRETE_1);
+        texel = SC_MERGED(SC_OF_FLOATS(SC_CHOSEN(a, b, c, d)), a, SC_DISCRETE_1);
 #if SC_TARGETS == 2
-        texel_2 = SC_MERGED(SC_OF_FLOATS(SC_WEIGHTED(a_2, b_2, c_2, d_2)), a_2, SC_DISCRETE_2);
+        texel_2 = SC_MERGED(SC_OF_FLOATS(SC_CHOSEN(a_2, b_2, c_2, d_2)), a_2, SC_DISCRETE_2);
 #endif
         marked = true;
     }

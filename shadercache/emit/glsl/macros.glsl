@@ -116,8 +116,8 @@
 #else
 #define SC_MISS_OF_FOUR SC_NONE_FITS
 #endif
-#define SC_WEIGHTED(a, b, c, d) \
-    sc_weighted(SC_FLOATS(a), SC_FLOATS(b), SC_FLOATS(c), SC_FLOATS(d), weights)
+#define SC_CHOSEN(a, b, c, d) \
+    sc_chosen(SC_FLOATS(a), SC_FLOATS(b), SC_FLOATS(c), SC_FLOATS(d), weights)
 #if SC_IDS
 #define SC_OWN , inout bool own
 #define SC_THE_OWN , own
@@ -159,31 +159,30 @@
 #define SC_KEPT_DEPTH SC_DEPTH_OF_PIXEL
 #endif
 
-// Depths that match nothing: of an empty texel, and of one whose payload is not to be reused.
+// Depths that match nothing: of an empty texel, and of one whose payload is not to be reused. Where a
+// sign is a mark that one is negative too, so that no slope can lead to it: it is never taken alone.
 #if SC_BITS && SC_DEPTH_NDC
 #define SC_NO_DEPTH 0x40000000u
-#define SC_POISON_DEPTH 0x40800000u
 #define SC_EMPTY uvec4(0u, 0u, 0u, SC_NO_DEPTH)
 #elif SC_BITS
 #define SC_NO_DEPTH 0u
-#define SC_POISON_DEPTH 0x80000000u
 #define SC_EMPTY uvec4(0u)
 #elif SC_ASIDE
 #define SC_NO_DEPTH 0.0
-#if SC_DEPTH_LINEAR
-#define SC_POISON_DEPTH 0.00006103515625
-#else
-#define SC_POISON_DEPTH 32768.0
-#endif
 #define SC_EMPTY vec4(0.0)
 #elif SC_DEPTH_NDC
 #define SC_NO_DEPTH 2.0
-#define SC_POISON_DEPTH 4.0
 #define SC_EMPTY vec4(0.0, 0.0, 0.0, SC_NO_DEPTH)
 #else
 #define SC_NO_DEPTH -1.0
-#define SC_POISON_DEPTH -2.0
 #define SC_EMPTY vec4(0.0, 0.0, 0.0, SC_NO_DEPTH)
+#endif
+#if SC_BITS
+#define SC_POISON_DEPTH 0xFF000000u
+#elif SC_ASIDE && SC_DEPTH_LINEAR
+#define SC_POISON_DEPTH -0.00006103515625
+#else
+#define SC_POISON_DEPTH -SC_MOST_OF_HALF
 #endif
 
 // SC_FOUND is what a look-up says whose texels have passed: with ages (the mean of all that the
@@ -210,10 +209,23 @@
 
 // What is computed anew is guarded; what was reused has been, and filters keep to its range. Only
 // passes that compute are drawn after a reset.
-#if SC_GUARD_OFF
-#define SC_STORE SC_AGING SC_STORE_AGAIN
-#else
+#define SC_GUARDS (SC_GUARD_MISS || SC_GUARD_CLAMP && !SC_BITS)
+#if SC_GUARDS
 #define SC_STORE SC_AGING SC_STORE_AGAIN; sc_guard()
+#define SC_STORE_UNLESS(reused) SC_AGING SC_STORE_AGAIN; if (!reused) { sc_guard(); }
+#else
+#define SC_STORE SC_AGING SC_STORE_AGAIN
+#define SC_STORE_UNLESS(reused) SC_STORE;
+#endif
+
+// What the previous frame stored. What a guard is to bring into the range of the cache is brought
+// there now: the third of three passes has shown it as it was computed.
+#if SC_GUARD_CLAMP && SC_BITS
+#define SC_READ(cache, place, discrete) sc_in_range(texelFetch(cache, place, 0), discrete)
+#elif SC_GUARD_CLAMP
+#define SC_READ(cache, place, discrete) sc_in_range(texelFetch(cache, place, 0))
+#else
+#define SC_READ(cache, place, discrete) texelFetch(cache, place, 0)
 #endif
 
 #if SC_TARGETS == 2

@@ -15,7 +15,7 @@ out SC_TEXEL sc_store_2;
 
 uniform int sc_object;   // number of the object that is drawn
 uniform int sc_mask;     // 1: the draw reuses nothing; 2: and nobody reuses it
-uniform float sc_limit;  // the largest value that the cache holds
+uniform float sc_limit;  // the largest value that is reused
 uniform float sc_least;  // the smallest one above zero that it surely holds
 
 #if SC_AGE
@@ -80,20 +80,22 @@ SC_TEXEL sc_texel_2() {
 }
 #endif
 
-#if !SC_GUARD_OFF
-// Values as near as the cache can hold them; nothing is near to NaN.
+#if SC_GUARDS && !SC_BITS
+// Numbers as near as half floats can hold them. Infinity and NaN stay.
 vec4 sc_held(vec4 values) {
     uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
-    bvec4 numbers = lessThanEqual(sizes, uvec4(0x7F800000u));
-    vec4 held = mix(vec4(0.0), clamp(values, vec4(-sc_limit), vec4(sc_limit)), numbers);
-    return mix(held, vec4(0.0), lessThan(sizes, uvec4(floatBitsToUint(sc_least))));
+    vec4 held = mix(clamp(values, vec4(-sc_limit), vec4(sc_limit)), values,
+            greaterThanEqual(sizes, uvec4(0x7F800000u)));
+    return mix(values, held, greaterThan(sizes, uvec4(floatBitsToUint(sc_limit))));
 }
 
 void sc_hold() {
-    sc_store = SC_MERGED(SC_OF_FLOATS(sc_held(SC_FLOATS(sc_store))), sc_store, SC_DISCRETE_1);
+    if (sc_limit <= SC_MOST_OF_HALF) {
+        sc_store = sc_held(sc_store);
 #if SC_TARGETS == 2
-    sc_store_2 = SC_MERGED(SC_OF_FLOATS(sc_held(SC_FLOATS(sc_store_2))), sc_store_2, SC_DISCRETE_2);
+        sc_store_2 = sc_held(sc_store_2);
 #endif
+    }
 }
 #endif
 
@@ -108,18 +110,20 @@ bool sc_unfit(vec4 values) {
 }
 
 // Marks a texel that must not be reused: the next frame computes it anew. The third of three passes
-// reads it in this one, so it holds what comes nearest.
+// reads it in this one, so it holds what was computed, or what comes nearest of larger numbers.
 void sc_guard() {
     bool unfit = sc_unfit(SC_FLOATS(SC_ONLY_FLOATS(sc_store, SC_DISCRETE_1)));
 #if SC_TARGETS == 2
     unfit = unfit || sc_unfit(SC_FLOATS(SC_ONLY_FLOATS(sc_store_2, SC_DISCRETE_2)));
 #endif
-    if (unfit && sc_store.w != SC_NO_DEPTH) {
+    if (unfit) {
+#if !SC_BITS
         sc_hold();
+#endif
         sc_store.w = SC_POISON_DEPTH;
     }
 }
-#elif SC_GUARD_CLAMP
+#elif SC_GUARDS
 void sc_guard() {
     sc_hold();
 }

@@ -129,6 +129,6 @@ def plane(
     runner = _runner(gpu, cached, form, algorithm, fragment, payload)
     runner.reset()
     for entry in runner.manifest["uniforms"]:
-        if entry["role"] in (numbers or {}):
-            entry["default"] = numbers[entry["role"]]
+        given = entry.setdefault("given", entry["default"])
+        entry["default"] = (numbers or {}).get(entry["role"], given)
     return Plane(runner)

@@ -19,6 +19,7 @@ POISONS = {
     "-inf": -np.inf,
     "65505": 65505.0,
     "-1e30": -1e30,
+    "3e38": 3e38,
     "subnormal": 1e-40,
     "small": 3e-6,
 }
@@ -27,7 +28,9 @@ FITS_FLOATS = ("65505", "-1e30")
 
 SPOT = (0.5, 0.5)
 CLEAN = (0.25, 0.5, 0.75)
-LIMITS = {"rgba16f": (65504.0, 2.0**-24), "rgba32f": (float(np.finfo(np.float32).max), 2.0**-126)}
+LIMITS = {"rgba16f": (65504.0, 2.0**-24), "rgba32f": (2.0**126, 2.0**-126)}
+MARK = -65504.0
+"""The depth of a texel that no later frame reuses."""
 
 
 def injected(made: Plane, poison: float) -> np.ndarray:
@@ -37,14 +40,22 @@ def injected(made: Plane, poison: float) -> np.ndarray:
     return made.draw(1, period=1, u_spot=SPOT, u_spike=spike)
 
 
-def stored(made: Plane) -> np.ndarray:
-    """The payloads of all texels, (n, 3)."""
-    return made.cached()[..., :3].reshape(-1, 3)
+def reusable(made: Plane) -> np.ndarray:
+    """The payloads of all texels that a later frame may reuse, (n, 3)."""
+    texels = made.cached().reshape(-1, 4)
+    return texels[texels[:, 3] != MARK, :3]
+
+
+def read_back(poison: float, form: CacheFormat, algorithm: str) -> np.float32:
+    """What an algorithm shows of a value: itself, but that the third of three passes reads numbers
+    from half floats, which hold no larger ones."""
+    rounded = algorithm == "3-pass" and form == "rgba16f" and np.isfinite(poison)
+    return np.float32(np.clip(poison, -65504.0, 65504.0) if rounded else poison)
 
 
 @pytest.mark.parametrize("algorithm", ["1-pass", "2-pass", "3-pass"])
 @pytest.mark.parametrize("form", ["rgba16f", "rgba32f"])
-def test_none_is_stored_and_the_pixel_is_right(
+def test_none_is_reusable_and_the_pixel_is_right(
     gpu: Gpu, stress: Criteria, form: CacheFormat, algorithm: str
 ) -> None:
     made = plane(gpu, CacheOptions(guard="miss"), form, algorithm)
@@ -54,13 +65,7 @@ def test_none_is_stored_and_the_pixel_is_right(
     for name, poison in POISONS.items():
         made.runner.reset()
         image = injected(made, poison)
-        shown = poison
-        if algorithm == "3-pass":
-            # The third pass reads what comes nearest among what the cache can hold.
-            shown = (
-                0.0 if name == "nan" else float(np.clip(poison, -LIMITS[form][0], LIMITS[form][0]))
-            )
-        expected = np.array([shown, 0.5, 0.5], np.float32) * np.float32(0.5)
+        expected = np.array([read_back(poison, form, algorithm), 0.5, 0.5]) * np.float32(0.5)
         if name == "subnormal":
             # Drivers may flush it, before the guard or behind it.
             assert 0.0 <= image[at, at, 0] < 1e-37
@@ -69,14 +74,15 @@ def test_none_is_stored_and_the_pixel_is_right(
             # The third pass reads what half floats made of it.
             assert image[at, at, 0] == pytest.approx(expected[0], abs=2.0**-25)
             expected[0] = image[at, at, 0]
-        assert np.array_equal(image[at, at], expected, equal_nan=True), name
-        held = stored(made)
+        assert np.array_equal(image[at, at], expected.astype(np.float32), equal_nan=True), name
+        held = reusable(made)
         fine = np.isfinite(held) & (np.abs(held) <= most)
         bad += np.count_nonzero(~(fine & ((held == 0.0) | (np.abs(held) >= least))))
         if name not in ("subnormal", "small"):
             fits = form == "rgba32f" and name in FITS_FLOATS
-            assert (held[at * SIZE + at, 0] == np.float32(poison)) == fits, name
-    stress.none(f"values of {len(POISONS)} kinds in the cache that it cannot hold", bad)
+            assert (made.cached()[at, at, 3] == MARK) != fits, name
+            assert len(held) == SIZE * SIZE - (not fits), name
+    stress.none(f"values of {len(POISONS)} kinds to be reused that the cache cannot hold", bad)
 
 
 @pytest.mark.parametrize("kind", ["bilinear", "bilateral", "lanczos2", "mitchell", "nearest"])
@@ -105,11 +111,36 @@ def test_without_a_guard_it_spreads(gpu: Gpu) -> None:
 
 @pytest.mark.parametrize("algorithm", ["1-pass", "2-pass", "3-pass"])
 @pytest.mark.parametrize("form", ["rgba16f", "rgba32f"])
-def test_a_clamped_cache_is_finite(gpu: Gpu, form: CacheFormat, algorithm: str) -> None:
-    made = plane(gpu, CacheOptions(guard="clamp"), form, algorithm)
-    for poison in POISONS.values():
+def test_a_clamped_cache_is_read_as_finite(gpu: Gpu, form: CacheFormat, algorithm: str) -> None:
+    """In the frame itself the pixel is right; the next one reuses what comes nearest."""
+    cached = CacheOptions(guard="clamp", refresh="none")
+    made = plane(gpu, cached, form, algorithm)
+    at = SIZE // 2
+    for name, poison in POISONS.items():
+        if name in ("subnormal", "small"):
+            continue
         made.runner.reset()
-        injected(made, poison)
-        held = stored(made)
-        assert np.isfinite(held).all()
-        assert np.abs(held).max() <= LIMITS[form][0]
+        spike = (poison, 0.5, 0.5)
+        shown = made.draw(0, u_value=CLEAN, u_spot=SPOT, u_spike=spike, u_pan=(0, 0))[at, at, 0]
+        expected = read_back(poison, form, algorithm) * np.float32(0.5)
+        assert np.array_equal(shown, expected, equal_nan=True), name
+        most = LIMITS[form][0]
+        nearest = np.float32(0.0 if name == "nan" else np.clip(poison, -most, most))
+        again = made.draw(1, u_spot=(1e3, 1e3))
+        assert again[at, at, 0] == nearest * np.float32(0.5), name
+        assert np.isfinite(again).all()
+        assert np.isfinite(made.draw(2, u_pan=(0.4, 0.3))).all(), name
+        assert np.isfinite(made.cached()).all(), name
+
+
+@pytest.mark.parametrize("algorithm", ["1-pass", "2-pass", "3-pass"])
+def test_what_a_filter_makes_is_kept_alike(gpu: Gpu, algorithm: str) -> None:
+    """Between a number above zero and one below a filter finds smaller ones than either: they are
+    no poison in any algorithm."""
+    made = plane(gpu, CacheOptions(refresh="none"), "rgba32f", algorithm, {"least": 0.2})
+    made.draw(0, u_value=(0.25, 0.5, 0.75), u_spot=SPOT, u_spike=(-0.25, 0.5, 0.75), u_pan=(0, 0))
+    made.draw(1, u_spot=(1e3, 1e3), u_pan=(0.4, 0.3))
+    kept = made.cached().reshape(-1, 4)
+    filtered = (np.abs(kept[:, 0]) < 0.2) & (kept[:, 1] == 0.5)
+    assert filtered.any(), "nothing was filtered, so nothing is tested"
+    assert not (kept[filtered, 3] == MARK).any()

@@ -6,5 +6,5 @@ void main() {
     SC_SET_VALID(sc_reuse);
     SC_UNPACK;
     sc_shade();
-    SC_STORE;
+    SC_STORE_UNLESS(sc_reuse)
 }

@@ -6,7 +6,7 @@ void main() {
     SC_SET_VALID(sc_reuse);
     SC_UNPACK;
     sc_shade();
-    SC_STORE;
+    SC_STORE_UNLESS(sc_reuse)
     if (sc_lacks) {
         discard;
     }
