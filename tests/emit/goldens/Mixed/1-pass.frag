@@ -89,8 +89,11 @@ bool sc_same(uvec4 a, uvec4 b, uvec4 c, uvec4 d, uvec4 discrete) {
     return ((a ^ b | a ^ c | a ^ d) & discrete) == uvec4(0u);
 }
 
-vec4 sc_weighted(vec4 a, vec4 b, vec4 c, vec4 d, vec4 weights) {
-    return weights.x * a + weights.y * b + weights.z * c + weights.w * d;
+vec4 sc_chosen(vec4 a, vec4 b, vec4 c, vec4 d, vec4 weights) {
+    vec4 sum = weights.x > 0.0 ? weights.x * a : vec4(0.0);
+    sum += weights.y > 0.0 ? weights.y * b : vec4(0.0);
+    sum += weights.z > 0.0 ? weights.z * c : vec4(0.0);
+    return sum + (weights.w > 0.0 ? weights.w * d : vec4(0.0));
 }
 
 int sc_look_up(out uvec4 texel, out uvec4 texel_2) {
@@ -133,11 +136,11 @@ int sc_look_up(out uvec4 texel, out uvec4 texel_2) {
         weights *= single;
         float total = dot(weights, vec4(1.0));
         if (!(total >= 0.25)) {
-            return a.w == 0x80000000u || b.w == 0x80000000u || c.w == 0x80000000u || d.w == 0x80000000u ? 6 : 4;
+            return a.w == 0xFF000000u || b.w == 0xFF000000u || c.w == 0xFF000000u || d.w == 0xFF000000u ? 6 : 4;
         }
         weights /= total;
-        texel = a & uvec4(0u, 0u, 0u, 0u) | floatBitsToUint(sc_weighted(uintBitsToFloat(a), uintBitsToFloat(b), uintBitsToFloat(c), uintBitsToFloat(d), weights)) & ~uvec4(0u, 0u, 0u, 0u);
-        texel_2 = a_2 & uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu) | floatBitsToUint(sc_weighted(uintBitsToFloat(a_2), uintBitsToFloat(b_2), uintBitsToFloat(c_2), uintBitsToFloat(d_2), weights)) & ~uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu);
+        texel = a & uvec4(0u, 0u, 0u, 0u) | floatBitsToUint(sc_chosen(uintBitsToFloat(a), uintBitsToFloat(b), uintBitsToFloat(c), uintBitsToFloat(d), weights)) & ~uvec4(0u, 0u, 0u, 0u);
+        texel_2 = a_2 & uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu) | floatBitsToUint(sc_chosen(uintBitsToFloat(a_2), uintBitsToFloat(b_2), uintBitsToFloat(c_2), uintBitsToFloat(d_2), weights)) & ~uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu);
         marked = true;
     }
     if (!sc_same(a_2, b_2, c_2, d_2, uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu))) {
@@ -155,18 +158,6 @@ uvec4 sc_texel_2() {
     return uvec4(uint(sc_payload.sign), uvec2(sc_payload.cell), sc_payload.number);
 }
 
-vec4 sc_held(vec4 values) {
-    uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
-    bvec4 numbers = lessThanEqual(sizes, uvec4(0x7F800000u));
-    vec4 held = mix(vec4(0.0), clamp(values, vec4(-sc_limit), vec4(sc_limit)), numbers);
-    return mix(held, vec4(0.0), lessThan(sizes, uvec4(floatBitsToUint(sc_least))));
-}
-
-void sc_hold() {
-    sc_store = sc_store & uvec4(0u, 0u, 0u, 0u) | floatBitsToUint(sc_held(uintBitsToFloat(sc_store))) & ~uvec4(0u, 0u, 0u, 0u);
-    sc_store_2 = sc_store_2 & uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu) | floatBitsToUint(sc_held(uintBitsToFloat(sc_store_2))) & ~uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu);
-}
-
 bool sc_unfit(vec4 values) {
     uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
     uint least = max(floatBitsToUint(sc_least), 1u) - 1u;
@@ -176,16 +167,16 @@ bool sc_unfit(vec4 values) {
 void sc_guard() {
     bool unfit = sc_unfit(uintBitsToFloat(sc_store & ~uvec4(0u, 0u, 0u, 0u)));
     unfit = unfit || sc_unfit(uintBitsToFloat(sc_store_2 & ~uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu)));
-    if (unfit && sc_store.w != 0u) {
-        sc_hold();
-        sc_store.w = 0x80000000u;
+    if (unfit) {
+        sc_store.w = 0xFF000000u;
     }
 }
 
 void main() {
     uvec4 sc_local_1;
     uvec4 sc_local_2;
-    if (sc_look_up(sc_local_1, sc_local_2) == 1) {
+    bool sc_hit = sc_look_up(sc_local_1, sc_local_2) == 1;
+    if (sc_hit) {
         sc_payload = Mixed(Pair(uintBitsToFloat(sc_local_1.xy), uintBitsToFloat(sc_local_1.z)), bool(sc_local_2.x), ivec2(sc_local_2.yz), sc_local_2.w);
     } else {
         sc_compute();
@@ -193,5 +184,7 @@ void main() {
     sc_shade();
     sc_store = sc_texel();
     sc_store_2 = sc_texel_2();
-    sc_guard();
+    if (!sc_hit) {
+        sc_guard();
+    }
 }

@@ -35,18 +35,6 @@ uvec4 sc_texel_2() {
     return uvec4(uint(sc_payload.sign), uvec2(sc_payload.cell), sc_payload.number);
 }
 
-vec4 sc_held(vec4 values) {
-    uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
-    bvec4 numbers = lessThanEqual(sizes, uvec4(0x7F800000u));
-    vec4 held = mix(vec4(0.0), clamp(values, vec4(-sc_limit), vec4(sc_limit)), numbers);
-    return mix(held, vec4(0.0), lessThan(sizes, uvec4(floatBitsToUint(sc_least))));
-}
-
-void sc_hold() {
-    sc_store = sc_store & uvec4(0u, 0u, 0u, 0u) | floatBitsToUint(sc_held(uintBitsToFloat(sc_store))) & ~uvec4(0u, 0u, 0u, 0u);
-    sc_store_2 = sc_store_2 & uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu) | floatBitsToUint(sc_held(uintBitsToFloat(sc_store_2))) & ~uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu);
-}
-
 bool sc_unfit(vec4 values) {
     uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
     uint least = max(floatBitsToUint(sc_least), 1u) - 1u;
@@ -56,9 +44,8 @@ bool sc_unfit(vec4 values) {
 void sc_guard() {
     bool unfit = sc_unfit(uintBitsToFloat(sc_store & ~uvec4(0u, 0u, 0u, 0u)));
     unfit = unfit || sc_unfit(uintBitsToFloat(sc_store_2 & ~uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu)));
-    if (unfit && sc_store.w != 0u) {
-        sc_hold();
-        sc_store.w = 0x80000000u;
+    if (unfit) {
+        sc_store.w = 0xFF000000u;
     }
 }
 

@@ -48,8 +48,11 @@ bool sc_due() {
     return phase == 0 || phase == sc_period;
 }
 
-vec4 sc_weighted(vec4 a, vec4 b, vec4 c, vec4 d, vec4 weights) {
-    return weights.x * a + weights.y * b + weights.z * c + weights.w * d;
+vec4 sc_chosen(vec4 a, vec4 b, vec4 c, vec4 d, vec4 weights) {
+    vec4 sum = weights.x > 0.0 ? weights.x * a : vec4(0.0);
+    sum += weights.y > 0.0 ? weights.y * b : vec4(0.0);
+    sum += weights.z > 0.0 ? weights.z * c : vec4(0.0);
+    return sum + (weights.w > 0.0 ? weights.w * d : vec4(0.0));
 }
 
 int sc_look_up(out vec4 texel) {
@@ -87,10 +90,10 @@ int sc_look_up(out vec4 texel) {
         weights *= single;
         float total = dot(weights, vec4(1.0));
         if (!(total >= 0.25)) {
-            return a.w == 32768.0 || b.w == 32768.0 || c.w == 32768.0 || d.w == 32768.0 ? 6 : 4;
+            return a.w == -65504.0 || b.w == -65504.0 || c.w == -65504.0 || d.w == -65504.0 ? 6 : 4;
         }
         weights /= total;
-        texel = sc_weighted(a, b, c, d, weights);
+        texel = sc_chosen(a, b, c, d, weights);
         marked = true;
     }
     sc_moved = marked;

@@ -42,14 +42,15 @@ vec4 sc_texel() {
 
 vec4 sc_held(vec4 values) {
     uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
-    bvec4 numbers = lessThanEqual(sizes, uvec4(0x7F800000u));
-    precise vec4 held = mix(vec4(0.0), clamp(values, vec4(-sc_limit), vec4(sc_limit)), numbers);
-    precise vec4 sc_exact_1 = mix(held, vec4(0.0), lessThan(sizes, uvec4(floatBitsToUint(sc_least))));
+    precise vec4 held = mix(clamp(values, vec4(-sc_limit), vec4(sc_limit)), values, greaterThanEqual(sizes, uvec4(0x7F800000u)));
+    precise vec4 sc_exact_1 = mix(values, held, greaterThan(sizes, uvec4(floatBitsToUint(sc_limit))));
     return sc_exact_1;
 }
 
 void sc_hold() {
-    sc_store = sc_held(sc_store);
+    if (sc_limit <= 65504.0) {
+        sc_store = sc_held(sc_store);
+    }
 }
 
 bool sc_unfit(vec4 values) {
@@ -60,9 +61,9 @@ bool sc_unfit(vec4 values) {
 
 void sc_guard() {
     bool unfit = sc_unfit(sc_store);
-    if (unfit && sc_store.w != 0.0) {
+    if (unfit) {
         sc_hold();
-        sc_store.w = 32768.0;
+        sc_store.w = -65504.0;
     }
 }
 

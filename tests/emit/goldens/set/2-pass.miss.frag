@@ -44,14 +44,15 @@ vec4 sc_texel_2() {
 
 vec4 sc_held(vec4 values) {
     uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
-    bvec4 numbers = lessThanEqual(sizes, uvec4(0x7F800000u));
-    vec4 held = mix(vec4(0.0), clamp(values, vec4(-sc_limit), vec4(sc_limit)), numbers);
-    return mix(held, vec4(0.0), lessThan(sizes, uvec4(floatBitsToUint(sc_least))));
+    vec4 held = mix(clamp(values, vec4(-sc_limit), vec4(sc_limit)), values, greaterThanEqual(sizes, uvec4(0x7F800000u)));
+    return mix(values, held, greaterThan(sizes, uvec4(floatBitsToUint(sc_limit))));
 }
 
 void sc_hold() {
-    sc_store = sc_held(sc_store);
-    sc_store_2 = sc_held(sc_store_2);
+    if (sc_limit <= 65504.0) {
+        sc_store = sc_held(sc_store);
+        sc_store_2 = sc_held(sc_store_2);
+    }
 }
 
 bool sc_unfit(vec4 values) {
@@ -63,9 +64,9 @@ bool sc_unfit(vec4 values) {
 void sc_guard() {
     bool unfit = sc_unfit(sc_store);
     unfit = unfit || sc_unfit(sc_store_2);
-    if (unfit && sc_store.w != 0.0) {
+    if (unfit) {
         sc_hold();
-        sc_store.w = 32768.0;
+        sc_store.w = -65504.0;
     }
 }
 

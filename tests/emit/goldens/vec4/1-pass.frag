@@ -65,8 +65,11 @@ bool sc_due() {
     return phase == 0 || phase == sc_period;
 }
 
-vec4 sc_weighted(vec4 a, vec4 b, vec4 c, vec4 d, vec4 weights) {
-    return weights.x * a + weights.y * b + weights.z * c + weights.w * d;
+vec4 sc_chosen(vec4 a, vec4 b, vec4 c, vec4 d, vec4 weights) {
+    vec4 sum = weights.x > 0.0 ? weights.x * a : vec4(0.0);
+    sum += weights.y > 0.0 ? weights.y * b : vec4(0.0);
+    sum += weights.z > 0.0 ? weights.z * c : vec4(0.0);
+    return sum + (weights.w > 0.0 ? weights.w * d : vec4(0.0));
 }
 
 int sc_look_up(out vec4 texel, out vec4 texel_2) {
@@ -109,11 +112,11 @@ int sc_look_up(out vec4 texel, out vec4 texel_2) {
         weights *= single;
         float total = dot(weights, vec4(1.0));
         if (!(total >= 0.25)) {
-            return a.w == 32768.0 || b.w == 32768.0 || c.w == 32768.0 || d.w == 32768.0 ? 6 : 4;
+            return a.w == -65504.0 || b.w == -65504.0 || c.w == -65504.0 || d.w == -65504.0 ? 6 : 4;
         }
         weights /= total;
-        texel = sc_weighted(a, b, c, d, weights);
-        texel_2 = sc_weighted(a_2, b_2, c_2, d_2, weights);
+        texel = sc_chosen(a, b, c, d, weights);
+        texel_2 = sc_chosen(a_2, b_2, c_2, d_2, weights);
         marked = true;
     }
     sc_moved = marked;
@@ -130,14 +133,15 @@ vec4 sc_texel_2() {
 
 vec4 sc_held(vec4 values) {
     uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
-    bvec4 numbers = lessThanEqual(sizes, uvec4(0x7F800000u));
-    vec4 held = mix(vec4(0.0), clamp(values, vec4(-sc_limit), vec4(sc_limit)), numbers);
-    return mix(held, vec4(0.0), lessThan(sizes, uvec4(floatBitsToUint(sc_least))));
+    vec4 held = mix(clamp(values, vec4(-sc_limit), vec4(sc_limit)), values, greaterThanEqual(sizes, uvec4(0x7F800000u)));
+    return mix(values, held, greaterThan(sizes, uvec4(floatBitsToUint(sc_limit))));
 }
 
 void sc_hold() {
-    sc_store = sc_held(sc_store);
-    sc_store_2 = sc_held(sc_store_2);
+    if (sc_limit <= 65504.0) {
+        sc_store = sc_held(sc_store);
+        sc_store_2 = sc_held(sc_store_2);
+    }
 }
 
 bool sc_unfit(vec4 values) {
@@ -149,16 +153,17 @@ bool sc_unfit(vec4 values) {
 void sc_guard() {
     bool unfit = sc_unfit(sc_store);
     unfit = unfit || sc_unfit(sc_store_2);
-    if (unfit && sc_store.w != 0.0) {
+    if (unfit) {
         sc_hold();
-        sc_store.w = 32768.0;
+        sc_store.w = -65504.0;
     }
 }
 
 void main() {
     vec4 texel;
     vec4 texel_2;
-    if (sc_look_up(texel, texel_2) == 1) {
+    bool sc_hit = sc_look_up(texel, texel_2) == 1;
+    if (sc_hit) {
         sc_payload = vec4(texel.xyz, texel_2.x);
     } else {
         sc_compute();
@@ -166,5 +171,7 @@ void main() {
     sc_shade();
     sc_store = sc_texel();
     sc_store_2 = sc_texel_2();
-    sc_guard();
+    if (!sc_hit) {
+        sc_guard();
+    }
 }

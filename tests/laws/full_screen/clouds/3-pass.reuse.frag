@@ -56,7 +56,7 @@ int sc_look_up(out vec4 texel) {
         return 2;
     }
     if (!(abs(texel.w - 16.0 * gl_FragCoord.w) <= sc_epsilon * (16.0 * gl_FragCoord.w))) {
-        return texel.w == 32768.0 ? 6 : 4;
+        return texel.w == -65504.0 ? 6 : 4;
     }
     return 1;
 }

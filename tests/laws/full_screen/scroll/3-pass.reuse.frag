@@ -61,8 +61,11 @@ bool sc_due() {
     return phase == 0 || phase == sc_period;
 }
 
-highp vec4 sc_weighted(highp vec4 a, highp vec4 b, highp vec4 c, highp vec4 d, highp vec4 weights) {
-    return weights.x * a + weights.y * b + weights.z * c + weights.w * d;
+highp vec4 sc_chosen(highp vec4 a, highp vec4 b, highp vec4 c, highp vec4 d, highp vec4 weights) {
+    highp vec4 sum = weights.x > 0.0 ? weights.x * a : vec4(0.0);
+    sum += weights.y > 0.0 ? weights.y * b : vec4(0.0);
+    sum += weights.z > 0.0 ? weights.z * c : vec4(0.0);
+    return sum + (weights.w > 0.0 ? weights.w * d : vec4(0.0));
 }
 
 highp int sc_look_up(out highp vec4 texel) {
@@ -104,10 +107,10 @@ highp int sc_look_up(out highp vec4 texel) {
         weights *= single;
         highp float total = dot(weights, vec4(1.0));
         if (!(total >= 0.25)) {
-            return a.w == 32768.0 || b.w == 32768.0 || c.w == 32768.0 || d.w == 32768.0 ? 6 : 4;
+            return a.w == -65504.0 || b.w == -65504.0 || c.w == -65504.0 || d.w == -65504.0 ? 6 : 4;
         }
         weights /= total;
-        texel = sc_weighted(a, b, c, d, weights);
+        texel = sc_chosen(a, b, c, d, weights);
         marked = true;
     }
     sc_moved = marked;
