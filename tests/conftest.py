@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from tests.crashes import pytest_xdist_make_scheduler  # noqa: F401 # a hook of pytest-xdist
+
 if TYPE_CHECKING:
     from shadercache.harness.context import Gpu
 
