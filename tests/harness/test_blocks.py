@@ -67,9 +67,32 @@ HEAD = "#version 430\n" + STRUCTS
 VERTEX = "in vec2 a_corner; void main() { gl_Position = vec4(a_corner, 0.0, 1.0); }"
 
 
+CASES = 64
+"""Of one ``switch``, which Mesa makes a chain of conditions of. Where more than some 80 conditions
+are nested, llvmpipe 25.0 (not 22.3) writes past the end of its stack of them and crashes::
+
+    uniform float u; out float o;
+    void main() {
+        if (u > 0.0) { o += sin(o); if (u > 1.0) { o += sin(o); ... } }  // 84 of them
+    }
+"""
+
+
 def numbers(gpu: Gpu, declarations: str, prefix: str) -> tuple[list[str], np.ndarray]:
-    """What a program reads of its uniforms: their names, and every number as the shader has it."""
+    """What programs read of their uniforms: their names, and every number as the shader has it."""
     read = [part.format(prefix + name) for name, kind in MEMBERS.items() for part in PARTS[kind]]
+    names: set[str] = set()
+    found = []
+    for at in range(0, len(read), CASES):
+        names_here, values = _drawn(gpu, declarations, prefix, read[at : at + CASES])
+        names |= names_here
+        found.append(values)
+    return sorted(names), np.concatenate(found)
+
+
+def _drawn(
+    gpu: Gpu, declarations: str, prefix: str, read: list[str]
+) -> tuple[set[str], np.ndarray]:
     cases = "".join(f"case {at}: o = {text}; break; " for at, text in enumerate(read))
     fragment = f"""{HEAD} {declarations} out float o;
         void main() {{ o = -1.0; switch (int(gl_FragCoord.x)) {{ {cases} }} }}"""
@@ -91,7 +114,7 @@ def numbers(gpu: Gpu, declarations: str, prefix: str) -> tuple[list[str], np.nda
     found = np.frombuffer(target.read(), np.float32)
     for item in (array, corners, framebuffer, target):
         item.release()
-    names = sorted(name.removeprefix(prefix) for name in program.uniforms)
+    names = {name.removeprefix(prefix) for name in program.uniforms}
     programs.release_all()
     return names, found
 
