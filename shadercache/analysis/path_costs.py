@@ -96,7 +96,7 @@ class PathCosts:
             return self._top
         if instance not in self._contexts:
             outer = self._within(instance.parent, instance, _PROBE)
-            self._contexts[instance] = outer and outer.asked
+            self._contexts[instance] = None if outer is None else outer.asked
         return self._contexts[instance]
 
     def _within(self, instance: Instance, cut: Cut, given: Walked | None) -> Walked | None:
