@@ -58,14 +58,14 @@ OBJECTS = {"geometry": "objects"}
 FULL_SCREEN = {"geometry": "full-screen triangle", "mode": "triangles", "vertices": 3}
 """Three vertices without attributes: the vertex shaders make their positions."""
 
-DEBUG = {
-    "format": "r32f",
-    "clear": 0,
-    "depth_buffer": "own",
-    "when": "behind the swap of the caches and in front of the passes of the frame; objects that "
-    "are not cached hide what is behind them and write 0. In a frame of a reset all is a miss",
-}
+DEBUG = {"format": "r32f", "clear": 0, "depth_buffer": "own"}
 """Of the debug program. Its draws would close the depth that the passes find open."""
+
+_WHEN = (
+    "behind the swap of the caches and in front of the passes of the frame; in a frame of a reset "
+    "all is a miss"
+)
+_HIDDEN = "objects that are not cached hide what is behind them and write 0"
 
 _FORWARD: dict[str, Any] = {"less": "less", "lequal": "lequal", "clear": 1}
 _REVERSED: dict[str, Any] = {"less": "greater", "lequal": "gequal", "clear": 0}
@@ -126,9 +126,9 @@ def build_manifest(
             for number, reason in programs.refused.items()
         ],
         "payload": _pass(programs.payload),
-        "debug": _pass(programs.debug) | DEBUG | {"values": outcomes(options.cache)},
-        "frame": frame_sentences(bool(layout.second), setting, has_twins=bool(programs.previous)),
-        "reset": reset_sentences(options.cache, setting),
+        "debug": _debug(programs.debug, options, setting),
+        "frame": frame_sentences(bool(layout.second), setting, programs),
+        "reset": reset_sentences(options.cache, setting, programs),
         "relies_on": relies_on(options, programs, setting),
         "state": state_of(setting.full_screen),
     } | ({} if setting.full_screen else {"depth_functions": _depth_functions()})
@@ -201,6 +201,11 @@ def _extras(layout: Layout, texel: int) -> dict[str, Any]:
 
 def _source(source: Source) -> dict[str, str]:
     return {"name": source.name, "sha256": sha256(source.text.encode()).hexdigest()}
+
+
+def _debug(item: Pass, options: Options, setting: Setting) -> dict[str, Any]:
+    when = _WHEN if setting.full_screen else f"{_WHEN}; {_HIDDEN}"
+    return _pass(item) | DEBUG | {"when": when, "values": outcomes(options.cache)}
 
 
 def _dependency(item: Dependency) -> dict[str, Any]:

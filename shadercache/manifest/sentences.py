@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from shadercache.emit.program_set import ProgramSet
 from shadercache.manifest.setting import Setting
 from shadercache.options import CacheOptions
 
@@ -49,14 +50,21 @@ FRAME_OF_TWO = (
     "to values of their own."
 )
 
+ON_RESET = (
+    "Draw only the passes with on_reset true: what was stored is not looked up, and the image is "
+    "the original's."
+)
+SHORT_RESET = (
+    "One and three passes may then be drawn as the one of two passes with on_reset true: image and "
+    "cache are the same, no branch is in the way, and the geometry is drawn once."
+)
+
 RESET = (
     "On the first frame, and whenever the last frame does not show the same scene (camera cut, "
     "resize, new projection, reloaded shader, lost context): clear both caches to cache.clear. "
     "After a resize or a lost context make them anew first, as large as the target.",
-    "Draw only the passes with on_reset true: what was stored is not looked up, and the image is "
-    "the original's.",
-    "One and three passes may then be drawn as the one of two passes with on_reset true: image and "
-    "cache are the same, no branch is in the way, and the geometry is drawn once.",
+    ON_RESET,
+    SHORT_RESET,
     "An object that the last frame did not show, or that jumps, is drawn so by itself; the caches "
     "stay as they are.",
     "A cut that is not told is drawn rightly up to what passes the hit test by chance, and costs "
@@ -67,34 +75,36 @@ RESET_FULL_SCREEN = (
     "On the first frame, and whenever the last frame shows something else (a cut, a resize, a "
     "reloaded shader, a lost context): clear both caches to cache.clear. After a resize or a lost "
     "context make them anew first, as large as the target.",
-    *RESET[1:3],
+    ON_RESET,
+    SHORT_RESET,
 )
 
 RESET_UNIFORMS = (
     "Uniforms with on_reset have that value in the draws of a reset, so that one pass, which looks "
-    "up in every frame, finds nothing. Twins of the last frame may have any value then."
+    "up in every frame, finds nothing."
 )
+RESET_TWINS = "What is a twin of the last frame may have any value in the draws of a reset."
 
 
-def frame_sentences(two_textures: bool, setting: Setting, has_twins: bool) -> list[str]:
-    """What it does each frame, in order.
-
-    ``two_textures``: is a payload too wide for one? ``has_twins``: are there twins of uniforms?
-    """
-    blocks = [item for item in setting.inputs if item.kind == "uniform block"]
+def frame_sentences(two_textures: bool, setting: Setting, programs: ProgramSet) -> list[str]:
+    """What it does each frame, in order; ``two_textures``: is a payload too wide for one?"""
+    blocks = {item.name for item in setting.inputs if item.kind == "uniform block"}
     return [
         *(FRAME_FULL_SCREEN if setting.full_screen else FRAME),
         *PLACES,
         *(BLOCKS if blocks else ()),
-        *(TWINS_OF_BLOCKS if blocks and has_twins else ()),
+        *(TWINS_OF_BLOCKS if blocks & programs.previous.keys() else ()),
         *[FRAME_OF_TWO] * two_textures,
     ]
 
 
-def reset_sentences(options: CacheOptions, setting: Setting) -> list[str]:
+def reset_sentences(options: CacheOptions, setting: Setting, programs: ProgramSet) -> list[str]:
     """What it does on the first frame, whenever the last one does not fit, and on a change."""
-    found = RESET_FULL_SCREEN if setting.full_screen else RESET
-    return [*found, RESET_UNIFORMS, *_of_changes(options, setting)]
+    found = list(RESET_FULL_SCREEN if setting.full_screen else RESET)
+    if 2 not in programs.variants or len(programs.variants) == 1:
+        found.remove(SHORT_RESET)
+    twins = [RESET_TWINS] * bool(programs.previous)
+    return [*found, RESET_UNIFORMS, *twins, *_of_changes(options, setting)]
 
 
 def _of_changes(options: CacheOptions, setting: Setting) -> list[str]:

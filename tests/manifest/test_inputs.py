@@ -1,0 +1,189 @@
+"""What the engine gives: blocks told apart from uniforms, with their places, and twins."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from jsonschema import Draft202012Validator
+
+import shadercache
+from shadercache.compiler import analyse, rewrite
+from shadercache.emit import reflection
+from shadercache.emit.packing import Packing
+from shadercache.sema.read import read
+from shadercache.source import Source
+
+FRAGMENT = """#version 450
+{declared}
+in vec3 v_p;
+layout(location = 0) out vec4 o;
+float wave(vec3 p) {{ return sin(p.x * 9.0) * cos(exp(p.y) + sin(p.z * 3.0)); }}
+void main() {{ o = vec4(wave(v_p)) * ({read}); }}
+"""
+VERTEX = """#version 450
+{declared}
+in vec3 a_position;
+out vec3 v_p;
+void main() {{ v_p = a_position; gl_Position = {matrix} * vec4(a_position, 1.0); }}
+"""
+SCHEMA = json.loads(
+    Path(shadercache.__file__).with_name("manifest.schema.json").read_text(encoding="utf-8")
+)
+
+
+def manifest_of(
+    declared: str = "uniform mat4 u_m;", matrix: str = "u_m", more: str = "", read: str = "1.0"
+) -> dict[str, Any]:
+    """Of ``wave(v_p)``; ``declared`` in the vertex shader, ``more`` in the fragment shader."""
+    analysis = analyse(
+        Source("t.frag", FRAGMENT.format(declared=more, read=read)),
+        Source("t.vert", VERTEX.format(declared=declared, matrix=matrix)),
+    )
+    node = next(node for node in analysis.nodes if node.offered and node.text == "wave(v_p)")
+    manifest = rewrite(analysis, node).manifest
+    Draft202012Validator(SCHEMA).validate(manifest)
+    return manifest
+
+
+def inputs_of(*shader: str, **more: str) -> dict[str, dict[str, Any]]:
+    return {item["name"]: item for item in manifest_of(*shader, **more)["inputs"]}
+
+
+def block(text: str, read: str) -> dict[str, Any]:
+    return inputs_of(text, read)["B"]
+
+
+@pytest.mark.parametrize(
+    ("text", "read", "told"),
+    [
+        ("uniform B { mat4 m; };", "m", {"packing": "shared", "binding": None, "instance": None}),
+        ("layout(packed) uniform B { mat4 m; } b;", "b.m", {"packing": "packed", "instance": "b"}),
+        ("layout(STD140, binding = 3) uniform B { mat4 m; };", "m", {"packing": "std140"}),
+        ("layout(std140, binding = 3) uniform B { mat4 m; };", "m", {"binding": 3, "dims": []}),
+        ("uniform B { mat4 m; } b[2];", "b[1].m", {"dims": [2]}),
+        ("uniform B { mat4 m; } b[2][3];", "b[1][2].m", {"dims": [2, 3]}),
+        ("layout(row_major) uniform B { mat4 m; };", "m", {"matrices": "row_major"}),
+        ("layout(std140) uniform; uniform B { mat4 m; };", "m", {"packing": "std140"}),
+        (
+            "layout(std140) uniform; uniform B { mat4 m; }; layout(shared) uniform;",
+            "m",
+            {"packing": "std140"},
+        ),
+        (
+            "layout(std140, row_major) uniform; layout(column_major) uniform B { mat4 m; };",
+            "m",
+            {"packing": "std140", "matrices": "column_major"},
+        ),
+    ],
+)
+def test_a_block_and_its_twin(text: str, read: str, told: dict[str, Any]) -> None:
+    inputs = inputs_of(text, read)
+    found, twin = inputs["B"], inputs["sc_previous_B"]
+    assert found["kind"] == twin["kind"] == "uniform block"
+    assert told.items() <= found.items()
+    assert twin["previous_of"] == "B"
+    assert twin["binding"] is None
+    for key in ("dims", "packing", "matrices"):
+        assert twin[key] == found[key]
+    assert twin["takes_the_last_buffer"] == (found["packing"] != "packed")
+    assert twin["instance"] == (found["instance"] and f"sc_previous_{found['instance']}")
+    prefix = "" if found["instance"] else "sc_previous_"
+    assert [item["name"] for item in found["members"]] == ["m"]
+    assert [item["name"] for item in twin["members"]] == [f"{prefix}m"]
+
+
+def test_members_with_layouts_and_structs() -> None:
+    declared = "struct S { vec2 a; float b[2]; }; uniform B { layout(row_major) mat4 m; S s[3]; };"
+    assert block(declared, "m")["members"] == [
+        {"name": "m", "type": "mat4", "layout": "row_major"},
+        {
+            "name": "s",
+            "type": "S[3]",
+            "members": [{"name": "a", "type": "vec2"}, {"name": "b", "type": "float[2]"}],
+        },
+    ]
+    placed = declared.replace("row_major", "offset = 64").replace(
+        "uniform", "layout(std140) uniform"
+    )
+    assert block(placed, "m")["members"][0]["layout"] == "offset = 64"
+
+
+def test_kinds_that_a_vertex_shader_alone_may_have() -> None:
+    text = """#version 450
+        layout(std430, binding = 1) buffer B { vec4 all[]; } b;
+        layout(rgba8, binding = 2) uniform image2D u_image;
+        layout(binding = 3) uniform atomic_uint u_count;
+        void main() { gl_Position = b.all[0] + imageLoad(u_image, ivec2(0)); }"""
+    module, facts = read(Source("t.vert", text), "vertex")
+    found = {item.name: item for item in reflection.inputs_of([(module, facts, "vertex")])}
+    kinds = {name: (item.kind, item.binding) for name, item in found.items()}
+    assert kinds == {
+        "B": ("storage block", 1),
+        "u_image": ("image", 2),
+        "u_count": ("atomic counter", 3),
+    }
+    assert found["B"].members == (reflection.Member("all", "vec4[]"),)
+    assert found["B"].layout == Packing("std430")
+
+
+def test_uniforms_samplers_and_attributes() -> None:
+    inputs = inputs_of(
+        "struct E { mat4 m; }; layout(location = 4) uniform E u_e[2]; uniform float u_f;",
+        "u_e[1].m * u_f",
+        more="layout(binding = 2) uniform sampler2D u_map; layout(location = 9) uniform vec3 u_l;",
+        read="textureLod(u_map, v_p.xy, 0.0).x + u_l.x",
+    )
+    place = {"kind": "uniform", "type": "E[2]", "members": [{"name": "m", "type": "mat4"}]}
+    assert inputs["u_e"] == place | {"name": "u_e", "stages": ["vertex"], "location": 4}
+    assert inputs["sc_previous_u_e"] == place | {
+        "name": "sc_previous_u_e",
+        "stages": ["vertex"],
+        "location": None,
+        "previous_of": "u_e",
+    }
+    assert inputs["u_f"]["location"] is None
+    assert (inputs["u_map"]["kind"], inputs["u_map"]["binding"]) == ("sampler", 2)
+    assert inputs["u_l"]["location"] == 9
+    assert inputs["a_position"]["kind"] == "attribute"
+    assert "previous_of" not in inputs["a_position"]
+
+
+def test_a_block_of_both_stages_is_listed_once() -> None:
+    text = "layout(binding = 5) uniform B { mat4 m; vec4 t; } b;"
+    inputs = inputs_of(text, "b.m", more=text.replace("layout(binding = 5) ", ""), read="b.t.x")
+    assert inputs["B"]["stages"] == ["vertex", "fragment"]
+    assert inputs["B"]["binding"] == 5
+    assert inputs["sc_previous_B"]["stages"] == ["vertex"]
+
+
+def test_every_name_of_a_pass_is_listed() -> None:
+    manifest = manifest_of("uniform B { mat4 m; }; uniform mat4 u_m;", "m * u_m")
+    known = {item["name"] for key in ("inputs", "uniforms") for item in manifest[key]}
+    passes = [item for variant in manifest["variants"] for item in variant["passes"]]
+    for item in (*passes, manifest["original"], manifest["payload"], manifest["debug"]):
+        assert known.issuperset((*item["uniforms"], *item["attributes"]))
+
+
+def test_what_no_program_declares_is_not_listed() -> None:
+    inputs = inputs_of("uniform mat4 u_m;", "u_m", more="uniform B { vec4 t; };", read="t.x")
+    assert inputs["B"]["stages"] == ["fragment"]
+    assert "sc_previous_B" not in inputs
+
+
+@pytest.mark.parametrize(
+    ("text", "read", "told"),
+    [
+        ("uniform mat4 u_m;", "u_m", (False, False)),
+        ("uniform B { mat4 m; };", "m", (True, True)),
+        ("uniform B { mat4 m; vec4 t; }; uniform mat4 u_m;", "t.x * u_m", (True, True)),
+    ],
+)
+def test_what_is_to_be_bound_is_told(text: str, read: str, told: tuple[bool, bool]) -> None:
+    frame = " ".join(manifest_of(text, read)["frame"])
+    assert ("binding point 0" in frame, "is the twin of the block" in frame) == told
+    with_block = " ".join(manifest_of(more="uniform B { vec4 t; };", read="t.x")["frame"])
+    assert "binding point 0" in with_block
+    assert "is the twin of the block" not in with_block
