@@ -9,6 +9,8 @@ from shadercache.options import PREVIOUS_CLIP, Options
 WHOLE_TARGET = "a viewport that covers the whole target and begins at (0, 0), as large as the cache"
 PART_OF_TARGET = "a viewport inside of the target, which is as large as the cache"
 
+ONE_VIEW = "one view: each view or target has caches and last values of its own"
+
 RELIES_ON = (
     "opaque geometry, drawn without blending, alpha to coverage or multisampling",
     "the depth function 'less' in the application, with depth cleared to 1; for any other, "
@@ -17,12 +19,14 @@ RELIES_ON = (
     "sRGB between the passes",
     WHOLE_TARGET,
     "the same geometry, in the same order, in every pass of a frame",
+    ONE_VIEW,
 )
 
 RELIES_ON_FULL_SCREEN = (
     "no blending, alpha to coverage or multisampling",
     "a depth buffer that nothing else is drawn into, which all passes of a frame share",
     *RELIES_ON[2:4],
+    ONE_VIEW,
 )
 
 
