@@ -52,7 +52,7 @@ from shadercache.emit.depth_range import depth_warnings
 from shadercache.emit.layout import Layout, extras_of
 from shadercache.emit.printer import print_node
 from shadercache.front.options import ReadOptions
-from shadercache.manifest import Setting, build_manifest, original_manifest
+from shadercache.manifest import Setting, build_manifest, needed_manifest, original_manifest
 from shadercache.options import ALGORITHMS, CacheOptions, MappingKind, Mode, Options, marks_depths
 from shadercache.sema.check import check
 from shadercache.sema.facts import Facts, Stage
@@ -74,7 +74,7 @@ _ES_WITH_PRIMITIVES = 320
 USUAL_RANGE = (0.1, 100.0)
 """Near and far plane where no scene is known."""
 
-__all__ = ["Analysis", "Emission", "analyse", "emit_original", "rewrite"]
+__all__ = ["Analysis", "Emission", "analyse", "emit_needed", "emit_original", "rewrite"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -201,6 +201,20 @@ def emit_original(analysis: Analysis, mode: Mode = "plain") -> Emission:
     _check_names(analysis, mode)
     programs = program_set.emit_original(analysis.program, analysis.vertex_emitter, options)
     return Emission(programs.files, original_manifest(programs, options))
+
+
+def emit_needed(
+    analysis: Analysis, nodes: Sequence[Candidate], options: Options
+) -> Emission | None:
+    """The program that tells which pixels have payloads of the nodes; None where all have them.
+
+    It is part of no variant: who counts hits needs it to know how many there must be.
+    """
+    vertex = analysis.vertex_emitter
+    programs = program_set.emit_needed(analysis.program, vertex, nodes, options)
+    if programs is None:
+        return None
+    return Emission(programs.files, needed_manifest(programs, options))
 
 
 def _check_names(analysis: Analysis, mode: Mode, queries: bool = False) -> None:

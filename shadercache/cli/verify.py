@@ -71,7 +71,8 @@ def command(
     """Check laws 1 to 4 for every offered value by rendering it on this machine's driver.
 
     1: the printed shader renders the same bits. 2: refreshed in every frame, a variant is the
-    original. 3: at rest it stays so. 4: the algorithms agree. Laws 2 to 4 are decided in proof
+    original. 3: at rest it stays so, and all that is not due is reused. 4: the algorithms agree,
+    look where the last frame was, and reuse what that showed. Laws 2 to 4 are decided in proof
     mode, bit by bit; for plain mode the difference is reported. Exit status 1 if a law is broken.
     Of nodes that have the same value one is checked; the others are counted, and --every-node
     checks them too.
@@ -174,6 +175,7 @@ def _text(
         lines.append(f"plain mode changes bits for {plain} of {len(verdicts)} nodes")
     if equal:
         lines.append(f"{equal} more nodes have the value of one of these (--every-node checks all)")
+    lines += [f"{item.node}: {reason}" for item in verdicts for reason in item.reasons]
     if ties > MAX_TIES:
         lines.append(f"{ties:.2%} of the pixels are depth ties, which are left out")
     return "\n".join(lines)

@@ -32,8 +32,8 @@ _LATE = ("passes/here_late", "passes/hit_late")
 """Passes that fragments without a payload go through, up to a discard at the end."""
 
 
-_BLIND = ("passes/miss", "passes/payload")
-"""Passes that store and look nothing up."""
+_BLIND = ("passes/miss", "passes/payload", "passes/needed")
+"""Passes that look nothing up."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -85,6 +85,11 @@ class FragmentEmitter(PassBuilder):
         clones = [self.shaded("keep")] if self.whole else []
         return self.build("passes/hit_mask", clones, (), wanted)
 
+    def needed(self) -> Shader:
+        """Which pixels have payloads, for those who count hits: other programs store them."""
+        wanted = {self.own("outcome"): 0}
+        return self.build("passes/needed", [self.shaded("keep")], (), wanted)
+
     def unneeded(self) -> tuple[Candidate, ...]:
         """The nodes that the colour does not need where the others are reused."""
         named = names_in(self.made(FragmentEmitter.shade).module)

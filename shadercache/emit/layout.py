@@ -166,6 +166,19 @@ class Layout:
         """Is there a second texel?"""
         return len(self.channels) == 2
 
+    @property
+    def read_back(self) -> tuple[tuple[int, bool], ...]:
+        """Of each scalar of the payloads its channel in what is read back of both texels, and
+        whether it is an integer or a boolean. (The first texel's last channel is the depth.)"""
+        leaves = self._leaves("", masked=False)
+        whole = [
+            leaf.type.base != "float" for leaf in leaves for _ in range(leaf.type.components_or_one)
+        ]
+        return tuple(
+            (channel + int(channel >= FIRST_TEXEL), discrete)
+            for channel, discrete in enumerate(whole)
+        )
+
     def variables(self, name: str) -> tuple[str, ...]:
         """What is there for each payload: ``name`` itself, or in a set ``name_1``, ``name_2``..."""
         if len(self.types) == 1:

@@ -59,6 +59,7 @@ class ProgramSet:
 
 _ORIGINAL = Pass("original", "original", (COLOR,), "less", (), True)
 _PAYLOAD = Pass("payload-alone", "payload-alone", (COLOR,), "less", (), True)
+_NEEDED = Pass("needed", "needed", (MASK,), "less", (), False)
 _HIT_MASK = Pass("hit-mask", "hit-mask", (MASK,), "less", (PREVIOUS,), False)
 
 _PASSES: dict[int, tuple[tuple[Pass, Callable[[FragmentEmitter], Shader]], ...]] = {
@@ -142,6 +143,22 @@ def emit_original(program: FragmentProgram, vertex: VertexEmitter, options: Opti
     made = ProgramSet(prefix=program.prefix, color=program.color)
     write = _Writer(made, vertex, options, "unchanged")
     made.original = write.original(program)
+    return made
+
+
+def emit_needed(
+    program: FragmentProgram,
+    vertex: VertexEmitter,
+    nodes: Sequence[Candidate],
+    options: Options,
+) -> ProgramSet | None:
+    """The program that tells which pixels have payloads. None where all have, so none is needed."""
+    emitter = _emitter(program, nodes, options)
+    if not emitter.whole:
+        return None
+    made = ProgramSet(prefix=program.prefix, color=program.color)
+    write = _Writer(made, vertex, options, "what needs its payloads")
+    made.debug = write.add(_NEEDED, emitter.made(FragmentEmitter.needed))
     return made
 
 

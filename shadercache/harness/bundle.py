@@ -26,7 +26,10 @@ _VERSION_LINE = re.compile(r"^\s*#\s*version\b.*$", re.MULTILINE)
 
 @dataclass(frozen=True, eq=False)
 class PassSpec:
-    """One draw of all objects. ``depth_test`` is ``<`` or ``<=``; targets stand at their index."""
+    """One draw of all objects. ``depth_test`` is ``<`` or ``<=``; targets stand at their index.
+
+    ``looks``: does it look up what the last frame stored?
+    """
 
     name: str
     vertex: Source
@@ -35,6 +38,7 @@ class PassSpec:
     depth_test: str
     depth_write: bool
     on_reset: bool
+    looks: bool = False
 
 
 @dataclass(frozen=True)
@@ -120,6 +124,11 @@ class Bundle:
     def mask_values(self) -> dict[str, int]:
         """What the debug program writes for each outcome: hit, refresh, outside, depth."""
         return dict(_need(self.manifest, "debug", "values"))
+
+    @cached_property
+    def needed(self) -> PassSpec:
+        """The program that tells pixels with payloads (1) from those that do without (2)."""
+        return self._pass(_need(self.manifest, "needed"))
 
     @cached_property
     def geometry(self) -> PassSpec:
@@ -213,6 +222,7 @@ class Bundle:
             depth_test=_DEPTH_TESTS[test],
             depth_write=bool(_need(entry, "depth", "write")),
             on_reset=bool(entry.get("on_reset", False)),
+            looks="previous-cache" in entry.get("reads", ()),
         )
 
     def _file(self, name: str) -> Source:

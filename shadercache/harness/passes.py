@@ -62,8 +62,12 @@ NO_NAMES = Naming({}, {})
 class BoundPass:
     """A pass that can be drawn. Everything is looked up once, when it is made."""
 
-    def __init__(self, stage: Stage, prop: Prop, spec: PassSpec, naming: Naming) -> None:
+    def __init__(
+        self, stage: Stage, prop: Prop, spec: PassSpec, naming: Naming, captured: str = ""
+    ) -> None:
         """Compile the program and find a source for each of its inputs.
+
+        ``captured``: as in :meth:`Programs.acquire`.
 
         Raises:
             InputError: SC520 no value for a uniform, SC521 none for an attribute, SC522 none for
@@ -78,7 +82,7 @@ class BoundPass:
         self._before: list[tuple[Uniform, str]] = []
         self._numbers: list[tuple[Uniform, str]] = []
         self._units: list[tuple[Uniform, GlTexture | str]] = []
-        self._program = stage.programs.acquire(spec.vertex, spec.fragment)
+        self._program = stage.programs.acquire(spec.vertex, spec.fragment, captured)
         try:
             self._array = prop.vertex_array(self._program)
             self._bind(naming)

@@ -112,7 +112,7 @@ class Programs:
 
     def __init__(self, gpu: Gpu) -> None:
         self._gpu = gpu
-        self._by_text: OrderedDict[tuple[str, str], Program] = OrderedDict()
+        self._by_text: OrderedDict[tuple[str, str, str], Program] = OrderedDict()
 
     @property
     def used(self) -> int:
@@ -124,13 +124,15 @@ class Programs:
         """How many are kept although nobody uses them (at most ``MOST_IDLE``)."""
         return len(self._by_text) - self.used
 
-    def acquire(self, vertex: Source, fragment: Source) -> Program:
+    def acquire(self, vertex: Source, fragment: Source, captured: str = "") -> Program:
         """The program of two shaders; call ``release`` with it once for every ``acquire``.
+
+        ``captured`` is a varying: the program is the vertex shader alone, and keeps that.
 
         Raises:
             InputError: SC602 with the driver's log, SC524 for inputs the harness cannot give.
         """
-        key = (_HEADING.sub("//", vertex.text), _HEADING.sub("//", fragment.text))
+        key = (_HEADING.sub("//", vertex.text), _HEADING.sub("//", fragment.text), captured)
         program = self._by_text.get(key)
         if program is None:
             program = self._by_text[key] = _link(self._gpu.ctx, vertex, fragment, key)
@@ -153,10 +155,13 @@ class Programs:
 
 
 def _link(
-    ctx: moderngl.Context, vertex: Source, fragment: Source, texts: tuple[str, str]
+    ctx: moderngl.Context, vertex: Source, fragment: Source, texts: tuple[str, str, str]
 ) -> Program:
     try:
-        gl = ctx.program(vertex_shader=texts[0], fragment_shader=texts[1])
+        if texts[2]:
+            gl = ctx.program(vertex_shader=texts[0], varyings=(texts[2],))
+        else:
+            gl = ctx.program(vertex_shader=texts[0], fragment_shader=texts[1])
     except moderngl.Error as error:
         raise _refused(str(error), vertex, fragment) from None
     uniforms: dict[str, Uniform] = {}

@@ -152,6 +152,11 @@ class VariantRunner(Runner):
         return tuple(dict.fromkeys(named))
 
     @property
+    def cached(self) -> tuple[Role, ...]:
+        """The objects whose payloads are those that the bundle tells of."""
+        return tuple(r for r in self._roles if r.caches is not None and r.bundle is self.bundle)
+
+    @property
     def skipped(self) -> int:
         """How many passes were not drawn, since they had nothing to do."""
         return self._idle.skipped
@@ -213,7 +218,7 @@ class VariantRunner(Runner):
         for role in self._drawn(frame):
             if role.debug is None:
                 role.debug = self._bind(role.prop, role.debug_spec, role.naming)
-            inputs = self._inputs(role, frame)
+            inputs = self.inputs(role, frame)
             role.debug.draw(inputs, role.caches)
         return self.stage.targets.mask_values()
 
@@ -282,7 +287,7 @@ class VariantRunner(Runner):
 
     def _turns(self, frame: int) -> Iterator[tuple[BoundPass, FrameInputs, CachePair | None]]:
         """Every draw of a frame: all objects finish a pass before the next begins."""
-        drawn = [(role, self._inputs(role, frame)) for role in self._drawn(frame)]
+        drawn = [(role, self.inputs(role, frame)) for role in self._drawn(frame)]
         for number in range(max((len(role.due) for role, _ in drawn), default=0)):
             for role, inputs in drawn:
                 if number < len(role.due):
@@ -318,7 +323,8 @@ class VariantRunner(Runner):
         for role in self._roles:
             role.before = self._shown(frame) if role.prop in drawn else None
 
-    def _inputs(self, role: Role, frame: int) -> FrameInputs:
+    def inputs(self, role: Role, frame: int) -> FrameInputs:
+        """What the role's passes read in the frame that is about to be drawn."""
         shown = self._shown(frame)
         before = shown if role.before is None else role.before
         item, options = role.prop.item, self.options

@@ -69,6 +69,12 @@ class Targets:
         """Mark every pixel as uncovered."""
         self.framebuffer((self.mask,), True).clear(0.0, 0.0, 0.0, 0.0, depth=self._empty_depth)
 
+    def clear_mask_alone(self) -> None:
+        """Mark every pixel as uncovered, and keep the depth."""
+        alone = self.ctx.framebuffer([self.mask])
+        alone.clear(0.0, 0.0, 0.0, 0.0)
+        alone.release()
+
     def framebuffer(
         self, textures: tuple[moderngl.Texture, ...], depth_write: bool
     ) -> moderngl.Framebuffer:

@@ -21,6 +21,8 @@ from shadercache.diagnostics import InputError, input_error
 from shadercache.harness.bundle import Bundle
 from shadercache.harness.context import Gpu
 from shadercache.harness.mesh import Mesh
+from shadercache.harness.prop import Prop
+from shadercache.harness.reuse import Look, Reuse
 from shadercache.harness.runner import (
     CoverageRunner,
     OriginalRunner,
@@ -30,6 +32,7 @@ from shadercache.harness.runner import (
 )
 from shadercache.harness.scene import Scene
 from shadercache.harness.stage import Stage
+from shadercache.harness.surfaces import Surfaces
 from shadercache.options import DEFAULT_CACHE, CacheOptions, FetchForm, Mode, Options
 
 Image = NDArray[np.float32]
@@ -64,6 +67,11 @@ class Difference:
         """The same bits everywhere (an image that is not finite never is)."""
         return self.changed == 0.0
 
+    def __str__(self) -> str:
+        if not np.isfinite(self.maximum):
+            return f"{self.changed:.2%} of the pixels differ, some of which are not finite"
+        return f"{self.changed:.2%} of the pixels differ, by up to {self.maximum:.2g}"
+
     def worst(self, other: Difference) -> Difference:
         """The larger of each figure."""
         return Difference(
@@ -82,7 +90,8 @@ class Verdict:
     ``refused`` holds the algorithms that the compiler does not offer for the node, and why;
     ``ages``: the greatest age in frames that a payload reached at a period of :data:`PERIOD`, where
     the cache keeps ages. ``failure`` says why a variant could not be drawn at all, where one could
-    not.
+    not. ``faults``: of laws that do not hold by what is reused, what was expected and what was
+    found, in a sentence.
     """
 
     node: str
@@ -96,26 +105,39 @@ class Verdict:
     ages: dict[str, float] = field(default_factory=dict)
     refused: dict[str, str] = field(default_factory=dict)
     failure: str = ""
+    faults: dict[str, str] = field(default_factory=dict)
 
     @property
     def broken(self) -> list[str]:
         """The laws that do not hold, as ``law 2 (1-pass)``; with a failure, that none does."""
-        laws = (("law 2", self.always), ("law 3", self.resting), ("law 4", self.agreeing))
-        failed = ["cannot be drawn"] if self.failure else []
-        return (
-            failed
-            + [
-                f"{law} ({name})"
-                for law, found in laws
-                for name, difference in found.items()
-                if not difference.exact
-            ]
-            + [f"law 7 ({name})" for name, age in self.ages.items() if not age <= PERIOD]
-        )
+        return list(self._reasons())
+
+    @property
+    def reasons(self) -> list[str]:
+        """A sentence for each broken law: what was expected, and what was found."""
+        return [f"{law}: {'; '.join(words)}" for law, words in self._reasons().items()]
 
     def to_json(self) -> dict[str, Any]:
         """Plain data, with the list of broken laws."""
-        return asdict(self) | {"broken": self.broken}
+        return asdict(self) | {"broken": self.broken, "reasons": self.reasons}
+
+    def _reasons(self) -> dict[str, list[str]]:
+        """Broken law -> what is wrong."""
+        laws = (("law 2", self.always), ("law 3", self.resting), ("law 4", self.agreeing))
+        found: dict[str, list[str]] = {}
+        if self.failure:
+            found["cannot be drawn"] = [self.failure]
+        for law, by_name in laws:
+            for name, difference in by_name.items():
+                words = [str(difference)] if not difference.exact else []
+                if f"{law} ({name})" in self.faults:
+                    words.append(self.faults[f"{law} ({name})"])
+                if words:
+                    found[f"{law} ({name})"] = words
+        for name, age in self.ages.items():
+            if not age <= PERIOD:
+                found[f"law 7 ({name})"] = [f"a payload is {age:g} frames old, {PERIOD} expected"]
+        return found
 
 
 def difference(image: Image, reference: Image, covered: NDArray[np.bool_]) -> Difference:
@@ -159,6 +181,8 @@ class Verifier:
                 runner.coverage(frame) & ~tie for frame, tie in zip(MOVING, ties, strict=True)
             ]
         self.ties = float(np.mean(ties))
+        self._surfaces: Surfaces | None = None
+        self._proven: set[tuple[Prop, str]] = set()
 
     def round_trip(self) -> Difference | None:
         """Law 1: the printed shader renders the bits of the user's own text.
@@ -222,10 +246,14 @@ class Verifier:
     def check_bundle(self, bundle: Bundle, verdict: Verdict) -> None:
         """Laws 2 to 4 for a proof-mode bundle, and 7 where it keeps ages, into ``verdict``."""
         first: list[tuple[Image, Image]] = []
+        reuse = self._reuse(bundle)
         for name in bundle.algorithms:
             verdict.always[name] = self._always(bundle, name)
-            verdict.resting[name] = self._resting(bundle, name)
-            run = self._reusing(bundle, name)
+            verdict.resting[name], fault = self._resting(bundle, name, reuse)
+            run, moving_fault = self._reusing(bundle, name, reuse)
+            for law, words in (("law 3", fault), ("law 4", moving_fault)):
+                if words:
+                    verdict.faults[f"{law} ({name})"] = words
             first = first or run
             verdict.agreeing[name] = self._agreement(run, first)
             if bundle.age_channel is not None:
@@ -272,20 +300,42 @@ class Verifier:
                 found = found.worst(difference(image, reference, self.covered[frame]))
         return found
 
-    def _resting(self, bundle: Bundle, name: str) -> Difference:
-        """Law 3: while nothing moves a variant is the original, however often it reuses."""
+    def _resting(self, bundle: Bundle, name: str, reuse: Reuse) -> tuple[Difference, str]:
+        """Law 3: while nothing moves a variant is the original, however often it reuses; and it
+        reuses all that is not due. What it reuses that it should not, or does not, in words."""
         found = Difference()
         options = RunOptions(period=PERIOD, moving=False)
         with VariantRunner(self.stage, bundle, name, options) as runner:
+            masks = []
             for frame in RESTING:
+                if frame > 0:
+                    masks.append(runner.hit_mask(frame))
                 image = runner.image(frame)
                 found = found.worst(difference(image, self._moving["proof"][0], self.covered[0]))
-        return found
+            return found, reuse.rest_fault(runner, masks, RESTING.stop)
 
-    def _reusing(self, bundle: Bundle, name: str) -> list[tuple[Image, Image]]:
-        """Colour and cache of each frame of a short run in motion."""
+    def _reusing(
+        self, bundle: Bundle, name: str, reuse: Reuse
+    ) -> tuple[list[tuple[Image, Image]], str]:
+        """Colour and cache of each frame of a short run in motion, and what is wrong with what it
+        reuses there, in words."""
+        made: list[tuple[Image, Image]] = []
+        looks: list[Look] = []
+        fault = ""
         with VariantRunner(self.stage, bundle, name, RunOptions(period=PERIOD)) as runner:
-            return [(runner.image(frame), runner.cache()) for frame in MOVING]
+            for frame in MOVING:
+                look = reuse.look(runner, frame) if frame > 0 else None
+                if look is not None:
+                    looks.append(look)
+                    fault = fault or reuse.previous_fault(runner, frame)
+                made.append((runner.image(frame), runner.cache()))
+            return made, fault or reuse.motion_fault(runner, looks)
+
+    def _reuse(self, bundle: Bundle) -> Reuse:
+        if self._surfaces is None:
+            self._surfaces = Surfaces(self.stage, self._bundle("proof"))
+        about = (self.stage, self.analysis, bundle, self._surfaces, self.covered, PERIOD)
+        return Reuse(*about, self._proven)
 
     def _oldest(self, bundle: Bundle, name: str, channel: int) -> float:
         """Law 7: the greatest age that is stored in a run in motion."""

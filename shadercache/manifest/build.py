@@ -156,6 +156,16 @@ def original_manifest(programs: ProgramSet, options: Options) -> dict[str, Any]:
     }
 
 
+def needed_manifest(programs: ProgramSet, options: Options) -> dict[str, Any]:
+    """The part of a manifest that says how to draw which pixels have payloads."""
+    assert programs.debug is not None
+    return {
+        "schema_version": SCHEMA_VERSION,
+        "mode": options.mode,
+        "needed": _pass(programs.debug),
+    }
+
+
 def _declared(programs: ProgramSet) -> set[str]:
     """The uniforms that any program declares."""
     passes = [item for variant in programs.variants.values() for item in variant]

@@ -1,0 +1,243 @@
+"""Whether a variant reuses what it should, and looks for it where it was (laws 3 and 4).
+
+What is expected comes from the originals (:mod:`surfaces`, :mod:`positions`) and, where not every
+pixel has a payload, from a program that stores nothing. What is found is told by the hit mask, and
+that the variant does as that says is seen by marking what it reads.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shadercache.analysed import Analysis
+from shadercache.compiler import emit_needed
+from shadercache.emit.layout import Layout
+from shadercache.harness.bundle import Bundle
+from shadercache.harness.hits import (
+    Hits,
+    Outcomes,
+    Stored,
+    Tests,
+    at_rest,
+    in_motion,
+    shown_before,
+)
+from shadercache.harness.passes import NO_NAMES, BoundPass, FrameInputs, Naming
+from shadercache.harness.positions import previous_fault, shaken
+from shadercache.harness.prop import Prop
+from shadercache.harness.runner import Role, VariantRunner
+from shadercache.harness.stage import Stage
+from shadercache.harness.surfaces import Mask, Surfaces
+
+Texels = NDArray[np.float32]
+
+DEPTH = 3
+"""The channel of a cache that holds 1/w."""
+
+_HEADING = re.compile(r"^// shadercache: .*$", re.MULTILINE)
+
+
+@dataclass(eq=False)
+class Reuse:
+    """Judges the runs of one bundle. ``covered``: by frame, pixels that count.
+
+    ``proven``: vertex shaders whose previous positions have been found right, for all bundles.
+    """
+
+    stage: Stage
+    analysis: Analysis
+    bundle: Bundle
+    surfaces: Surfaces
+    covered: list[Mask]
+    period: int
+    proven: set[tuple[Prop, str]] = field(default_factory=set)
+    _needed: dict[int, Mask] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        nodes = self.analysis.nodes_of(self.bundle.node("id"))
+        self.cached = self.bundle.options.cache
+        self.mapping = self.analysis.mapping
+        layout = Layout(tuple(node.type for node in nodes))
+        self._channels = [channel for channel, _ in layout.read_back]
+        self._discrete = [channel for channel, discrete in layout.read_back if discrete]
+        emission = emit_needed(self.analysis, nodes, self.bundle.options)
+        self._witness = Bundle(emission.manifest, emission.files) if emission else None
+
+    def rest_fault(self, runner: VariantRunner, masks: list[Outcomes], frame: int) -> str:
+        """What is wrong with the hits of a run at rest, or nothing.
+
+        ``masks`` are those of one period, ``frame`` is about to be drawn after it.
+        """
+        values, has = self.bundle.mask_values, self._has(runner, 0)
+        hits = at_rest(masks, has, values, self.cached)
+        if not hits.enough:
+            return str(hits)
+        mask = runner.hit_mask(frame)
+        among = has & np.isin(mask, [values[w] for w in ("hit", "refresh", "old") if w in values])
+        reused = self._reused(runner, among, among & (mask == values["hit"]), frame)
+        if reused is None:
+            return ""
+        must = among & (mask == values["hit"])
+        found = int(np.count_nonzero(reused & must))
+        amiss = int(np.count_nonzero(among & (reused != must)))
+        expected = int(np.count_nonzero(must))
+        told = Hits(int(np.count_nonzero(among)), expected, found, exact=True, amiss=amiss)
+        return "" if told.enough else f"of what was stored is reused: {told}"
+
+    def motion_fault(self, runner: VariantRunner, looks: list[Look]) -> str:
+        """What is wrong with the hits of a run in motion, or nothing."""
+        values = self.bundle.mask_values
+        masks = [look.mask for look in looks]
+        if self.mapping == "user":
+            seen = [self._has(runner, look.frame) for look in looks]
+            hits = in_motion(masks, seen, values, self.cached, some=True)
+        else:
+            seen = [self._shown(runner, look) for look in looks]
+            hits = in_motion(masks, seen, values, self.cached)
+        return "" if hits.enough else str(hits)
+
+    def previous_fault(self, runner: VariantRunner, frame: int) -> str:
+        """What is wrong with where a frame's passes take the last one's vertices to have been.
+
+        Each vertex shader is asked once more with uniforms of which each has changed.
+        """
+        if self.mapping != "surface":
+            return ""
+        for role in runner.cached:
+            inputs = runner.inputs(role, frame)
+            naming = Naming(self.bundle.roles, self.bundle.twins)
+            for spec in self.bundle.passes(runner.algorithm):
+                if not spec.looks or role.before is None:
+                    continue
+                asked = [(inputs, self.surfaces.before(role.prop, frame))]
+                known = (role.prop, _HEADING.sub("", spec.vertex.text))
+                if known not in self.proven:
+                    asked.append(self._shaken(role, inputs))
+                for given, truth in asked:
+                    varying = self._prefix + "previous"
+                    found = previous_fault(
+                        self.stage, role.prop, spec, naming, varying, given, truth
+                    )
+                    if found:
+                        return found
+                self.proven.add(known)
+        return ""
+
+    def look(self, runner: VariantRunner, frame: int) -> Look | None:
+        """The hit mask of a frame that is about to be drawn; None for a frame that is a cut or
+        that is drawn into another part of the target than the variant can follow."""
+        stage = self.stage
+        moved = stage.viewport(frame) != stage.viewport(max(frame - 1, 0))
+        if frame in stage.scene.camera_path.cuts or (moved and not self.cached.viewport):
+            return None
+        height, width = self.covered[0].shape
+        discrete = np.zeros((height, width, 0), np.uint32)
+        if self._discrete:
+            discrete = _bits(runner.cache(), self._discrete)
+        return Look(frame, runner.hit_mask(frame), discrete)
+
+    @property
+    def _marks(self) -> bool:
+        """Do hits keep the sign of a depth? (It tells payloads that are of a part of a filter.)"""
+        return self.cached.filter == "bilateral" and self.mapping != "screen"
+
+    @property
+    def _prefix(self) -> str:
+        names = {role: name for name, role in self.bundle.roles.items()}
+        return names["previous-cache"].removesuffix("cache")
+
+    def _shaken(self, role: Role, inputs: FrameInputs) -> tuple[FrameInputs, NDArray[np.float32]]:
+        before = shaken(inputs.before)
+        given = FrameInputs(inputs.now, before, inputs.numbers, inputs.viewport)
+        there = FrameInputs(before, before, inputs.numbers, inputs.viewport)
+        return given, self.surfaces.at(role.prop, there)
+
+    def _shown(self, runner: VariantRunner, look: Look) -> Mask:
+        """The pixels that have to hit unless they are due."""
+        was = look.frame - 1
+        still = self.mapping == "screen"
+        numbers = runner.inputs(runner.cached[0], look.frame).numbers
+        tests = Tests(self.cached, float(numbers["epsilon"][0]), float(numbers["unit"][0]))
+        stored = Stored(self._has(runner, was), look.discrete, self.stage.viewport(was))
+        now, before = self.surfaces.frame(look.frame), self.surfaces.frame(was)
+        return self._has(runner, look.frame) & shown_before(now, before, stored, tests, still)
+
+    def _has(self, runner: VariantRunner, frame: int) -> Mask:
+        """The pixels that have payloads of the bundle's nodes and are refreshed in its period."""
+        counted = [
+            role.prop.number
+            for role in runner.cached
+            if not role.prop.item.mask and (role.prop.item.period or self.period) >= self.period
+        ]
+        has: Mask = self.covered[frame] & np.isin(self.surfaces.frame(frame).number, counted)
+        if self._witness is not None:
+            has &= self._needing(runner, frame)
+        return has
+
+    def _needing(self, runner: VariantRunner, frame: int) -> Mask:
+        if frame not in self._needed:
+            assert self._witness is not None
+            spec = self._witness.needed
+            self.surfaces.lay_depth(frame)
+            self.stage.targets.clear_mask_alone()
+            for role in runner.cached:
+                if role.prop in self.stage.drawn(frame):
+                    values = role.prop.values(frame)
+                    viewport = self.stage.viewport(frame)
+                    numbers = runner.inputs(role, frame).numbers
+                    bound = BoundPass(self.stage, role.prop, spec, NO_NAMES)
+                    bound.draw(FrameInputs(values, values, numbers, viewport), None, "==")
+                    bound.release()
+            self._needed[frame] = self.stage.targets.mask_values() == 1
+        return self._needed[frame]
+
+    def _reused(self, runner: VariantRunner, among: Mask, hits: Mask, frame: int) -> Mask | None:
+        """Which pixels store again what the frame before stored, told by a mark on that.
+
+        None where no mark can be made: payloads that decide on loops are not exchanged for others.
+        """
+        cache = runner.cache()
+        marked = cache.copy()
+        if self._marks:
+            marked[among, DEPTH] *= -1.0
+        elif "3-pass" not in self.bundle.algorithms or not _exchange(marked, hits, self._channels):
+            return None
+        runner.restore(marked, frame - 1)
+        runner.draw(frame)
+        after = runner.cache()
+        if self._marks:
+            found: Mask = after[..., DEPTH] < 0.0
+            return found
+        one, other = (_bits(texels, self._channels) for texels in (after, marked))
+        found = (one == other).all(axis=-1) & (other != _bits(cache, self._channels)).any(axis=-1)
+        return found
+
+
+@dataclass(frozen=True, eq=False)
+class Look:
+    """What a frame's look-ups find: the hit mask, and what was stored that no filter blends."""
+
+    frame: int
+    mask: Outcomes
+    discrete: NDArray[np.uint32]
+
+
+def _exchange(texels: Texels, among: Mask, channels: list[int]) -> bool:
+    """Give each of some texels the payload of another, of the next in order; False if all are the
+    same. So none is there that the shader has not made."""
+    bits = _bits(texels, channels)[among]
+    known, which = np.unique(bits, axis=0, return_inverse=True)
+    if len(known) < 2:
+        return False
+    part = texels[among]
+    part[:, channels] = np.roll(known, -1, axis=0)[which.reshape(-1)].view(np.float32)
+    texels[among] = part
+    return True
+
+
+def _bits(texels: Texels, channels: list[int]) -> NDArray[np.uint32]:
+    return np.ascontiguousarray(texels[..., channels]).view(np.uint32)
