@@ -78,6 +78,7 @@ class Reuse:
             return str(hits)
         mask = runner.hit_mask(frame)
         among = has & np.isin(mask, [values[w] for w in ("hit", "refresh", "old") if w in values])
+        among &= self._fit(runner.cache())
         reused = self._reused(runner, among, among & (mask == values["hit"]), frame)
         if reused is None:
             return ""
@@ -194,6 +195,14 @@ class Reuse:
                     bound.release()
             self._needed[frame] = self.stage.targets.mask_values() == 1
         return self._needed[frame]
+
+    def _fit(self, texels: Texels) -> Mask:
+        """Which texels hold what no guard minds: depths that match, and usual numbers."""
+        floats = [channel for channel in self._channels if channel not in self._discrete]
+        sizes = np.abs(texels[..., floats])
+        usual = np.isfinite(sizes) & ((sizes == 0.0) | (sizes >= np.finfo(np.float32).tiny))
+        found: Mask = usual.all(axis=-1)
+        return found & (texels[..., DEPTH] > 0.0) if self._marks else found
 
     def _reused(self, runner: VariantRunner, among: Mask, hits: Mask, frame: int) -> Mask | None:
         """Which pixels store again what the frame before stored, told by a mark on that.
