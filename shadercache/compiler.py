@@ -203,17 +203,13 @@ def emit_original(analysis: Analysis, mode: Mode = "plain") -> Emission:
     return Emission(programs.files, original_manifest(programs, options))
 
 
-def emit_needed(
-    analysis: Analysis, nodes: Sequence[Candidate], options: Options
-) -> Emission | None:
-    """The program that tells which pixels have payloads of the nodes; None where all have them.
+def emit_needed(analysis: Analysis, nodes: Sequence[Candidate], options: Options) -> Emission:
+    """The program that tells which pixels have payloads of the nodes, and which of them are fit.
 
     It is part of no variant: who counts hits needs it to know how many there must be.
     """
     vertex = analysis.vertex_emitter
     programs = program_set.emit_needed(analysis.program, vertex, nodes, options)
-    if programs is None:
-        return None
     return Emission(programs.files, needed_manifest(programs, options))
 
 

@@ -162,7 +162,7 @@ class PassBuilder:
         names = ("refresh", "filters", "lookup", "wide", "store", template)
         looks = template not in _BLIND
         # What lies beside the payload in the cache is no part of what the payload alone costs.
-        alone = template == "passes/payload_alone"
+        alone = template in ("passes/payload_alone", "passes/needed")
         layout = replace(self.layout, extras=()) if alone else self.layout
         options = (layout, prefix, self.whole, self.program.located, self.cache, looks)
         parts = [load_part(name, *options) for name in names]

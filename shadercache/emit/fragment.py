@@ -88,7 +88,8 @@ class FragmentEmitter(PassBuilder):
     def needed(self) -> Shader:
         """Which pixels have payloads, for those who count hits: other programs store them."""
         wanted = {self.own("outcome"): 0}
-        return self.build("passes/needed", [self.shaded("keep")], (), wanted)
+        clones = [self.shaded("keep") if self.whole else self.computed()]
+        return self.build("passes/needed", clones, (), wanted)
 
     def unneeded(self) -> tuple[Candidate, ...]:
         """The nodes that the colour does not need where the others are reused."""

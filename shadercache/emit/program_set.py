@@ -55,6 +55,7 @@ class ProgramSet:
     unchanging: tuple[str, ...] = ()
     prefix: str = ""
     color: str = ""
+    whole: bool = False
 
 
 _ORIGINAL = Pass("original", "original", (COLOR,), "less", (), True)
@@ -151,14 +152,13 @@ def emit_needed(
     vertex: VertexEmitter,
     nodes: Sequence[Candidate],
     options: Options,
-) -> ProgramSet | None:
-    """The program that tells which pixels have payloads. None where all have, so none is needed."""
+) -> ProgramSet:
+    """The program that tells which pixels have payloads of the nodes, and which of them are fit."""
     emitter = _emitter(program, nodes, options)
-    if not emitter.whole:
-        return None
     made = ProgramSet(prefix=program.prefix, color=program.color)
-    write = _Writer(made, vertex, options, "what needs its payloads")
+    write = _Writer(made, vertex, options, "what has its payloads")
     made.debug = write.add(_NEEDED, emitter.made(FragmentEmitter.needed))
+    made.whole = emitter.whole
     return made
 
 

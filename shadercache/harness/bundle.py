@@ -127,8 +127,14 @@ class Bundle:
 
     @cached_property
     def needed(self) -> PassSpec:
-        """The program that tells pixels with payloads (1) from those that do without (2)."""
+        """The program that tells which pixels have payloads (1), do without (2), or have some that
+        a guard keeps from being reused (3)."""
         return self._pass(_need(self.manifest, "needed"))
+
+    @property
+    def needed_by_some(self) -> bool:
+        """Are there pixels that may do without payloads?"""
+        return bool(_need(self.manifest, "needed", "by_some"))
 
     @cached_property
     def geometry(self) -> PassSpec:

@@ -27,8 +27,6 @@ LEAST_ROUNDED = 0.1
 """The same where depths may be off by no more than rounding: then it is that which decides."""
 
 _DUE = ("refresh", "old")
-_EXEMPT = ("poison", "magnified", "opted-out")
-"""Outcomes of pixels that need not hit: the guards' and the draw's own."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,16 +63,21 @@ class Hits:
 
 
 def at_rest(
-    masks: Sequence[Outcomes], has: Mask, values: Mapping[str, int], cached: CacheOptions
+    masks: Sequence[Outcomes],
+    has: Mask,
+    unfit: Mask,
+    values: Mapping[str, int],
+    cached: CacheOptions,
 ) -> Hits:
-    """Over the frames of one period, of the pixels that have payloads (``has``).
+    """Over the frames of one period, of the pixels that have payloads (``has``), of which some are
+    ``unfit`` for reuse.
 
     Each has one turn in a period, or none where nothing is refreshed on purpose. With ages a
     payload that was computed out of turn misses it, and one that is too old is computed again.
     """
     hit = _times(masks, values, ("hit",))
     due = _times(masks, values, _DUE)
-    exempt = _times(masks, values, _EXEMPT)
+    exempt = np.where(unfit, _times(masks, values, ("poison",)), 0)
     turns = 1 if cached.refresh != "none" else 0
     in_turn = due <= 1 + turns if cached.age else due == turns
     right = in_turn & (hit + due + exempt == len(masks))
@@ -96,13 +99,15 @@ def in_motion(
     values: Mapping[str, int],
     cached: CacheOptions,
     some: bool = False,
+    guarded: bool = False,
 ) -> Hits:
     """Of the pixels whose point the frame before showed (``seen``), frame by frame.
 
+    ``guarded``: some payloads are unfit for reuse, and so is what a filter makes with them.
     ``some``: nobody knows what it showed, so where a point is inside of it, one hit will do.
     """
     least = LEAST_ROUNDED if cached.tolerance == "akeley-su" else LEAST
-    left = _DUE + _EXEMPT + ("outside",) * some
+    left = (*_DUE, "magnified", *["outside"] * some, *["poison"] * guarded)
     must = [shown & ~_is(mask, values, left) for mask, shown in zip(masks, seen, strict=True)]
     pixels = sum(_count(mask) for mask in must)
     pairs = zip(masks, must, strict=True)

@@ -26,7 +26,7 @@ from shadercache.harness.hits import (
     in_motion,
     shown_before,
 )
-from shadercache.harness.passes import NO_NAMES, BoundPass, FrameInputs, Naming
+from shadercache.harness.passes import BoundPass, FrameInputs, Naming
 from shadercache.harness.positions import previous_fault, shaken
 from shadercache.harness.prop import Prop
 from shadercache.harness.runner import Role, VariantRunner
@@ -37,6 +37,9 @@ Texels = NDArray[np.float32]
 
 DEPTH = 3
 """The channel of a cache that holds 1/w."""
+
+_WITHOUT, _UNFIT = 2, 3
+"""What :attr:`Bundle.needed` says of pixels without payloads, and of those with unfit ones."""
 
 _HEADING = re.compile(r"^// shadercache: .*$", re.MULTILINE)
 
@@ -55,7 +58,7 @@ class Reuse:
     covered: list[Mask]
     period: int
     proven: set[tuple[Prop, str]] = field(default_factory=set)
-    _needed: dict[int, Mask] = field(default_factory=dict)
+    _needed: dict[int, Outcomes] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         nodes = self.analysis.nodes_of(self.bundle.node("id"))
@@ -65,7 +68,7 @@ class Reuse:
         self._channels = [channel for channel, _ in layout.read_back]
         self._discrete = [channel for channel, discrete in layout.read_back if discrete]
         emission = emit_needed(self.analysis, nodes, self.bundle.options)
-        self._witness = Bundle(emission.manifest, emission.files) if emission else None
+        self._witness = Bundle(emission.manifest, emission.files)
 
     def rest_fault(self, runner: VariantRunner, masks: list[Outcomes], frame: int) -> str:
         """What is wrong with the hits of a run at rest, or nothing.
@@ -73,7 +76,7 @@ class Reuse:
         ``masks`` are those of one period, ``frame`` is about to be drawn after it.
         """
         values, has = self.bundle.mask_values, self._has(runner, 0)
-        hits = at_rest(masks, has, values, self.cached)
+        hits = at_rest(masks, has, self._unfit(runner, masks, 0), values, self.cached)
         if not hits.enough:
             return str(hits)
         mask = runner.hit_mask(frame)
@@ -93,12 +96,11 @@ class Reuse:
         """What is wrong with the hits of a run in motion, or nothing."""
         values = self.bundle.mask_values
         masks = [look.mask for look in looks]
-        if self.mapping == "user":
-            seen = [self._has(runner, look.frame) for look in looks]
-            hits = in_motion(masks, seen, values, self.cached, some=True)
-        else:
-            seen = [self._shown(runner, look) for look in looks]
-            hits = in_motion(masks, seen, values, self.cached)
+        some = self.mapping == "user"
+        shown = self._has_in if some else self._shown
+        seen = [shown(runner, look) for look in looks]
+        guarded = any(self._unfit(runner, masks, look.frame - 1).any() for look in looks)
+        hits = in_motion(masks, seen, values, self.cached, some, guarded)
         return "" if hits.enough else str(hits)
 
     def previous_fault(self, runner: VariantRunner, frame: int) -> str:
@@ -157,6 +159,9 @@ class Reuse:
         there = FrameInputs(before, before, inputs.numbers, inputs.viewport)
         return given, self.surfaces.at(role.prop, there)
 
+    def _has_in(self, runner: VariantRunner, look: Look) -> Mask:
+        return self._has(runner, look.frame)
+
     def _shown(self, runner: VariantRunner, look: Look) -> Mask:
         """The pixels that have to hit unless they are due."""
         was = look.frame - 1
@@ -175,25 +180,36 @@ class Reuse:
             if not role.prop.item.mask and (role.prop.item.period or self.period) >= self.period
         ]
         has: Mask = self.covered[frame] & np.isin(self.surfaces.frame(frame).number, counted)
-        if self._witness is not None:
-            has &= self._needing(runner, frame)
+        if self._witness.needed_by_some:
+            has &= self._needs(runner, frame) != _WITHOUT
         return has
 
-    def _needing(self, runner: VariantRunner, frame: int) -> Mask:
+    def _unfit(self, runner: VariantRunner, masks: list[Outcomes], frame: int) -> Mask:
+        """The pixels whose payloads a guard keeps from being reused, where look-ups say that there
+        are any."""
+        poison = self.bundle.mask_values.get("poison", -1)
+        if not any((mask == poison).any() for mask in masks):
+            return np.zeros_like(self.covered[frame])
+        unfit: Mask = self._needs(runner, frame) == _UNFIT
+        return unfit
+
+    def _needs(self, runner: VariantRunner, frame: int) -> Outcomes:
+        """What the program says that tells pixels with payloads from those without."""
         if frame not in self._needed:
-            assert self._witness is not None
             spec = self._witness.needed
             self.surfaces.lay_depth(frame)
             self.stage.targets.clear_mask_alone()
+            viewport = self.stage.viewport(frame)
             for role in runner.cached:
                 if role.prop in self.stage.drawn(frame):
                     values = role.prop.values(frame)
-                    viewport = self.stage.viewport(frame)
-                    numbers = runner.inputs(role, frame).numbers
-                    bound = BoundPass(self.stage, role.prop, spec, NO_NAMES)
-                    bound.draw(FrameInputs(values, values, numbers, viewport), None, "==")
+                    given = FrameInputs(
+                        values, values, runner.inputs(role, frame).numbers, viewport
+                    )
+                    bound = BoundPass(self.stage, role.prop, spec, Naming(self.bundle.roles, {}))
+                    bound.draw(given, None, "==")
                     bound.release()
-            self._needed[frame] = self.stage.targets.mask_values() == 1
+            self._needed[frame] = self.stage.targets.mask_values()
         return self._needed[frame]
 
     def _fit(self, texels: Texels) -> Mask:
@@ -205,24 +221,26 @@ class Reuse:
         return found & (texels[..., DEPTH] > 0.0) if self._marks else found
 
     def _reused(self, runner: VariantRunner, among: Mask, hits: Mask, frame: int) -> Mask | None:
-        """Which pixels store again what the frame before stored, told by a mark on that.
+        """Which pixels store again what the frame before stored.
 
-        None where no mark can be made: payloads that decide on loops are not exchanged for others.
+        Hits are given the payloads of others. Where a payload decides on a loop, or all are the
+        same, it is told by the signs of depths, and where hits do not keep these, not at all.
         """
         cache = runner.cache()
-        marked = cache.copy()
-        if self._marks:
-            marked[among, DEPTH] *= -1.0
-        elif "3-pass" not in self.bundle.algorithms or not _exchange(marked, hits, self._channels):
-            return None
-        runner.restore(marked, frame - 1)
+        given = cache.copy()
+        exchanged = "3-pass" in self.bundle.algorithms and _exchange(given, hits, self._channels)
+        if not exchanged:
+            if not self._marks:
+                return None
+            given[among, DEPTH] *= -1.0
+        runner.restore(given, frame - 1)
         runner.draw(frame)
         after = runner.cache()
-        if self._marks:
+        if not exchanged:
             found: Mask = after[..., DEPTH] < 0.0
             return found
-        one, other = (_bits(texels, self._channels) for texels in (after, marked))
-        found = (one == other).all(axis=-1) & (other != _bits(cache, self._channels)).any(axis=-1)
+        one, other, own = (_bits(texels, self._channels) for texels in (after, given, cache))
+        found = (one == other).all(axis=-1) & (other != own).any(axis=-1)
         return found
 
 

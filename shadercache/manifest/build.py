@@ -162,7 +162,7 @@ def needed_manifest(programs: ProgramSet, options: Options) -> dict[str, Any]:
     return {
         "schema_version": SCHEMA_VERSION,
         "mode": options.mode,
-        "needed": _pass(programs.debug),
+        "needed": _pass(programs.debug) | {"by_some": programs.whole},
     }
 
 
