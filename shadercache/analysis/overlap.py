@@ -10,7 +10,7 @@ computed (Sitthi-amorn et al. 2008, figure 7)::
 
 The slices are those that :mod:`transform.remove_dead` leaves: liveness, backward over structured
 statements. Costs are static (:mod:`analysis.cost`) and at most somewhat too high: a function that
-is not on the path of a node, and a ``switch``, count as a whole.
+is not on the path of a node, and a ``switch`` without one, count as a whole.
 """
 
 from __future__ import annotations
@@ -192,8 +192,8 @@ class _Walker:
     after: _Names = _NONE
     """What is live after the calls of the statement at hand."""
     cost: float = 0.0
-    reached: bool = False
-    """Does anything that is wanted come later in the text?"""
+    reached: int = 0
+    """How much that is wanted comes later in the text."""
 
     def function(self, instance: Instance, cuts: _Cuts, at_exit: _Names, returns: bool) -> _Need:
         """What a function needs: its cost, and which parameters and globals it reads."""
@@ -224,7 +224,7 @@ class _Walker:
                 if self.matters(stmt, live):
                     live |= self.at_exit | self.in_next_round
                 elif self.goal and stmt in self.cuts.touched:
-                    return self.taken(stmt.selector, self.aimed_at(stmt, live))
+                    return self.cases(stmt, live)
         return self.simple(stmt, live)
 
     def simple(self, node: n.Node, live: _Names) -> _Names:
@@ -246,16 +246,14 @@ class _Walker:
         self.after = live
         need = self.need(node)
         self.cost += need.cost
-        self.reached = True
+        self.reached += 1
         return live | need.reads
 
     def branch(self, stmt: n.If, live: _Names) -> _Names:
-        before, reached = self.cost, self.reached
-        self.reached = False
+        before = self.reached
         then = self.statement(stmt.then, live)
         other = live if stmt.other is None else self.statement(stmt.other, live)
-        needed = self.reached or self.cost > before or then != live or other != live
-        self.reached = self.reached or reached
+        needed = self.reached > before or then != live or other != live
         if needed or self.leaves(stmt):
             return self.taken(stmt.condition, then | other)
         return self.simple(stmt.condition, live)
@@ -275,9 +273,19 @@ class _Walker:
                 break
             around |= body
         inside = self.cost - before + sum(self.costs.of(part) for part in header)
-        self.cost, self.reached = before + inside * UNKNOWN_TRIPS, True
+        self.cost, self.reached = before + inside * UNKNOWN_TRIPS, self.reached + 1
         self.in_next_round, self.inside_loop = outer
         return around
+
+    def cases(self, stmt: n.Switch, live: _Names) -> _Names:
+        """Each group falls through to the next, or leads to the end."""
+        at = head = live
+        for item in reversed(stmt.body):
+            if isinstance(item, n.Case):
+                head |= at
+            else:
+                at = live | self.statement(item, at)
+        return self.taken(stmt.selector, head)
 
     def matters(self, node: n.Node, live: _Names) -> bool:
         """Is it needed whole?"""
@@ -287,7 +295,7 @@ class _Walker:
         """Does it decide whether something wanted is reached?"""
         does = self.table.of(node).does
         jumps = does & Does.JUMP and self.inside_loop and not isinstance(node, _JUMPED_WITHIN)
-        left = does & Does.RETURN and (self.reached or not self.goal)
+        left = does & Does.RETURN and (self.reached > 0 or not self.goal)
         return bool(jumps or left or does & Does.DISCARD)
 
     def goals(self, node: n.Node) -> Iterable[_Need]:
@@ -296,10 +304,10 @@ class _Walker:
         while stack:
             item = stack.pop()
             if item in self.cuts.here:
-                self.reached = True
+                self.reached += 1
                 yield self.need(item)
             elif item in self.cuts.below:
-                self.reached = True
+                self.reached += 1
                 yield self.call(cast("n.Call", item), self.after, False)
             elif item in self.cuts.touched:
                 stack.extend(children(item))

@@ -5,10 +5,11 @@ An argument computed for nobody would keep the code behind it alive::
     vec3 sc_marble(vec3 p) { return tint(sc_payload); }    vec3 sc_marble() { ... }
     color = sc_marble(v_position * u_scale);          =>   color = sc_marble();
 
-Only functions that this compiler made are touched (their names are not overloaded), and only
-parameters whose arguments have no side effects. An ``inout`` parameter that is not used gives back
-what it got, which matters where the function writes to the same variable by another name: a global
-one, or one that it was given twice. An ``out`` parameter stays.
+Only functions that this compiler made are touched (their names are not overloaded). Arguments with
+side effects are moved ahead of the statement (:mod:`shadercache.transform.move_arguments`); where
+that might change what they see or what sees them the parameter stays. An ``inout`` parameter that
+is not used gives back what it got, which matters where the function writes to the same variable by
+another name: a global one, or one that it was given twice. An ``out`` parameter stays.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from shadercache.analysis.effects import EffectTable, root_variable
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.walk import walk
+from shadercache.transform.move_arguments import fixed_places, move_arguments
 from shadercache.transform.reachable import kept_names
 from shadercache.transform.replace import replace_expressions
 
@@ -39,20 +41,26 @@ def drop_parameters(
     handed down goes together with the one it was handed to.
     """
     memo = Memo() if memo is None else memo
-    impure = _impure_arguments(module, functions, memo)
+    table = EffectTable(module, memo)
+    impure, bound = _impure_arguments(module, functions, table, memo)
+    fixed = fixed_places(module, impure, table)
     dropped: dict[str, set[int]] = {}
     decls: list[tuple[n.Decl, int]] = []
     for decl in module.decls:
         known = len(dropped)
         if isinstance(decl, n.FunctionDef):
             decl = _without_arguments(decl, dropped, memo)
-            places = _unread(decl, memo) - impure.get(decl.name, set())
+            places = _unread(decl, memo) - bound.get(decl.name, set())
+            places -= fixed.get(decl.name, set())
             if places and decl.name in functions:
                 dropped[decl.name] = places
                 decl = replace(decl, proto=_without_params(decl.proto, places))
         decls.append((decl, known))
     if not dropped:
         return module
+    moved = {name: impure[name] & places for name, places in dropped.items() if name in impure}
+    if any(moved.values()):
+        return drop_parameters(move_arguments(module, moved, table), functions, memo)
     finished = (_finished(decl, dropped, known, memo) for decl, known in decls)
     return replace(module, decls=tuple(finished))
 
@@ -88,24 +96,28 @@ def _unread(function: n.FunctionDef, memo: Memo) -> set[int]:
 
 
 def _impure_arguments(
-    module: n.Module, functions: Collection[str], memo: Memo
-) -> dict[str, set[int]]:
-    """For each function the argument places that have a side effect in some call."""
-    table = EffectTable(module, memo)
+    module: n.Module, functions: Collection[str], table: EffectTable, memo: Memo
+) -> tuple[dict[str, set[int]], dict[str, set[int]]]:
+    """For each function the argument places that have a side effect in some call, and those that
+    must stay: what is given back there matters."""
     shared = {
         item.name
         for decl in module.decls
         if isinstance(decl, n.VarDecl)
         for item in decl.declarators
     }
-    found: dict[str, set[int]] = {}
+    impure: dict[str, set[int]] = {}
+    bound: dict[str, set[int]] = {}
     callers = (decl for decl in module.decls if not kept_names(decl, memo).isdisjoint(functions))
     for item in (item for decl in callers for item in walk(decl)):
         if isinstance(item, n.Call) and item.name in functions:
-            places = {i for i, arg in enumerate(item.args) if table.of(arg).writes}
-            places |= _given_back(item, table.functions[item.name], shared)
-            found.setdefault(item.name, set()).update(places)
-    return found
+            params = table.functions[item.name].proto.params
+            acting = {i for i, arg in enumerate(item.args) if table.of(arg).writes}
+            back = {i for i in acting if params[i].writes_back}
+            impure.setdefault(item.name, set()).update(acting - back)
+            back |= _given_back(item, table.functions[item.name], shared)
+            bound.setdefault(item.name, set()).update(back)
+    return impure, bound
 
 
 def _given_back(call: n.Call, function: n.FunctionDef, shared: Collection[str]) -> set[int]:

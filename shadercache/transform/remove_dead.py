@@ -34,9 +34,16 @@ from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.walk import EXPRESSIONS, children, walk
 from shadercache.source import NOWHERE
+from shadercache.transform.jumps import (
+    NO_JUMPS,
+    Jumps,
+    Live,
+    ends_here,
+    is_break,
+    is_empty,
+    returns_nothing,
+)
 from shadercache.transform.reachable import keep_reachable, kept_names, names_in
-
-Live = frozenset[str]
 
 
 def remove_dead(module: n.Module, wanted: Iterable[str], memo: Memo | None = None) -> n.Module:
@@ -111,17 +118,6 @@ def _callers_first(functions: dict[str, n.FunctionDef], memo: Memo) -> list[n.Fu
     return [*order.values()][::-1]
 
 
-@dataclass(frozen=True, slots=True)
-class _Jumps:
-    """What is live where ``break`` and ``continue`` lead."""
-
-    after_break: Live = frozenset()
-    after_continue: Live = frozenset()
-
-
-_NO_JUMPS = _Jumps()
-
-
 class _Pruner:
     """Prunes one function; ``at_exit`` is live where it returns.
 
@@ -139,7 +135,7 @@ class _Pruner:
 
     # --- statement lists ---
 
-    def block(self, block: n.Block, live: Live, jumps: _Jumps = _NO_JUMPS) -> tuple[n.Block, Live]:
+    def block(self, block: n.Block, live: Live, jumps: Jumps = NO_JUMPS) -> tuple[n.Block, Live]:
         """The pruned block and what is live before it."""
         kept: list[n.Stmt] = []
         same = True
@@ -149,19 +145,19 @@ class _Pruner:
             if new is not None:
                 kept.append(new)
                 self.mentioned |= names_in(new)
-                self.at_end = False
+                self.at_end = ends_here(new, jumps)
         if same:
             return block, live
         return replace(block, body=tuple(reversed(kept))), live
 
-    def nested(self, stmt: n.Stmt, live: Live, jumps: _Jumps) -> tuple[n.Stmt | None, Live]:
+    def nested(self, stmt: n.Stmt, live: Live, jumps: Jumps) -> tuple[n.Stmt | None, Live]:
         """A statement under ``if`` or a loop: ``None`` where nothing of it is left."""
         new, before = self.statement(stmt, live, jumps)
         if new is not None:
             self.mentioned |= names_in(new)
         return new, before
 
-    def statement(self, stmt: n.Stmt, live: Live, jumps: _Jumps) -> tuple[n.Stmt | None, Live]:
+    def statement(self, stmt: n.Stmt, live: Live, jumps: Jumps) -> tuple[n.Stmt | None, Live]:
         """The pruned statement (``None``: dead) and what is live before it."""
         match stmt:
             case n.ExprStmt():
@@ -286,7 +282,7 @@ class _Pruner:
         bare = replace(decl, declarators=(replace(item, init=None),))
         return replace(stmt, decl=bare), live
 
-    def branch(self, stmt: n.If, live: Live, jumps: _Jumps) -> tuple[n.Stmt | None, Live]:
+    def branch(self, stmt: n.If, live: Live, jumps: Jumps) -> tuple[n.Stmt | None, Live]:
         at_end = self.at_end
         then, live_then = self.nested(stmt.then, live, jumps)
         self.at_end = at_end
@@ -309,15 +305,14 @@ class _Pruner:
 
         Its header stays: it decides how often the body runs.
         """
-        effects = self.table.of(stmt)
-        if not effects.writes & live and not effects.does & (Does.DISCARD | Does.RETURN):
+        if self.is_idle(stmt, live):
             return None, live
         self.at_end = False
         header = [part for part in children(stmt) if part is not stmt.body]
         around = live.union(*(self.table.of(part).reads for part in header))
         while True:
             # Liveness at the head of the loop: what is live after it, or in the next round.
-            jumps = _Jumps(after_break=live, after_continue=around)
+            jumps = Jumps(after_break=live, after_continue=around)
             trial = _Pruner(self.table, self.at_exit, self.after_calls)
             trial.mentioned, trial.at_end = set(self.mentioned), False
             _, before = trial.nested(stmt.body, around, jumps)
@@ -327,15 +322,20 @@ class _Pruner:
         for part in header:
             self.evaluated(part, around)
             self.mentioned |= names_in(part)
-        body, _ = self.nested(stmt.body, around, _Jumps(live, around))
-        if body is stmt.body or (body is None and _is_empty(stmt.body)):
+        body, _ = self.nested(stmt.body, around, Jumps(live, around))
+        if body is stmt.body or (body is None and is_empty(stmt.body)):
             return stmt, around
         return replace(stmt, body=body or n.Block(stmt.body.span, ())), around
 
-    def switch(self, stmt: n.Switch, live: Live, jumps: _Jumps) -> tuple[n.Stmt | None, Live]:
+    def is_idle(self, stmt: n.Stmt, live: Live) -> bool:
+        """Does nothing live come out of it, and does it end nothing that would go on?"""
+        effects = self.table.of(stmt)
+        left = effects.does & Does.RETURN and not (self.at_end and returns_nothing(stmt))
+        return not (effects.writes & live or effects.does & Does.DISCARD or left)
+
+    def switch(self, stmt: n.Switch, live: Live, jumps: Jumps) -> tuple[n.Stmt | None, Live]:
         """Statement by statement; a group of cases falls through to the next."""
-        self.at_end = False
-        inside = _Jumps(after_break=live, after_continue=jumps.after_continue)
+        inside = Jumps(live, jumps.after_continue, self.at_end)
         at, head = live, live
         kept: list[n.Stmt] = []
         for item in reversed(stmt.body):
@@ -346,7 +346,9 @@ class _Pruner:
                 new, at = self.nested(item, at, inside)
             if new is not None:
                 kept.append(new)
-        if all(isinstance(item, n.Case) or _is_break(item) for item in kept):
+                if not isinstance(new, n.Case):
+                    self.at_end = ends_here(new, inside)
+        if all(isinstance(item, n.Case) or is_break(item) for item in kept):
             return self.expression(n.ExprStmt(stmt.span, stmt.selector), live)
         before = self.evaluated(stmt.selector, head)
         if isinstance(kept[0], n.Case):  # Something has to follow the last label.
@@ -375,13 +377,3 @@ def _last_call(node: n.Node) -> n.Call | None:
         case n.VarDecl(declarators=(n.Declarator(init=n.Call() as call),)):
             return call
     return None
-
-
-def _is_break(stmt: n.Stmt) -> bool:
-    return isinstance(stmt, n.Jump) and stmt.word == "break"
-
-
-def _is_empty(stmt: n.Stmt) -> bool:
-    return (isinstance(stmt, n.Block) and not stmt.body) or (
-        isinstance(stmt, n.ExprStmt) and stmt.expr is None
-    )

@@ -34,7 +34,12 @@ def sources(name: str) -> tuple[Source, Source]:
 
 def vertex(name: str) -> Path:
     """The vertex shader of the case's version."""
-    version = _VERSION.match((FOLDER / f"{name}.frag").read_text(encoding="utf-8"))
+    return vertex_for(FOLDER / f"{name}.frag")
+
+
+def vertex_for(fragment: Path) -> Path:
+    """The vertex shader of the version of a fragment shader."""
+    version = _VERSION.match(fragment.read_text(encoding="utf-8"))
     assert version is not None
     found = FOLDER / f"shader_{version[1]}.vert"
     return found if found.exists() else FOLDER / "shader.vert"

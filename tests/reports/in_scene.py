@@ -1,0 +1,27 @@
+"""Shaders of reports, analysed and verified in the scene of the cases."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+from shadercache.compiler import Analysis, analyse
+from shadercache.harness.scene import Scene, load_scene
+from shadercache.harness.shaders import with_aliases
+from shadercache.source import Source
+from tests.cases.cases import FOLDER as CASES
+from tests.cases.cases import vertex_for
+
+
+@cache
+def analysed(path: Path) -> Analysis:
+    """What the compiler makes of a shader with the cases' vertex shader of its version."""
+    files = (path, vertex_for(path))
+    return analyse(*(Source(file.name, file.read_text(encoding="utf-8")) for file in files))
+
+
+def scene_of(path: Path, folder: Path) -> Scene:
+    """The scene with that shader, in a folder that ``tests.cases.scenery.make_scene`` made."""
+    files = {"fragment": path, "vertex": CASES / vertex_for(path).name}
+    return with_aliases(replace(load_scene(folder), **files), analysed(path).renamed)
