@@ -7,6 +7,7 @@
   to node counts from its beginning.
 * Analysis: ``analyse`` and the groups of equal nodes on made shaders of n, 2n, 4n and 8n nodes.
   Time for a node should stay as it is.
+* Listing: ``shadercache nodes --json`` of large shaders (:mod:`bench.nodes_speed`).
 * Verification: ``shadercache verify`` of ``shaders/lantern.frag`` (100 lines), every offered value,
   with an empty cache of compiled shaders. Beside the wall clock stands the processor time: on a
   machine that does other work the wall tells little.
@@ -27,6 +28,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
+from bench.nodes_speed import listing, listing_table, listing_targets
 from shadercache.ast.large import allow_deep_trees
 from shadercache.cli.tables import format_table
 from shadercache.compiler import Analysis, analyse, rewrite
@@ -208,7 +210,10 @@ def verification_text(found: Sample) -> str:
 
 
 def targets(
-    emitted: Sequence[Sample], grown: Sequence[Sample], verified: Sample | None
+    emitted: Sequence[Sample],
+    grown: Sequence[Sample],
+    verified: Sample | None,
+    listed: Sequence[Sample] = (),
 ) -> list[dict[str, Any]]:
     """What was aimed at and what is reached. Only the shader of 300 lines has a target; that of
     verifying is counted in processor time, shared fairly among the cores."""
@@ -220,6 +225,7 @@ def targets(
     for name in ("analyse", "groups"):
         first, last = (row[name] / row["nodes"] for row in (grown[0], grown[-1]))
         found.append((f"{name}: time for a node, 8n nodes / n nodes", last / first, 1.5))
+    found += listing_targets(listed) if listed else []
     if verified is not None:
         share = verified["processor seconds"] / verified["cores"]
         found.append(("verify, 100 lines, processor s / cores", share, 60.0))
@@ -253,16 +259,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
     print(f"{emission_table(emitted)}\n\nprocessor time in ms for a fragment and a vertex shader\n")
     grown = growth(options.rounds)
     print(f"{growth_table(grown)}\n")
+    listed = listing(options.rounds)
+    print(f"{listing_table(listed)}\n")
     verified = None if options.no_verify else verification(VERIFIED)
     if verified is not None:
         print(f"{verification_text(verified)}\n")
-    reached = targets(emitted, grown, verified)
+    reached = targets(emitted, grown, verified, listed)
     print(targets_table(reached))
     result = {
         "schema_version": 1,
         "environment": about,
         "emission": emitted,
         "growth": grown,
+        "listing": listed,
         "verification": verified,
         "targets": reached,
     }

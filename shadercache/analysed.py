@@ -195,6 +195,11 @@ class Analysis:
         found = self._definitions.closed(node.instance, node.place.step, node.expr)
         return None if found is None else print_node(found)
 
+    @property
+    def whole(self) -> float:
+        """What the shader costs without what it does not need."""
+        return self._overlaps.whole
+
     def parts(self, *nodes: Candidate) -> Parts:
         """What the payload pass and the shading pass cost where the nodes are cached together."""
         return self._overlaps.parts(nodes)

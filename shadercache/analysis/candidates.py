@@ -147,6 +147,7 @@ class _Judge:
     ) -> None:
         self.facts, self.source, self.table, self.slices = facts, source, table, slices
         (self.derivatives, self.cubes, self.discards), self.costs = uses, costs
+        self.texts: dict[n.Expr, str] = {}
         main = table.functions["main"]
         self.total = costs.function(main) or 1.0
         bit = slices.leaf_bit
@@ -169,7 +170,7 @@ class _Judge:
             instance=instance,
             place=place,
             expr=place.expr,
-            text=_text(self.source, place.expr, self.facts),
+            text=self._text(place.expr),
             path=path_to(instance, place, self.source),
             type=kind,
             cost=cost,
@@ -177,6 +178,11 @@ class _Judge:
             inputs=self.slices.leaf_names(found.leaves),
             refusal=refusal,
         )
+
+    def _text(self, expr: n.Expr) -> str:
+        if expr not in self.texts:
+            self.texts[expr] = _text(self.source, expr, self.facts)
+        return self.texts[expr]
 
     def refusal(
         self, instance: Instance, place: Place, kind: Type, found: Slice, cost: float

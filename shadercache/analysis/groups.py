@@ -11,7 +11,7 @@ proof mode (value numbering; a variable has the number of what was assigned to i
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import cast
 
 from shadercache.analysis.candidates import Candidate, Candidates
@@ -26,17 +26,16 @@ from shadercache.sema.facts import Facts
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Group:
-    """Nodes of one value. ``first`` stands for them: the first that is offered, if any is."""
+    """Nodes of one value. ``first`` stands for them: the first that is offered, if any is; the one
+    to cache where one of the group is wanted."""
 
     nodes: tuple[Candidate, ...]
+    first: Candidate = field(init=False)
 
-    @property
-    def first(self) -> Candidate:
-        """The node to cache where one of the group is wanted."""
-        for node in self.nodes:
-            if node.offered:
-                return node
-        return next((node for node in self.nodes if node.legal), self.nodes[0])
+    def __post_init__(self) -> None:
+        legal = next((node for node in self.nodes if node.legal), self.nodes[0])
+        first = next((node for node in self.nodes if node.offered), legal)
+        object.__setattr__(self, "first", first)
 
 
 def find_groups(

@@ -82,7 +82,7 @@ class OverlapTable:
         self._outputs = frozenset((color,))
         self._parents: dict[n.FunctionDef, dict[n.Node, n.Node]] = {}
         self._mentions: dict[n.FunctionDef, _Names] = {}
-        self._whole = self._cost((), goal=False)
+        self.whole = self._cost((), goal=False)
         self._payloads = self._paths(Context(_NONE, False), goal=True)
         self._remainders = self._paths(Context(self._outputs, True), goal=False)
 
@@ -92,12 +92,12 @@ class OverlapTable:
             at = nodes[0].instance, nodes[0].expr
             payload, remainder = self._payloads.cost(*at), self._remainders.cost(*at)
             if payload is not None and remainder is not None:
-                return Parts(payload, remainder, self._whole)
+                return Parts(payload, remainder, self.whole)
         return self.parts_of_set(nodes)
 
     def parts_of_set(self, nodes: Sequence[Candidate]) -> Parts:
         """The same, by walking the whole shader with all its cuts."""
-        return Parts(self._cost(nodes, goal=True), self._cost(nodes, goal=False), self._whole)
+        return Parts(self._cost(nodes, goal=True), self._cost(nodes, goal=False), self.whole)
 
     def _paths(self, top: Context, goal: bool) -> PathCosts:
         return PathCosts(top, partial(self._walk, goal), self._mentioned)

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import json
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
 from shadercache.cli.io import read_source
+from shadercache.cli.nodes_json import changes_of, print_nodes
 from shadercache.cli.reading import (
     DefineOption,
     DialectOption,
@@ -72,9 +71,10 @@ def command(
     the value over that of the whole shader; "twice" is the share of the shader's cost that the
     payload and the shading that is left both compute. The verdict is "offered" or the code of the
     reason why the value may not be cached. With --scene a column says which inputs change from
-    frame to frame: with the view, the light or the time. --json leaves nothing out: nodes that
-    have the same value share a "group", and values of uniforms only come with the GLSL to compute
-    "on_cpu".
+    frame to frame: with the view, the light or the time. --json leaves nothing out, and says
+    everything once: nodes have numbers of expressions, paths, inputs and refusals in tables of
+    these. Nodes that have the same value share a "group", and values of uniforms only come with
+    the GLSL to compute "on_cpu".
     """
     from shadercache.compiler import analyse
     from shadercache.harness.scene import load_scene
@@ -91,8 +91,7 @@ def command(
     if sort == "ratio":
         shown.sort(key=lambda node: node.ratio)
     if as_json:
-        found = [_as_json(analysis, node, changes) for node in shown]
-        print(json.dumps({"mapping": analysis.mapping, "nodes": found}, indent=1))
+        print(print_nodes(analysis, shown, changes))
         return
     rows = [_row(analysis, node, changes) for node in shown]
     header = HEADER if changes is None else (*HEADER[:-1], CHANGES, HEADER[-1])
@@ -101,18 +100,10 @@ def command(
     print(f"\nmapping: {analysis.mapping}, {MAPPINGS[analysis.mapping]}")
 
 
-def _changes(node: Candidate, changes: Mapping[str, str]) -> dict[str, list[str]]:
-    """The inputs of a node that change from frame to frame, by what they change with."""
-    found: dict[str, list[str]] = {}
-    for name in sorted(node.inputs & changes.keys()):
-        found.setdefault(changes[name], []).append(name)
-    return found
-
-
 def _row(analysis: Analysis, node: Candidate, changes: Mapping[str, str] | None) -> tuple[str, ...]:
     line, column = analysis.fragment.position(node.expr.span.start)
     parts = analysis.parts(node) if node.legal else None
-    causes = {} if changes is None else _changes(node, changes)
+    causes = {} if changes is None else changes_of(node, changes)
     told = "; ".join(f"{cause}: {' '.join(names)}" for cause, names in causes.items())
     return (
         node.id,
@@ -127,44 +118,6 @@ def _row(analysis: Analysis, node: Candidate, changes: Mapping[str, str] | None)
         *(() if changes is None else (shorten(told, INPUTS_WIDTH),)),
         shorten(node.text, TEXT_WIDTH),
     )
-
-
-def _as_json(
-    analysis: Analysis, node: Candidate, changes: Mapping[str, str] | None
-) -> dict[str, Any]:
-    from shadercache.analysis.inputs import by_kind
-
-    source = analysis.fragment
-    line, column = source.position(node.expr.span.start)
-    end_line, end_column = source.position(node.expr.span.end)
-    refusal = node.refusal
-    unchanged = analysis.unchanged_for(node)
-    return {
-        "id": node.id,
-        "path": node.path,
-        "line": line,
-        "column": column,
-        "end_line": end_line,
-        "end_column": end_column,
-        "type": str(node.type),
-        "cost": node.cost,
-        "ratio": node.ratio,
-        "passes": asdict(analysis.parts(node)) if node.legal else None,
-        "inputs": sorted(node.inputs),
-        **({} if unchanged is None else {"exact_while_unchanged": list(unchanged)}),
-        "depends_on": by_kind(node.inputs, analysis.input_kinds),
-        **({} if changes is None else {"changes_with": _changes(node, changes)}),
-        "group": analysis.groups[node].first.id,
-        "on_cpu": analysis.on_cpu(node),
-        "text": node.text,
-        "offered": node.offered,
-        "refusal": refusal
-        and {
-            "code": refusal.code.code,
-            "sentence": refusal.sentence,
-            "unprofitable": refusal.unprofitable,
-        },
-    }
 
 
 def _summary(nodes: Sequence[Candidate]) -> str:

@@ -109,7 +109,7 @@ def test_a_file_of_shadertoy(shell: Shell, write: Path, dialect: str, status: in
 
 
 def test_nodes_and_rewrite_know_dialects_too(shell: Shell, write: Path) -> None:
-    nodes = shell("nodes", "toy.glsl", "--dialect=auto", "--json").json["nodes"]
+    nodes = shell("nodes", "toy.glsl", "--dialect=auto", "--json").nodes
     assert [node["line"] for node in nodes if node["text"].startswith("p / iRes")] == [2]
     outcome = shell("rewrite", "toy.glsl", "--vert", "good.vert", "--node=x", "-o", "out")
     assert "SC010" not in outcome.err

@@ -19,21 +19,21 @@ gl = pytest.mark.xdist_group("gl")
 @pytest.fixture
 def static(shell: Shell) -> str:
     """The id of a node that does not change with time."""
-    nodes = shell("nodes", *CLOUDS, "--json").json["nodes"]
+    nodes = shell("nodes", *CLOUDS, "--json").nodes
     return next(node["id"] for node in nodes if node["text"] == "fbm(5.0 * uv)")
 
 
 def test_nodes_say_which_mapping_is_taken(shell: Shell, static: str) -> None:
     table = shell("nodes", *CLOUDS, "--offered").out
     assert "\nmapping: screen, a value is reused at the same pixel" in table
-    found = shell("nodes", *CLOUDS, "--json").json
-    assert found["mapping"] == "screen"
-    told = {node["id"]: node["exact_while_unchanged"] for node in found["nodes"]}
+    outcome = shell("nodes", *CLOUDS, "--json")
+    assert outcome.json["mapping"] == "screen"
+    told = {node["id"]: node["exact_while_unchanged"] for node in outcome.nodes}
     assert told[static] == ["iResolution"]
-    flat = shell("nodes", *CLOUDS, "--mapping", "surface", "--json").json
-    assert flat["mapping"] == "surface"
-    assert not any(node["offered"] for node in flat["nodes"])
-    assert "exact_while_unchanged" not in flat["nodes"][0]
+    flat = shell("nodes", *CLOUDS, "--mapping", "surface", "--json")
+    assert flat.json["mapping"] == "surface"
+    assert not any(node["offered"] for node in flat.nodes)
+    assert "exact_while_unchanged" not in flat.nodes[0]
 
 
 def test_rewrite_without_a_vertex_shader(shell: Shell, static: str, tmp_path: Path) -> None:
@@ -48,7 +48,7 @@ def test_rewrite_without_a_vertex_shader(shell: Shell, static: str, tmp_path: Pa
 
 
 def test_rewrite_for_the_users_mapping(shell: Shell, tmp_path: Path) -> None:
-    nodes = shell("nodes", SCROLL, "--mapping", "user", "--json").json["nodes"]
+    nodes = shell("nodes", SCROLL, "--mapping", "user", "--json").nodes
     rings = next(node["id"] for node in nodes if node["text"] == "rings")
     outcome = shell("rewrite", SCROLL, "--mapping", "user", "--node", rings, "-o", tmp_path)
     assert (outcome.status, outcome.err) == (0, "")
@@ -114,7 +114,7 @@ def test_bad_requests(
 ) -> None:
     for name, text in (("solid", SOLID), ("deriving", DERIVING)):
         (tmp_path / f"{name}.frag").write_text(text)
-    nodes = shell("nodes", tmp_path / "solid.frag", "--json").json["nodes"]
+    nodes = shell("nodes", tmp_path / "solid.frag", "--json").nodes
     names = {
         "solid": tmp_path / "solid.frag",
         "deriving": tmp_path / "deriving.frag",

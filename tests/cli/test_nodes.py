@@ -15,13 +15,13 @@ from .conftest import Shell
 
 def test_the_table_has_a_line_for_every_node(shell: Shell, fragment: Path) -> None:
     table = shell("nodes", fragment).out.split("\n\n")[0].splitlines()
-    listed = shell("nodes", fragment, "--json").json["nodes"]
+    listed = shell("nodes", fragment, "--json").nodes
     assert table[0].split() == list(HEADER)
     assert [line.split()[0] for line in table[1:]] == [node["id"] for node in listed]
 
 
 def test_a_node_is_told_in_full(shell: Shell, fragment: Path, rings: str) -> None:
-    nodes = {node["id"]: node for node in shell("nodes", fragment, "--json").json["nodes"]}
+    nodes = {node["id"]: node for node in shell("nodes", fragment, "--json").nodes}
     node = nodes[rings]
     assert node["type"] == "float"
     assert node["offered"] and node["refusal"] is None
@@ -32,7 +32,7 @@ def test_a_node_is_told_in_full(shell: Shell, fragment: Path, rings: str) -> Non
 
 
 def test_every_node_is_offered_or_refused_with_a_reason(shell: Shell, fragment: Path) -> None:
-    for node in shell("nodes", fragment, "--json").json["nodes"]:
+    for node in shell("nodes", fragment, "--json").nodes:
         assert node["offered"] == (node["refusal"] is None)
         if node["refusal"]:
             assert node["refusal"]["code"].startswith("SC3")
@@ -40,12 +40,12 @@ def test_every_node_is_offered_or_refused_with_a_reason(shell: Shell, fragment: 
 
 
 def test_offered_leaves_out_the_rest(shell: Shell, fragment: Path) -> None:
-    nodes = shell("nodes", fragment, "--offered", "--json").json["nodes"]
+    nodes = shell("nodes", fragment, "--offered", "--json").nodes
     assert nodes and all(node["offered"] for node in nodes)
 
 
 def test_sorted_by_ratio(shell: Shell, fragment: Path) -> None:
-    ratios = [n["ratio"] for n in shell("nodes", fragment, "--sort=ratio", "--json").json["nodes"]]
+    ratios = [n["ratio"] for n in shell("nodes", fragment, "--sort=ratio", "--json").nodes]
     assert ratios == sorted(ratios)
 
 
@@ -115,7 +115,7 @@ def test_nonsense_is_rejected_without_a_traceback(shell: Shell, text: bytes) -> 
 
 
 def test_what_a_node_depends_on_by_kind(shell: Shell, fragment: Path, rings: str) -> None:
-    nodes = shell("nodes", fragment, "--json").json["nodes"]
+    nodes = shell("nodes", fragment, "--json").nodes
     node = next(node for node in nodes if node["id"] == rings)
     assert node["depends_on"] == {"varyings": ["v_position"], "textures": ["u_wood"]}
     assert "changes_with" not in node
@@ -124,14 +124,14 @@ def test_what_a_node_depends_on_by_kind(shell: Shell, fragment: Path, rings: str
 def test_what_changes_with_the_light(shell: Shell) -> None:
     dragon = data_path("corpus", "dragon")
     outcome = shell("nodes", dragon / "dragon.frag", "--scene", "dragon", "--json")
-    found = {json.dumps(node["changes_with"]) for node in outcome.json["nodes"]}
+    found = {json.dumps(node["changes_with"]) for node in outcome.nodes}
     assert {"{}", '{"light": ["u_light"]}', '{"view": ["u_eye"], "light": ["u_light"]}'} <= found
     table = shell("nodes", dragon / "dragon.frag", "--scene", "dragon").out
     assert "changes with" in table.splitlines()[0] and "light: u_light" in table
 
 
 def test_groups_name_the_node_that_stands_for_them(shell: Shell, fragment: Path) -> None:
-    nodes = {node["id"]: node for node in shell("nodes", fragment, "--json").json["nodes"]}
+    nodes = {node["id"]: node for node in shell("nodes", fragment, "--json").nodes}
     assert all(nodes[node["group"]]["group"] == node["group"] for node in nodes.values())
     assert len({node["group"] for node in nodes.values()}) < len(nodes)
     for node in nodes.values():
@@ -139,7 +139,7 @@ def test_groups_name_the_node_that_stands_for_them(shell: Shell, fragment: Path)
 
 
 def test_only_values_of_uniforms_have_a_text_for_the_cpu(shell: Shell, fragment: Path) -> None:
-    nodes = shell("nodes", fragment, "--json").json["nodes"]
+    nodes = shell("nodes", fragment, "--json").nodes
     told = {node["refusal"]["code"] for node in nodes if node["on_cpu"] is not None}
     assert told <= {"SC303"}
 
@@ -160,10 +160,10 @@ void main() {
 def test_loops_are_unrolled_on_request(shell: Shell) -> None:
     plain = shell("nodes", "-", "--json", stdin=LOOPS.encode())
     assert plain.err == ""
-    sums = [node for node in plain.json["nodes"] if node["text"].startswith("sum +=")]
+    sums = [node for node in plain.nodes if node["text"].startswith("sum +=")]
     assert [node["refusal"]["code"] for node in sums] == ["SC301"]
     outcome = shell("nodes", "-", "--unroll", "--json", stdin=LOOPS.encode())
-    sums = [node for node in outcome.json["nodes"] if node["text"].startswith("sum +=")]
+    sums = [node for node in outcome.nodes if node["text"].startswith("sum +=")]
     assert [node["path"] for node in sums] == ["main [i=0]", "main [i=1]", "main [i=2]"]
     assert all(node["offered"] for node in sums)
     assert "8:5: note: this loop is not unrolled: there is a break" in outcome.err

@@ -84,7 +84,7 @@ def test_bad_requests_write_nothing(
     status: int,
     code: str,
 ) -> None:
-    nodes = shell("nodes", fragment, "--json").json["nodes"]
+    nodes = shell("nodes", fragment, "--json").nodes
     refused = {node["refusal"]["code"]: node["id"] for node in nodes if node["refusal"]}
     names = {
         "frag": fragment,
@@ -102,7 +102,7 @@ def test_bad_requests_write_nothing(
 
 
 def test_a_cheap_node_is_rewritten_on_request(shell: Shell, fragment: Path, tmp_path: Path) -> None:
-    nodes = shell("nodes", fragment, "--json").json["nodes"]
+    nodes = shell("nodes", fragment, "--json").nodes
     cheap = [n["id"] for n in nodes if n["refusal"] and n["refusal"]["unprofitable"]]
     outcome = shell("rewrite", fragment, "--node", cheap[0], "--unprofitable", "-o", tmp_path)
     assert (outcome.status, outcome.err) == (0, "")
@@ -152,7 +152,7 @@ def several(shell: Shell, fragment: Path, tmp_path: Path) -> tuple[Path, dict[st
     path = tmp_path / "set.frag"
     path.write_text(SET)
     path.with_suffix(".vert").write_text(fragment.with_suffix(".vert").read_text())
-    nodes = shell("nodes", path, "--json").json["nodes"]
+    nodes = shell("nodes", path, "--json").nodes
     return path, {node["text"]: node["id"] for node in reversed(nodes)}
 
 
@@ -241,7 +241,7 @@ def test_a_node_of_an_unrolled_loop(shell: Shell, tmp_path: Path) -> None:
         "    o_color = vec4(sum);\n}\n"
     )
     line = ["rewrite", shader, "--vert", Path(__file__).parent / "shaders" / "small.vert"]
-    nodes = shell("nodes", shader, "--unroll", "--json").json["nodes"]
+    nodes = shell("nodes", shader, "--unroll", "--json").nodes
     node = next(item["id"] for item in nodes if item["path"] == "main [i=2]" and item["offered"])
     out = tmp_path / "out"
     assert shell(*line, "--node", node, "--unroll", "-o", out).status == 0
