@@ -32,6 +32,7 @@ from shadercache.emit.reflection import Input, inputs_of
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.front.dialects import surrounded
 from shadercache.front.options import ReadOptions
+from shadercache.front.webgl import WEBGL, names_version
 from shadercache.options import MappingKind
 from shadercache.sema.facts import Facts, Stage
 from shadercache.source import Source
@@ -174,7 +175,9 @@ class Analysis:
         texts = (self.fragment.text, self.vertex.text if self.vertex else "")
         if reading.defines or reading.undefined or any(_INCLUDE.search(text) for text in texts):
             return None
-        return surrounded(self.fragment, reading.dialect)
+        text = surrounded(self.fragment, reading.dialect)
+        webgl = self.program.parsed.profile == "es" and not names_version(text)
+        return f"#version {WEBGL.number}\n{text}" if webgl else text
 
     @cached_property
     def groups(self) -> Mapping[Candidate, Group]:

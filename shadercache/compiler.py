@@ -52,6 +52,7 @@ from shadercache.emit.depth_range import depth_warnings
 from shadercache.emit.layout import Layout, extras_of
 from shadercache.emit.printer import print_node
 from shadercache.front.options import ReadOptions
+from shadercache.front.webgl import is_webgl
 from shadercache.manifest import Setting, build_manifest, needed_manifest, original_manifest
 from shadercache.options import ALGORITHMS, CacheOptions, MappingKind, Mode, Options, marks_depths
 from shadercache.sema.check import check
@@ -102,6 +103,10 @@ def analyse(
     """
     allow_deep_trees()
     reading = reading or ReadOptions()
+    if vertex is not None and (
+        is_webgl(fragment, reading) or is_webgl(vertex, replace(reading, dialect="glsl"))
+    ):
+        reading = replace(reading, webgl=True)  # Both stages are.
     texts = (fragment.text, vertex.text if vertex else "")
     prefix = fresh_prefix(*texts)
     trees = [_checked(fragment, "fragment", reading)]

@@ -12,11 +12,12 @@ from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.front.attributes import without_attributes
 from shadercache.front.beginnings import beginnings
 from shadercache.front.comments import find_comments
-from shadercache.front.dialects import check_version, host_of
+from shadercache.front.dialects import Host, check_version, host_of
 from shadercache.front.lexis import Lexemes
 from shadercache.front.options import DEFAULTS, ReadOptions
 from shadercache.front.preprocess import Preprocessed, preprocess, preprocess_broken
 from shadercache.front.version import NO_VERSION, Version
+from shadercache.front.webgl import WEBGL, is_webgl
 from shadercache.source import Source, Span
 
 MAX_BRACKETS = 1000
@@ -34,7 +35,7 @@ def parse(source: Source, options: ReadOptions = DEFAULTS) -> Module:
     syntax.
     """
     host = host_of(source, options.dialect)
-    prepared = preprocess(source, options, host.version if host else NO_VERSION)
+    prepared = preprocess(source, options, _default(source, options, host))
     lexemes = without_attributes(prepared.lexemes, prepared.directives)
     if host is not None:
         check_version(Version(prepared.version, prepared.profile), source)
@@ -50,7 +51,7 @@ def parse_before(source: Source, options: ReadOptions, offset: int) -> Module | 
     in front.
     """
     host = host_of(source, options.dialect)
-    prepared = preprocess_broken(source, options, host.version if host else NO_VERSION)[0]
+    prepared = preprocess_broken(source, options, _default(source, options, host))[0]
     whole = without_attributes(prepared.lexemes, prepared.directives)
     for lexemes, own in beginnings(whole, offset):
         if host is not None:
@@ -60,6 +61,13 @@ def parse_before(source: Source, options: ReadOptions, offset: int) -> Module | 
         with suppress(_CannotEndError):
             return _build(source, prepared, lexemes, own)
     return None
+
+
+def _default(source: Source, options: ReadOptions, host: Host | None) -> Version:
+    """What a file is that names no version."""
+    if host is not None:
+        return host.version
+    return WEBGL if options.webgl or is_webgl(source, options) else NO_VERSION
 
 
 class _CannotEndError(Exception):

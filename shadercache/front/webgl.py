@@ -1,0 +1,42 @@
+"""Files of WebGL, which name no version: they are GLSL ES 1.00.
+
+Without ``#version`` a file is GLSL 1.10 or GLSL ES 1.00, as its host has it. What tells them apart
+is a precision: 1.10 has none, and no name may stand before a type there::
+
+    precision mediump float;            varying highp vec2 v_uv;
+
+What only WebGL sees (``#ifdef GL_ES``) tells nothing: such a file is GLSL 1.10 as well.
+"""
+
+from __future__ import annotations
+
+import re
+from itertools import pairwise
+
+from shadercache.front.dialects import host_of
+from shadercache.front.options import ReadOptions
+from shadercache.front.preprocess import preprocess_broken
+from shadercache.front.version import NO_VERSION, Version
+from shadercache.lang.words import PRECISIONS, type_names
+from shadercache.source import Source
+
+WEBGL = Version(100, "es")
+
+_VERSION = re.compile(r"^[ \t\ufeff]*#[ \t]*version\b", re.MULTILINE)
+_TELLING = re.compile(r"\b(?:highp|mediump|lowp)\b|#[ \t]*include\b")
+
+
+def names_version(text: str) -> bool:
+    """Has the text a ``#version``?"""
+    return _VERSION.search(text) is not None
+
+
+def is_webgl(source: Source, options: ReadOptions) -> bool:
+    """Is it a file without a version that can only be GLSL ES 1.00?"""
+    if names_version(source.text) or not _TELLING.search(source.text):
+        return False
+    if host_of(source, options.dialect) is not None:
+        return False
+    texts = preprocess_broken(source, options, NO_VERSION)[0].lexemes.texts
+    types = type_names(WEBGL.number, es=True)
+    return any(one in PRECISIONS and other in types for one, other in pairwise(texts))
