@@ -19,6 +19,7 @@ from shadercache.front.build_declarations import FullType, Head
 from shadercache.front.lexis import is_word
 from shadercache.front.tokens import Language, Token, TokenStream
 from shadercache.front.unexpected import CLOSERS, PAIRS, Unexpected, gather
+from shadercache.lang import unsupported
 from shadercache.lang.words import STATEMENT_WORDS, keyword_since, keywords, type_names
 from shadercache.source import Span
 
@@ -55,6 +56,18 @@ def _reserved(mistake: Unexpected) -> Diagnostic | None:
         return None
     message = f"'{mistake.text}' is a reserved word of {mistake.language}"
     return mistake.here(message, _reserved_hint(mistake), "SC106")
+
+
+def _of_extension(mistake: Unexpected) -> Diagnostic | None:
+    """``float16_t x;``, ``uniform f16mat2x3 m;``, ``perprimitiveEXT in vec3 v;``"""
+    if mistake.kind not in ("NAME", "QUALIFIER", "BASIC_TYPE", "TYPE_NAME"):
+        return None
+    here, before = (mistake.text, mistake.span), (mistake.before, mistake.before_span)
+    for text, span in (before, here):
+        found = unsupported.told(text)
+        if found is not None:
+            return mistake.at(span, *found, "SC111")
+    return None
 
 
 def _reserved_hint(mistake: Unexpected) -> str:
@@ -269,6 +282,7 @@ def _missing_declaration(mistake: Unexpected) -> Diagnostic | None:
 
 _RECOGNISERS: tuple[Callable[[Unexpected], Diagnostic | None], ...] = (
     _reserved,
+    _of_extension,
     _later_keyword,
     foreign.operator,
     foreign.cast,

@@ -18,6 +18,7 @@ from lark.parsers.lalr_parser_state import ParserState
 from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.front.lexis import MAX_WORD, Lexemes, is_number, is_word
 from shadercache.lang import words
+from shadercache.lang.unsupported import extension_of_number
 from shadercache.source import Source, Span
 
 MAX_OPERATORS = 1000
@@ -229,6 +230,10 @@ def _kind_of(text: str, stream: TokenStream) -> str:
         if is_number(text):
             _check_suffix(text, stream)
             return "LITERAL"
+        extension = extension_of_number(text)
+        if extension is not None:
+            message = f"'{text}' is of the extension {extension}, which is not supported"
+            raise stream.error("SC111", message)
         raise stream.error("SC102", f"'{text}' is not a number of GLSL")
     shown = f"'{text}'" if text.isprintable() else f"U+{ord(text):04X}"
     kind = "" if text.isascii() else ", which is not ASCII and may stand in comments only"

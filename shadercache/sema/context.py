@@ -19,7 +19,7 @@ from shadercache.ast.nodes import (
     StructDef,
 )
 from shadercache.diagnostics import Diagnostic, Severity
-from shadercache.lang import builtins
+from shadercache.lang import builtins, unsupported
 from shadercache.lang.builtins import BuiltinVariable, Signature
 from shadercache.lang.types import StructType, Type
 from shadercache.lang.words import type_names
@@ -168,6 +168,10 @@ class Context:
         if name in self._undeclared:
             return ERROR
         self._undeclared.add(name)
+        of_extension = unsupported.told(name)
+        if of_extension is not None:
+            message, hint = of_extension
+            return self.error("SC111", message, node, hint)
         # Looking for similar names is slow, and nobody reads the hundredth hint.
         hint = did_you_mean(name, known()) if len(self._undeclared) <= _HINTS else None
         return self.error("SC201", f"undeclared {what} '{name}'", node, hint)

@@ -34,6 +34,7 @@ _SINCE: dict[str, tuple[int, int, *tuple[str, ...]]] = {
         (NEVER, NEVER, "ARB_separate_shader_objects"),
     ),
 }
+_OF_VERTICES = {"gl_Position": "vec4 gl_Position", "gl_PointSize": "float gl_PointSize"}
 MOST_ELEMENTS = {"gl_ClipDistance": 8, "gl_CullDistance": 8}
 """Elements of built-in arrays without a size, on every driver."""
 
@@ -46,7 +47,8 @@ def redeclared(symbol: Symbol, node: Node, context: Context) -> Symbol:
         context.error("SC203", "names with 'gl_' are reserved", node)
         return symbol
     if symbol.block is None and not _may_be_redeclared(symbol.name, context):
-        context.error("SC203", f"'{symbol.name}' is there already, and stays as it is", node)
+        message = f"'{symbol.name}' is a built-in variable, which is not declared again"
+        context.error("SC203", message, node, _instead(symbol.name, context))
     elif kind is not ERROR and (
         kind.name != known.type.name or bool(kind.dims) != bool(known.type.dims)
     ):
@@ -64,6 +66,15 @@ def redeclared(symbol: Symbol, node: Node, context: Context) -> Symbol:
         message = f"'{symbol.name}' was redeclared with another layout before"
         context.error("SC223", message, node)
     return replace(symbol, kind="builtin", writable=known.storage == "out")
+
+
+def _instead(name: str, context: Context) -> str:
+    """What to write in the place of a declaration that nobody needs."""
+    if name in _OF_VERTICES and context.at_least(150, NEVER):
+        return (
+            f"leave it out, or redeclare the block: out gl_PerVertex {{ {_OF_VERTICES[name]}; }};"
+        )
+    return "leave it out"
 
 
 def _may_be_redeclared(name: str, context: Context) -> bool:

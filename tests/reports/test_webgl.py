@@ -63,7 +63,7 @@ def test_both_stages_are_what_one_says(name: str) -> None:
 
 def test_a_version_is_believed() -> None:
     text = source("o07_webgl_without_version.frag").text
-    with pytest.raises(InputError, match="'precision' has no meaning in GLSL 1.20"):
+    with pytest.raises(InputError, match=r"'precision' has no meaning in GLSL 1\.20"):
         parse(Source("x.frag", f"#version 120\n{text}"))
     module = parse(Source("x.frag", f"#version 330\n{text.replace('gl_FragColor', 'o')}"))
     assert module.version == 330
