@@ -4,7 +4,8 @@ The passes, in order (each in its own file):
 
 1.  :mod:`front.parse`              text to tree
 2.  :mod:`sema.check`               names and types; every error of the user is found here
-3.  :mod:`transform.raise_version`  older versions, in words of the first that has what it takes
+3.  :mod:`transform.raise_version`  older versions, in words of the first that has what it takes;
+    :mod:`transform.name_parameters`  and names for parameters without
 4.  :mod:`transform.unique_names`   every identifier means one thing, so the rest works by name
 5.  :mod:`transform.split`          one declarator to a declaration
 6.  :mod:`transform.spell_lists`    ``{a, b}`` is ``vec2(a, b)``, which may stand anywhere
@@ -62,8 +63,9 @@ from shadercache.source import Source
 from shadercache.transform.compound import spell_out
 from shadercache.transform.lower_choices import lower_choices
 from shadercache.transform.make_precise import precise_version
+from shadercache.transform.name_parameters import name_parameters
 from shadercache.transform.names import fresh_prefix
-from shadercache.transform.raise_version import StageTree, raise_versions
+from shadercache.transform.raise_version import Raised, StageTree, raise_versions
 from shadercache.transform.spell_lists import spell_lists
 from shadercache.transform.split import split_declarations
 from shadercache.transform.unique_names import later_keywords, make_names_unique
@@ -113,7 +115,12 @@ def analyse(
     check_size(trees[0].module, fragment)
     if vertex is not None:
         trees.append(_checked(vertex, "vertex", replace(reading, dialect="glsl")))
-    raised = raise_versions(trees, fresh_prefix(*texts, stem="legacy"))
+    raised = [
+        _with_parameters(stage, tree, prefix)
+        for stage, tree in zip(
+            raise_versions(trees, fresh_prefix(*texts, stem="legacy")), trees, strict=True
+        )
+    ]
     named = _named(raised[0].module, raised[0].facts, fragment, "fragment")
     module, facts = _lowered(*named, fragment)
     original, kept_loops = module, tuple[Diagnostic, ...]()
@@ -286,6 +293,14 @@ def _checked(source: Source, stage: Stage, reading: ReadOptions) -> StageTree:
     module, facts = read(source, stage, reading, needs_main=True)
     check_depth(facts, source)
     return StageTree(module, facts, source, stage)
+
+
+def _with_parameters(raised: Raised, tree: StageTree, prefix: str) -> Raised:
+    """Pass 3, where parameters have no names: Mesa wants them."""
+    module = name_parameters(raised.module, prefix)
+    if module is raised.module:
+        return raised
+    return replace(raised, module=module, facts=check(module, tree.source, tree.stage))
 
 
 def _named(module: n.Module, facts: Facts, source: Source, stage: Stage) -> tuple[n.Module, Facts]:
