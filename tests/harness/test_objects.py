@@ -157,6 +157,25 @@ def test_objects_outside_of_the_picture_are_not_drawn(
     assert 5 <= sum(seen) < 20
 
 
+@pytest.mark.parametrize("algorithm", ALGORITHMS)
+def test_what_begins_anew_finds_nothing_in_the_cache_of_others(
+    crowd: Stage, proof: Bundle, algorithm: str
+) -> None:
+    """A surface of the same depth was there, of an object with other values."""
+    (whole,) = render_original(crowd, proof, [0], moving=False)[:1]
+    options = RunOptions(32, 4, moving=False)
+    with VariantRunner(crowd, proof, algorithm, options) as runner:
+        assert same_bits(runner.image(0), whole)
+        other = runner.cache().copy()
+        other[..., :1] += 0.25
+        runner.restore(other, 0)
+        assert not same_bits(runner.image(1), whole), "nothing was there to be found"
+        runner.restore(other, 0)
+        for role in runner._roles:
+            role.before = None
+        assert same_bits(runner.image(1), whole)
+
+
 def test_uncached_objects_leave_the_cache_alone(crowd: Stage, proof: Bundle) -> None:
     """Behind and in front of what is cached: what a texel holds is of a cached object, or empty."""
     plain = crowd.scene.objects[-1]
