@@ -19,8 +19,8 @@ from shadercache.analysis.groups import Group, find_groups
 from shadercache.analysis.inputs import input_kinds
 from shadercache.analysis.overlap import OverlapTable, Parts
 from shadercache.analysis.refusals import Code
-from shadercache.analysis.restrictions import check_stages
 from shadercache.analysis.sets import check_needed, check_set, companion, note_on_overlap
+from shadercache.analysis.stages import Links, StageSide, match_stages
 from shadercache.ast import nodes as n
 from shadercache.diagnostics import Diagnostic, InputError, UsageError, input_error, usage_error
 from shadercache.emit.builder import FragmentProgram
@@ -34,10 +34,10 @@ from shadercache.front.dialects import surrounded
 from shadercache.front.options import ReadOptions
 from shadercache.front.webgl import WEBGL, names_version
 from shadercache.options import MappingKind
+from shadercache.sema.check import check
 from shadercache.sema.facts import Facts, Stage
 from shadercache.source import Source
 from shadercache.transform.raise_version import Raised
-from shadercache.transform.reachable import declared_names
 
 _UNROLLED = re.compile(r"\.\d+u-")
 _INCLUDE = re.compile(r"#[ \t]*include\b")
@@ -57,6 +57,8 @@ class Analysis:
     program: FragmentProgram
     raised: tuple[Raised, ...]
     vertex_module: n.Module | None
+    links: Links
+    """Which outputs of the vertex shader what the fragment shader reads comes from."""
     reading: ReadOptions
     kept_loops: tuple[Diagnostic, ...] = ()
     """Which loops were not unrolled, where that was asked for, and why."""
@@ -88,14 +90,18 @@ class Analysis:
         if self.vertex_module is not None:
             parsed = self.raised[1].module
             return VertexEmitter(
-                parsed, self.vertex_module, prefix, self.program.memo, self.mapping
+                *(parsed, self.vertex_module, prefix, self.program.memo, self.mapping, self.links)
             )
         if not self.full_screen:
             raise input_error(
                 "SC402", "a vertex shader is needed to rewrite a shader", "give --vert"
             )
         source, module = full_screen_vertex(self.program.module)
-        check_stages(self.program.module, self.fragment, module, source)
+        program = self.program
+        match_stages(
+            StageSide(program.module, program.facts, self.fragment),
+            StageSide(module, check(module, source, "vertex"), source),
+        )
         return VertexEmitter(module, module, prefix, self.program.memo, self.mapping)
 
     @property
@@ -117,7 +123,7 @@ class Analysis:
         passed = inputs & varyings(self.program.module)
         if self.vertex is None:
             return tuple(sorted(inputs))
-        return tuple(sorted((inputs - passed) | self.vertex_emitter.inputs(self._given(passed))))
+        return tuple(sorted((inputs - passed) | self.vertex_emitter.inputs(passed)))
 
     def dependencies(self, *nodes: Candidate) -> tuple[Dependency, ...]:
         """What the engine sets that the values depend on, through varyings too."""
@@ -125,21 +131,12 @@ class Analysis:
         passed = read & varyings(self.program.module)
         stages: dict[Stage, frozenset[str]] = {"fragment": read - passed}
         if self.vertex is not None:
-            stages["vertex"] = self.vertex_emitter.sources(self._given(passed))
+            stages["vertex"] = self.vertex_emitter.sources(passed)
         return dependencies(stages, self.inputs)
 
     @staticmethod
     def _read(nodes: Sequence[Candidate]) -> frozenset[str]:
         return frozenset(name for node in nodes for name in node.inputs)
-
-    def _given(self, passed: frozenset[str]) -> frozenset[str]:
-        """Names of varyings, and of the blocks of those that lie in one."""
-        blocks = {
-            decl.name
-            for decl in self.program.module.decls
-            if isinstance(decl, n.BlockDecl) and passed.intersection(declared_names(decl))
-        }
-        return passed | blocks
 
     @cached_property
     def inputs(self) -> tuple[Input, ...]:

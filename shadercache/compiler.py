@@ -37,12 +37,17 @@ from shadercache.analysed import Analysis
 from shadercache.analysis.candidates import (
     Candidate,
     find_candidates,
+    reused_builtins,
     varyings,
 )
 from shadercache.analysis.effects import EffectTable
-from shadercache.analysis.restrictions import check_depth, check_size, check_stages, find_color
+from shadercache.analysis.restrictions import check_depth, check_size, find_color
+from shadercache.analysis.screen_inputs import Marks, screen_marks
+from shadercache.analysis.screen_varyings import ScreenVaryings, screen_varyings
 from shadercache.analysis.sets import notes_on
+from shadercache.analysis.stages import Pairs, StageSide, aligned, links_of, match_stages
 from shadercache.analysis.user_mapping import check_user_mapping
+from shadercache.analysis.vertex_checks import POSITION, check_position, check_vertex
 from shadercache.ast import nodes as n
 from shadercache.ast.large import allow_deep_trees
 from shadercache.ast.walk import walk
@@ -60,12 +65,14 @@ from shadercache.sema.check import check
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.read import read
 from shadercache.source import Source
+from shadercache.transform.builtin_block import plain_builtin_block
 from shadercache.transform.compound import spell_out
 from shadercache.transform.lower_choices import lower_choices
 from shadercache.transform.make_precise import precise_version
 from shadercache.transform.name_parameters import name_parameters
 from shadercache.transform.names import fresh_prefix
 from shadercache.transform.raise_version import Raised, StageTree, raise_versions
+from shadercache.transform.remove_dead import remove_dead
 from shadercache.transform.spell_lists import spell_lists
 from shadercache.transform.split import split_declarations
 from shadercache.transform.unique_names import later_keywords, make_names_unique
@@ -132,31 +139,62 @@ def analyse(
             module, facts = _lowered(*flat, fragment)
     color = find_color(module, fragment)
     printed = _printed(trees[0].module, module)
-    table = EffectTable(module)
     if mapping is None:
         solid = vertex is not None and reading.dialect != "shadertoy"
         mapping = "surface" if solid or varyings(module) else "screen"
+    side = StageSide(module, facts, fragment)
+    stage = None if vertex is None else _vertex_stage(raised[1], vertex, side, mapping)
+    table = EffectTable(module, marks=_marks(side, mapping, stage))
     if mapping == "user":
         check_user_mapping(module, fragment, table)
     candidates = find_candidates(module, facts, fragment, printed, table, mapping)
     program = FragmentProgram(
         raised[0].module, module, facts, candidates, color, prefix, original, mapping
     )
-    vertex_module, vertex_facts = None, None
-    if vertex is not None:
-        vertex_module, vertex_facts = _named(raised[1].module, raised[1].facts, vertex, "vertex")
-        check_stages(module, fragment, vertex_module, vertex)
+    pairs = () if stage is None else stage.pairs
     return Analysis(
         fragment,
         vertex,
         candidates,
         program,
         tuple(raised),
-        vertex_module,
+        None if stage is None else stage.module,
+        links_of(pairs),
         reading,
         kept_loops,
-        vertex_facts,
+        None if stage is None else stage.facts,
     )
+
+
+@dataclass(frozen=True, slots=True)
+class _VertexStage:
+    """The vertex shader as it is worked on, and what it passes on."""
+
+    module: n.Module
+    facts: Facts
+    pairs: Pairs
+    screen: ScreenVaryings
+
+
+def _vertex_stage(
+    raised: Raised, source: Source, fragment: StageSide, mapping: MappingKind
+) -> _VertexStage:
+    side = StageSide(*_named(raised.module, raised.facts, source, "vertex"), source)
+    check_vertex(side.module, source)
+    pairs = match_stages(fragment, side)
+    if mapping == "surface":
+        check_position(remove_dead(side.module, (POSITION,)), source)
+    screen = screen_varyings(side.module, side.facts)
+    return _VertexStage(aligned(side, fragment), side.facts, pairs, screen)
+
+
+def _marks(fragment: StageSide, mapping: MappingKind, vertex: _VertexStage | None) -> Marks:
+    """What binds values to the screen; nothing where the place on the screen is no obstacle."""
+    if "gl_FragCoord" in reused_builtins(fragment.module, mapping):
+        return {}
+    if vertex is None:
+        return screen_marks(fragment.module, fragment.facts)
+    return screen_marks(fragment.module, fragment.facts, vertex.pairs, vertex.screen)
 
 
 def rewrite(
@@ -292,6 +330,9 @@ def _unfit(
 def _checked(source: Source, stage: Stage, reading: ReadOptions) -> StageTree:
     module, facts = read(source, stage, reading, needs_main=True)
     check_depth(facts, source)
+    plain = plain_builtin_block(module, facts)
+    if plain is not module:
+        module, facts = plain, check(plain, source, stage)
     return StageTree(module, facts, source, stage)
 
 

@@ -155,7 +155,7 @@ class _Judge:
         self.mutable = sum({bit(name) for name in written})
         self.structs = {d.type.struct for d in module.decls if isinstance(d, n.VarDecl)} - {None}
         self.derivative = bit(DERIVATIVE)
-        self.reused = _reused_builtins(module, mapping)
+        self.reused = reused_builtins(module, mapping)
         self.varying = sum({bit(name) for name in varyings(module) | self.reused})
 
     def candidate(
@@ -175,7 +175,7 @@ class _Judge:
             type=kind,
             cost=cost,
             ratio=cost / self.total,
-            inputs=self.slices.leaf_names(found.leaves),
+            inputs=_inputs(self.slices.leaf_names(found.leaves)),
             refusal=refusal,
         )
 
@@ -245,8 +245,8 @@ class _Judge:
             )
         if found.leaves & self.derivative:
             return Refusal(Code.DERIVATIVE)
-        builtins = {name for name in names(found.leaves) if name.startswith("gl_")}
-        screen = sorted(builtins - self.reused)
+        bound = {name for name in names(found.leaves) if name.startswith(("gl_", "%"))}
+        screen = sorted(name.removeprefix("%") for name in bound - self.reused)
         if screen:
             return Refusal(Code.SCREEN, ", ".join(screen))
         if not found.leaves and not self.table.of(expr).does:
@@ -263,7 +263,7 @@ class _Judge:
         return Refusal(Code.DISCARDS) if self.discards.fed_by(instance, place) else None
 
 
-def _reused_builtins(module: n.Module, mapping: MappingKind) -> frozenset[str]:
+def reused_builtins(module: n.Module, mapping: MappingKind) -> frozenset[str]:
     """The built-in inputs that do not bind a value to the place on the screen in this mapping.
 
     Where the user says what a pixel shows, and no varying does, its place is how the shader gets
@@ -283,6 +283,11 @@ def varyings(module: n.Module) -> set[str]:
         elif isinstance(decl, n.BlockDecl) and decl.qualifiers.has("in"):
             found |= {decl.instance or ""} | {i.name for f in decl.fields for i in f.declarators}
     return {name for name in found if name and not name.startswith("gl_")}
+
+
+def _inputs(names: frozenset[str]) -> frozenset[str]:
+    """Without the marks of varyings that are among the inputs themselves."""
+    return frozenset(name for name in names if not name.startswith("%") or name[1:] not in names)
 
 
 def _text(source: Source, expr: n.Expr, facts: Facts) -> str:

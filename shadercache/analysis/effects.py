@@ -10,7 +10,7 @@ variables; its locals and parameters stay its own.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from enum import Flag, auto
 
@@ -103,12 +103,15 @@ class EffectTable:
     """Effects of every piece of one module; computed on demand and kept.
 
     Shape: one :class:`Effects` per node of the tree, keyed by identity. What it finds out about
-    whole functions goes to ``memo``.
+    whole functions goes to ``memo``. ``marks`` are further inputs that expressions read.
     """
 
-    def __init__(self, module: n.Module, memo: Memo | None = None) -> None:
+    def __init__(
+        self, module: n.Module, memo: Memo | None = None, marks: Mapping[n.Node, str] | None = None
+    ) -> None:
         self.functions = {d.name: d for d in module.decls if isinstance(d, n.FunctionDef)}
         self._memo = Memo() if memo is None else memo
+        self._marks = marks or {}
         self._table: dict[n.Node, Effects] = {}
         self._by_name: dict[str, Linked] = {}
 
@@ -117,7 +120,10 @@ class EffectTable:
         found = self._table.get(node)
         if found is None:
             for item in _postorder(node, self._table):
-                self._table[item] = self._own(item)
+                effects = self._own(item)
+                if item in self._marks:
+                    effects = effects | Effects(frozenset((self._marks[item],)))
+                self._table[item] = effects
             found = self._table[node]
         return found
 

@@ -81,37 +81,6 @@ def find_color(module: n.Module, source: Source) -> str:
     return outputs[0][0].name
 
 
-def check_stages(
-    fragment: n.Module, fragment_source: Source, vertex: n.Module, vertex_source: Source
-) -> None:
-    """Does the vertex shader write every varying that the fragment shader reads?
-
-    Raises :class:`InputError` SC406 for a varying that is missing or of another type.
-    """
-    given = {name: kind for name, kind, _ in _interface(vertex, "out")}
-    problems: list[Diagnostic] = []
-    for name, kind, node in _interface(fragment, "in"):
-        if name not in given:
-            message = f"{vertex_source.name} does not write '{name}'"
-        elif given[name] != kind:
-            message = f"'{name}' is {kind} here and {given[name]} in {vertex_source.name}"
-        else:
-            continue
-        problems.append(Diagnostic("SC406", message, fragment_source, node.span))
-    if problems:
-        raise InputError(problems)
-
-
-def _interface(module: n.Module, word: str) -> Iterator[tuple[str, str, n.Node]]:
-    for decl in module.decls:
-        if isinstance(decl, n.VarDecl) and decl.qualifiers.has(word):
-            for item in decl.declarators:
-                if not item.name.startswith("gl_"):
-                    yield item.name, decl.type.name, item
-        elif isinstance(decl, n.BlockDecl) and decl.qualifiers.has(word):
-            yield decl.name, "block", decl
-
-
 def _unsupported(module: n.Module, source: Source) -> Iterator[Diagnostic]:
     own = {decl.name for decl in module.decls if isinstance(decl, n.FunctionDef)}
     for node in walk(module):

@@ -206,7 +206,7 @@ class SliceTable:
         for name in names:
             written, from_entry = self._written(instance, name, step)
             found = found | written
-            if name in self._globals:
+            if name in self._globals or name.startswith("%"):
                 # A global may also have been written elsewhere: it always counts as an input.
                 found = found | self._of_global(name)
                 if from_entry and name in self._mutable:
@@ -237,7 +237,7 @@ class SliceTable:
 
     def _new_global(self, name: str) -> Slice:
         found = Slice(0, self.leaf_bit(name))
-        init = self._globals[name]
+        init = self._globals.get(name)
         if init is not None:
             for item in self._table.of(init).reads:
                 if item in self._globals and item != name:

@@ -53,6 +53,7 @@ class ProgramSet:
     refused: dict[int, str] = field(default_factory=dict)
     previous: dict[str, str] = field(default_factory=dict)
     unchanging: tuple[str, ...] = ()
+    numbers: tuple[str, ...] = ()
     prefix: str = ""
     color: str = ""
     whole: bool = False
@@ -108,6 +109,7 @@ def emit_programs(
     made = ProgramSet(
         previous=vertex.previous_twins(),
         unchanging=vertex.unchanging(),
+        numbers=vertex.numbers(),
         prefix=program.prefix,
         color=program.color,
     )

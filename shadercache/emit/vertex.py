@@ -10,40 +10,46 @@ of every uniform in it (DESIGN section 3)::
     }                                               sc_previous = sc_previous_u_mvp * ...;
                                                 }
 
-Attributes and textures read for the position are taken as unchanging; the manifest says so.
+Attributes, textures, storage buffers and the numbers of instances are taken as unchanging where
+they decide the position; the manifest says so (:mod:`shadercache.analysis.vertex_inputs`).
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
+from shadercache.analysis.effects import EffectTable
+from shadercache.analysis.stages import Links
+from shadercache.analysis.vertex_inputs import OUTPUTS, kept_numbers, variable_fate
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
-from shadercache.ast.walk import walk
 from shadercache.emit.assemble import Shader, interface, merge
 from shadercache.emit.layout import Layout
-from shadercache.emit.packing import with_layouts
 from shadercache.emit.runtime import load_part
-from shadercache.lang.types import FLOAT, builtin_type
+from shadercache.emit.twins import POSITION, Twins, is_builtin_output, is_opaque_uniform
+from shadercache.lang.types import FLOAT
 from shadercache.options import MappingKind
 from shadercache.source import NOWHERE
-from shadercache.transform.reachable import declared_names
+from shadercache.transform.reachable import declared_names, names_in
 from shadercache.transform.remove_dead import remove_dead
 from shadercache.transform.rename import rename
-
-POSITION = "gl_Position"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class VertexEmitter:
-    """Makes vertex shaders from the user's (checked, with unique names; ``parsed``: as written)."""
+    """Makes vertex shaders from the user's (checked, with unique names; ``parsed``: as written).
+
+    ``links`` leads from names of the fragment shader to the outputs that they get their values
+    from, where these are called otherwise.
+    """
 
     parsed: n.Module
     module: n.Module
     prefix: str
     memo: Memo
     mapping: MappingKind = "surface"
+    links: Links = field(default_factory=dict)
 
     def for_fragment(self, fragment: Shader) -> Shader:
         """The vertex shader for a fragment shader: exactly the varyings which that one reads."""
@@ -55,40 +61,47 @@ class VertexEmitter:
         return found
 
     def _for_inputs(self, fragment: Shader) -> Shader:
-        own = {self.prefix + "current", self.prefix + "previous"}
-        module = self._extended() if own.intersection(fragment.inputs) else self.module
-        wanted = self._with_members(fragment.inputs)
-        wanted |= {POSITION} | {name for name in _written(self.module) if name.startswith("gl_")}
-        return interface(_invariant(remove_dead(module, wanted, self.memo)))
+        own = {self.prefix + "current", self.prefix + "previous"}.intersection(fragment.inputs)
+        module = self._extended() if own else self.module
+        written = EffectTable(self.module, self.memo).summary("main").writes
+        wanted = self._outputs(fragment.inputs)
+        wanted |= {POSITION} | {name for name in written if name.startswith("gl_")}
+        made = remove_dead(module, wanted, self.memo)
+        # Undefined, the position of the last frame would be a cache without hits.
+        computed = EffectTable(made, self.memo).summary("main").writes
+        assert own <= computed, "a vertex program without the position of the last frame"
+        return interface(_invariant(made))
 
     def previous_twins(self) -> dict[str, str]:
         """The uniforms that the position depends on, and their twins for the previous frame.
 
         None where the previous position is not that of a vertex.
         """
-        if self.mapping != "surface":
-            return {}
-        return {
-            old: new
-            for decl in self._slice().decls
-            if _is_twinned_uniform(decl)
-            for old, new in self._twin_names(decl).items()
-        }
+        return self._twins().uniforms() if self.mapping == "surface" else {}
 
     def unchanging(self) -> tuple[str, ...]:
-        """Attributes and textures that the previous position depends on: they must not change."""
+        """Attributes, textures, images and storage buffers that the previous position depends on:
+        they must not change."""
         if self.mapping != "surface":
             return ()
         found: list[str] = []
         for decl in self._slice().decls:
-            if isinstance(decl, n.VarDecl) and (
-                decl.qualifiers.has("in") or _is_opaque_uniform(decl)
+            if isinstance(decl, n.BlockDecl) and decl.qualifiers.has("buffer"):
+                found.append(decl.name)
+            elif isinstance(decl, n.VarDecl) and (
+                decl.qualifiers.has("in") or is_opaque_uniform(decl)
             ):
                 found += [item.name for item in decl.declarators]
         return tuple(found)
 
+    def numbers(self) -> tuple[str, ...]:
+        """What has to hold of the built-in inputs that the previous position depends on."""
+        if self.mapping != "surface":
+            return ()
+        return tuple(kept_numbers(names_in(self._slice())))
+
     def inputs(self, varyings: Iterable[str]) -> frozenset[str]:
-        """Uniforms, textures and attributes that the position and these varyings depend on.
+        """Uniforms, textures, buffers and attributes that the position and these varyings need.
 
         ``varyings`` are names, of blocks too.
         """
@@ -97,55 +110,33 @@ class VertexEmitter:
     def sources(self, varyings: Iterable[str]) -> frozenset[str]:
         """The same of the varyings alone, and the built-in inputs among them."""
         sliced = self._slice(varyings)
-        builtin = {
-            node.name
-            for node in walk(sliced)
-            if isinstance(node, n.Name) and _is_builtin_input(node.name)
-        }
-        return _inputs(sliced) | builtin
+        return _inputs(sliced) | {name for name in names_in(sliced) if _is_builtin_input(name)}
 
-    def _with_members(self, names: Iterable[str]) -> set[str]:
-        """Blocks meet by their block name; statements know the instance or the members."""
-        wanted = set(names)
+    def _outputs(self, inputs: Iterable[str]) -> set[str]:
+        """What the vertex shader calls what the fragment shader reads."""
+        wanted = {out for name in inputs for out in self.links.get(name, (name,))}
         for decl in self.module.decls:
             if isinstance(decl, n.BlockDecl) and decl.name in wanted:
+                # Blocks meet by their block name; statements know the instance or the members.
                 wanted.update(declared_names(decl))
         return wanted
 
     def _slice(self, names: Iterable[str] = (POSITION,)) -> n.Module:
-        return remove_dead(self.module, self._with_members(names), self.memo)
+        return remove_dead(self.module, self._outputs(names), self.memo)
 
     def _extended(self) -> n.Module:
         main = rename_function(self.module, "main", self.prefix + "vertex")
         part = load_part("vertex", Layout((FLOAT,)), self.prefix)
         variables = [d for d in part if isinstance(d, n.VarDecl)]
         functions = [d for d in part if isinstance(d, n.FunctionDef)]
-        return merge(self.module, (*main.decls, *self._twins()), variables, functions)
+        return merge(self.module, (*main.decls, *self._twins().decls()), variables, functions)
 
-    def _twins(self) -> list[n.Decl]:
-        """The position's slice with everything in it renamed that is its own in each frame."""
-        laid_out = with_layouts(self._slice().decls)
-        twinned = [_unplaced(decl) for decl in laid_out if _is_twinned(decl)]
-        names = {POSITION: self.prefix + "previous"}
-        for decl in twinned:
-            names |= self._twin_names(decl)
-        return [rename(decl, names) for decl in twinned]
-
-    def _twin_names(self, decl: n.Decl) -> dict[str, str]:
-        names = {name: f"{self.prefix}previous_{name}" for name in declared_names(decl)}
-        if isinstance(decl, n.BlockDecl):
-            names[decl.name] = f"{self.prefix}previous_{decl.name}"
-        if "main" in names:
-            names["main"] = self.prefix + "vertex_previous"
-        return names
-
-
-_OUTPUTS = ("gl_Position", "gl_PointSize", "gl_ClipDistance", "gl_CullDistance")
-_CONSTANTS = ("gl_Max", "gl_Min")
+    def _twins(self) -> Twins:
+        return Twins(self._slice(), self.prefix)
 
 
 def _is_builtin_input(name: str) -> bool:
-    return name.startswith("gl_") and name not in _OUTPUTS and not name.startswith(_CONSTANTS)
+    return variable_fate(name) is not None and name not in OUTPUTS
 
 
 def _inputs(module: n.Module) -> frozenset[str]:
@@ -159,56 +150,6 @@ def _inputs(module: n.Module) -> frozenset[str]:
     )
 
 
-def _is_opaque_uniform(decl: n.Decl) -> bool:
-    if not isinstance(decl, n.VarDecl) or not decl.qualifiers.has("uniform"):
-        return False
-    kind = builtin_type(decl.type.name)
-    return kind is not None and kind.is_opaque
-
-
-def _is_twinned_uniform(decl: n.Decl) -> bool:
-    if isinstance(decl, n.BlockDecl):
-        return decl.qualifiers.has("uniform")
-    return (
-        isinstance(decl, n.VarDecl)
-        and decl.qualifiers.has("uniform")
-        and not _is_opaque_uniform(decl)
-    )
-
-
-def _is_twinned(decl: n.Decl) -> bool:
-    """Functions, uniforms and changing globals; constants, attributes and types are shared."""
-    match decl:
-        case n.FunctionDef() | n.FunctionProto():
-            return True
-        case n.VarDecl():
-            shared = decl.qualifiers.has("in", "const") or _is_opaque_uniform(decl)
-            return bool(decl.declarators) and not shared
-        case n.BlockDecl():
-            return decl.qualifiers.has("uniform", "out")
-        case _:
-            return False
-
-
-def _unplaced(decl: n.Decl) -> n.Decl:
-    """A variable or block without its place in the interface, which its twin cannot share."""
-    if not isinstance(decl, n.VarDecl | n.BlockDecl) or decl.qualifiers.layout is None:
-        return decl
-    layout = tuple(i for i in decl.qualifiers.layout if i.name not in ("location", "binding"))
-    return replace(decl, qualifiers=replace(decl.qualifiers, layout=layout or None))
-
-
-def _written(module: n.Module) -> set[str]:
-    """Names at the root of any assignment: cheap and generous."""
-    return {
-        item.name
-        for assign in walk(module)
-        if isinstance(assign, n.Assign)
-        for item in walk(assign.target)
-        if isinstance(item, n.Name)
-    }
-
-
 def rename_function(module: n.Module, old: str, new: str) -> n.Module:
     """The module with one function renamed, at its definition and prototypes."""
     decls = tuple(
@@ -218,9 +159,16 @@ def rename_function(module: n.Module, old: str, new: str) -> n.Module:
 
 
 def _invariant(module: n.Module) -> n.Module:
-    """All passes must compute the very same position, whatever else they compute."""
-    for decl in module.decls:
+    """All passes must compute the very same position, whatever else they compute.
+
+    Behind a declaration of the position: it may not have been used before that.
+    """
+    at = 0
+    for place, decl in enumerate(module.decls, 1):
         if isinstance(decl, n.QualifierDecl) and POSITION in decl.names:
-            return module
+            if decl.qualifiers.has("invariant"):
+                return module
+        elif is_builtin_output(decl) and POSITION in declared_names(decl):
+            at = place
     mark = n.QualifierDecl(NOWHERE, n.Qualifiers(NOWHERE, ("invariant",)), (POSITION,))
-    return replace(module, decls=(mark, *module.decls))
+    return replace(module, decls=(*module.decls[:at], mark, *module.decls[at:]))

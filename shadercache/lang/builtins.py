@@ -184,6 +184,23 @@ def variable_names() -> tuple[str, ...]:
     return (*_index()["variables"], *_index()["constants"])
 
 
+def variables_of(stage: str) -> Iterator[BuiltinVariable]:
+    """Every built-in variable that a stage has in any version (for tests of lists of them)."""
+    for name, lines in _index()["variables"].items():
+        for line in lines:
+            if _availability(line.words).stage in (None, stage):
+                storage, kind, _ = _fields("variables", line.text)
+                yield BuiltinVariable(name, _named_type(kind), storage)
+
+
+def functions_of(stage: str) -> Iterator[Signature]:
+    """Every overload of a built-in function that a stage has in any version."""
+    for name in _index()["functions"]:
+        for signature, where in _all_signatures(name):
+            if where.stage in (None, stage):
+                yield signature
+
+
 # --- reading the file -----------------------------------------------------------------------------
 
 

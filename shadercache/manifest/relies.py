@@ -40,6 +40,7 @@ def relies_on(options: Options, programs: ProgramSet, setting: Setting) -> list[
     if programs.unchanging:
         names = ", ".join(programs.unchanging)
         relies.append(f"these decide the position and do not change between frames: {names}")
+    relies += programs.numbers
     if options.fetches == "level" and 1 in programs.variants:
         relies.append(
             "isotropic texture filtering: one pass asks for levels of detail, then fetches at these"

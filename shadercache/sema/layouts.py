@@ -11,7 +11,7 @@ from shadercache.sema.counters import Counters
 from shadercache.sema.expressions import ExpressionChecker
 from shadercache.sema.feedback import Feedback
 from shadercache.sema.layout_words import SINCE, Place, word_problem
-from shadercache.sema.locations import Locations
+from shadercache.sema.locations import Locations, of_one_vertex
 from shadercache.sema.offsets import check_offsets
 
 _PACKINGS = ("shared", "packed", "std140", "std430")
@@ -77,7 +77,7 @@ class LayoutChecker:
         if kind.name == "atomic_uint" and storage == "uniform":
             self._counters.place(node, name, kind, values)
         if storage in ("in", "out", "uniform"):
-            self._locations.place(node, name, kind, storage, values)
+            self._locations.place(node, name, of_one_vertex(kind, qualifiers), storage, values)
 
     def nameless(self, qualifiers: Qualifiers, kind: Type, storage: str) -> None:
         """``layout(binding = 1, offset = 4) uniform atomic_uint;``: for counters that follow."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from math import prod
 
-from shadercache.ast.nodes import BlockDecl, Node
+from shadercache.ast.nodes import BlockDecl, Node, Qualifiers
 from shadercache.lang.types import StructType, Type
 from shadercache.sema.context import ERROR, Context
 
@@ -20,6 +20,14 @@ _UNIFORM_SINCE = 430
 _ES_SINCE = {"uniform": 310, "interface": 310}
 _MAX_LOCATIONS = 4096  # No implementation has more; those of larger arrays are not looked at.
 _SORTS = {"int": "integers", "uint": "unsigned integers"}
+PER_VERTEX = ("pervertexEXT", "pervertexNV")
+"""Qualifiers of arrays with an element for each vertex of the triangle."""
+
+
+def of_one_vertex(kind: Type, qualifiers: Qualifiers) -> Type:
+    """The type of what a vertex shader passes on: its value at each vertex takes no location more
+    (GLSL_EXT_fragment_shader_barycentric)."""
+    return kind.element if qualifiers.has(*PER_VERTEX) and kind.is_array else kind
 
 
 class Locations:
@@ -60,19 +68,20 @@ class Locations:
         if at is not None and not self._takes_block_locations():
             context.error("SC223", "this version of GLSL has no locations of blocks", block)
         located = ["location" in values for values in members]
+        array = bool(block.dims) and not block.qualifiers.has(*PER_VERTEX)
         if storage not in ("in", "out"):
             return
         if any(located) and not all(located) and first is None:
             message = "either all members of a block have a location or none, unless the block has"
             context.error("SC223", message, block)
         for decl, values in zip(block.fields, members, strict=True):
-            if "location" in values and block.dims:
+            if "location" in values and array:
                 message = "a member of an array of blocks has no location of its own"
                 context.error("SC223", message, block)
             at = values.get("location", at)
             for node in decl.declarators:
-                kind = fields[node.name]
-                if at is not None and kind is not ERROR and not block.dims:
+                kind = of_one_vertex(fields[node.name], decl.qualifiers)
+                if at is not None and kind is not ERROR and not array:
                     self._take(node, node.name, kind, storage, {**values, "location": at})
                     at += kind.slots
 

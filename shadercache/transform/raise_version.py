@@ -32,6 +32,7 @@ from shadercache.sema.check import check
 from shadercache.sema.context import enabled_extensions
 from shadercache.sema.facts import Facts, Stage
 from shadercache.source import Source
+from shadercache.transform.builtin_block import BUILTIN_BLOCK
 from shadercache.transform.fixed_function import FixedFunction, Shared, is_builtin
 from shadercache.transform.legacy_calls import modern_call
 from shadercache.transform.unique_names import make_names_unique
@@ -289,7 +290,7 @@ class _Raiser(Rewriter):
                     news = tuple(name for name in news if name in self.fixed.new_names().values())
                 return replace(node, names=news) if news else ()
             case n.BlockDecl(), _:
-                block = _renamed(node, self.variables)
+                block = self._of_today(_renamed(node, self.variables))
                 if block.instance in self.variables:
                     return replace(block, instance=self.variables[block.instance])
                 return block
@@ -310,6 +311,18 @@ class _Raiser(Rewriter):
             case n.Declarator() | n.Param() | n.TypeSpec() | n.StructDef():
                 return _renamed(node, self.variables)
         return node
+
+    def _of_today(self, block: n.BlockDecl) -> n.BlockDecl:
+        """Without members that are declared here, under their new names."""
+        if block.name != BUILTIN_BLOCK:
+            return block
+        parts = (
+            replace(field, declarators=(item,))
+            for field in block.fields
+            for item in field.declarators
+            if item.name not in self.fixed.used
+        )
+        return replace(block, fields=tuple(parts))
 
     # --- words ------------------------------------------------------------------------------------
 

@@ -1,0 +1,99 @@
+"""What binds a value to the place on the screen beside the built-in inputs.
+
+Each use of such a thing gets a *mark*: a name that begins with ``%`` and counts as one more input
+of whatever is made of it. There are varyings that carry the position
+(:mod:`shadercache.analysis.screen_varyings`), varyings that are interpolated on the screen, levels
+of detail, and interpolation at another place of the pixel.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from shadercache.analysis.screen_varyings import (
+    WHOLE,
+    Components,
+    ScreenVaryings,
+    touches,
+)
+from shadercache.analysis.stages import Pairs
+from shadercache.analysis.symbolic import swizzled
+from shadercache.ast import nodes as n
+from shadercache.ast.walk import children, walk
+from shadercache.sema.facts import Facts
+
+Marks = Mapping[n.Node, str]
+"""An expression -> the mark of what it is."""
+
+Bound = Mapping[tuple[str | None, str], Components]
+"""A varying, or a block's instance and a member -> its components that are bound."""
+
+_FUNCTIONS = frozenset(
+    (
+        *("textureQueryLod", "textureQueryLOD"),
+        *("interpolateAtOffset", "interpolateAtSample", "interpolateAtCentroid"),
+    )
+)
+
+
+def screen_marks(
+    module: n.Module, facts: Facts, pairs: Pairs = (), varyings: ScreenVaryings | None = None
+) -> Marks:
+    """The marks of a fragment shader; ``pairs``: which of its inputs are which outputs.
+
+    Without a vertex shader nothing is known of what varyings carry.
+    """
+    bound = dict[tuple[str | None, str], Components]()
+    if varyings is None or varyings.moves:
+        bound.update(_interpolated_on_screen(module))
+    if varyings is not None:
+        for ours, theirs in pairs:
+            components = varyings.components.get(theirs.key)
+            if components:
+                bound[ours.used] = components
+    own = {decl.name for decl in module.decls if isinstance(decl, n.FunctionDef)}
+    marks: dict[n.Node, str] = {}
+    for parent in walk(module):
+        if isinstance(parent, n.Call) and parent.name in _FUNCTIONS and parent.name not in own:
+            marks[parent] = f"%{parent.name}"
+        for node in children(parent) if bound else ():
+            key = _used(node)
+            if key in bound and _is_bound(bound[key], node, parent, facts):
+                marks[node] = f"%{key[1]}"
+    return marks
+
+
+def _interpolated_on_screen(
+    module: n.Module,
+) -> Iterator[tuple[tuple[str | None, str], Components]]:
+    """``noperspective`` varyings: the same point has another value from another place."""
+    word = "noperspective"
+    for decl in module.decls:
+        if isinstance(decl, n.VarDecl) and decl.qualifiers.has("in"):
+            if decl.qualifiers.has(word):
+                yield from (((None, item.name), WHOLE) for item in decl.declarators)
+        elif isinstance(decl, n.BlockDecl) and decl.qualifiers.has("in"):
+            for field in decl.fields:
+                if decl.qualifiers.has(word) or field.qualifiers.has(word):
+                    yield from (((decl.instance, i.name), WHOLE) for i in field.declarators)
+
+
+def _used(node: n.Node) -> tuple[str | None, str]:
+    """The varying that an expression names."""
+    if isinstance(node, n.Name):
+        return None, node.name
+    if isinstance(node, n.Member):
+        owner = node.object.object if isinstance(node.object, n.Index) else node.object
+        if isinstance(owner, n.Name):
+            return owner.name, node.name
+    return None, ""
+
+
+def _is_bound(bound: Components, node: n.Node, parent: n.Node, facts: Facts) -> bool:
+    """Is what is used of it there among the components that are bound?"""
+    if isinstance(parent, n.Member):
+        return any(touches(bound, part) for part in swizzled(parent, facts) or (parent.name,))
+    if isinstance(parent, n.Index) and parent.object is node:
+        at = facts.constants.get(parent.index)
+        return at is None or touches(bound, int(at))
+    return True

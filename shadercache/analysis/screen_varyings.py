@@ -1,0 +1,270 @@
+"""Which varyings carry the place on the screen: by what the vertex shader writes into them.
+
+A value of the screen is the position itself, read back or computed in the same way, what is
+multiplied by the same projection, and whatever is made of their first two components::
+
+    gl_Position = u_vp * world;
+    v_clip = gl_Position;                       // the screen, in x and y
+    v_uv = (u_vp * world).xy / gl_Position.w;   // the screen
+    v_depth = gl_Position.w;                    // not: how far it is from the eye
+    v_world = world.xyz;                        // not
+    v_shadow = u_light_vp * world;              // not: another projection
+
+So is nothing of a position that no uniform moves: it is the same place in every frame.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+
+from shadercache.analysis.symbolic import POSITION, Evaluator, TooLongError
+from shadercache.analysis.terms import Term
+from shadercache.ast import nodes as n
+from shadercache.sema.facts import Facts
+
+Components = frozenset[int | str]
+"""Components of a vector, elements of an array, fields of a struct; ``*`` for all of them."""
+
+WHOLE: Components = frozenset("*")
+_NONE: Components = frozenset()
+_SCREEN = frozenset((0, 1))
+
+_BY_COMPONENT = frozenset(
+    (
+        *("+", "-", "*", "/", "Unary"),
+        *("abs", "sign", "floor", "ceil", "fract", "trunc", "round", "mod", "min", "max", "clamp"),
+        *("mix", "step", "smoothstep", "pow", "exp", "log", "sqrt", "sin", "cos", "fma"),
+    )
+)
+"""Operators and functions of which a component depends on that component of the arguments."""
+
+
+@dataclass(frozen=True, slots=True)
+class ScreenVaryings:
+    """``moves``: is the position another one when uniforms change? ``components``: of the outputs
+    that carry the place on the screen; keys are a variable, or a block's name and a member."""
+
+    moves: bool = True
+    components: Mapping[tuple[str | None, str], Components] = field(default_factory=dict)
+
+
+def screen_varyings(module: n.Module, facts: Facts) -> ScreenVaryings:
+    """What a vertex shader with unique names passes on of its position."""
+    evaluator = Evaluator(module, facts)
+    try:
+        evaluator.run()
+    except TooLongError:
+        return ScreenVaryings()
+    position = evaluator.env.get(POSITION)
+    if position is None or not position.moves:
+        return ScreenVaryings(False)
+    screen = _Screen(position)
+    found = {key: screen.of(term) for key, term in _outputs(module, evaluator)}
+    return ScreenVaryings(True, {key: found[key] for key in found if found[key]})
+
+
+def _outputs(
+    module: n.Module, evaluator: Evaluator
+) -> Iterator[tuple[tuple[str | None, str], Term]]:
+    env, terms = evaluator.env, evaluator.terms
+    for decl in module.decls:
+        if isinstance(decl, n.VarDecl) and decl.qualifiers.has("out"):
+            names = [item.name for item in decl.declarators]
+            yield from (((None, name), env[name]) for name in names if name in env)
+        elif isinstance(decl, n.BlockDecl) and decl.qualifiers.has("out"):
+            for name in (item.name for field in decl.fields for item in field.declarators):
+                if decl.instance is None and name in env:
+                    yield (decl.name, name), env[name]
+                elif decl.instance in env:
+                    yield (decl.name, name), terms.part(env[decl.instance], name, None)
+
+
+class _Screen:
+    """What is made of a position."""
+
+    def __init__(self, position: Term) -> None:
+        self._positions: set[Term] = set()
+        self._projections: set[tuple[Term, bool]] = set()
+        self._found: dict[Term, Components] = {}
+        self._looked_at: set[Term] = set()
+        self._learn(position)
+
+    # --- what the position is ---------------------------------------------------------------------
+
+    def _learn(self, term: Term) -> None:
+        """``term`` is the position, or was before something was done to it."""
+        if not term.moves or term.op == "leaf" or term in self._positions:
+            return
+        self._positions.add(term)
+        match term.op:
+            case "product":
+                self._projections.update(_projection(term))
+            case "join":
+                for way in term.args:
+                    self._learn(way)
+            case "insert":
+                self._learn(term.args[0])
+                if isinstance(term.data, tuple) and _SCREEN.intersection(term.data):
+                    self._learn_part(term.args[1])
+            case "+" | "-":
+                for part in term.args:
+                    self._learn_part(part)
+            case "*":
+                self._learn_scaled(*term.args)
+            case "/":
+                self._learn_part(term.args[0])
+            case "swizzle" | "construct":
+                self._learn_part(term)
+
+    def _learn_part(self, term: Term) -> None:
+        """The same for what gives the position some of its components."""
+        if term in self._looked_at:
+            return
+        self._looked_at.add(term)
+        match term.op:
+            case "product":
+                self._learn(term)
+            case "swizzle":
+                assert isinstance(term.data, tuple)
+                if _SCREEN.issuperset(term.data[:2]) and term.args[0].op != "leaf":
+                    self._learn_part(term.args[0])
+            case "construct":
+                self._learn_constructed(term)
+            case "+" | "-" | "join":
+                for part in term.args:
+                    self._learn_part(part)
+            case "*":
+                self._learn_scaled(*term.args)
+            case "/":
+                self._learn_part(term.args[0])
+
+    def _learn_scaled(self, one: Term, other: Term) -> None:
+        if one.constant:
+            self._learn_part(other)
+        elif other.constant:
+            self._learn_part(one)
+
+    def _learn_constructed(self, term: Term) -> None:
+        """``vec4(clip.xy, z, clip.w)`` is a position, and so is ``vec4(screen, z, 1.0)``."""
+        last = term.args[-1]
+        if last.op == "swizzle" and isinstance(last.data, tuple) and last.data[-1] == 3:
+            self._learn_part(last.args[0])
+        elif last.op == "literal" and last.data == 1.0:
+            for arg in term.args[: 1 if term.args[0].width > 1 else 2]:
+                self._learn_part(arg)
+                if arg.moves and arg.op in ("+", "-", "*", "/"):
+                    self._positions.add(arg)
+
+    # --- what is made of it -----------------------------------------------------------------------
+
+    def of(self, term: Term) -> Components:
+        """Which components of a term depend on where on the screen the position is."""
+        todo = [term]
+        while todo:
+            item = todo[-1]
+            if item in self._found or self._is_position(item):
+                self._found.setdefault(item, _limited(item))
+                todo.pop()
+                continue
+            missing = [part for part in (*item.args, *item.decides) if part not in self._found]
+            if missing:
+                todo += missing
+                continue
+            self._found[item] = self._made(item)
+            todo.pop()
+        return self._found[term]
+
+    def _is_position(self, term: Term) -> bool:
+        if term in self._positions:
+            return True
+        return term.op == "product" and not self._projections.isdisjoint(_projection(term))
+
+    def _made(self, term: Term) -> Components:
+        parts = [self._found[part] for part in term.args]
+        if any(self._found[part] for part in term.decides):
+            return WHOLE
+        if not any(parts):
+            return _NONE
+        match term.op:
+            case "join":
+                return _NONE.union(*parts)
+            case "swizzle":
+                assert isinstance(term.data, tuple)
+                return frozenset(at for at, of in enumerate(term.data) if touches(parts[0], of))
+            case "part":
+                return WHOLE if touches(parts[0], term.data) else _NONE
+            case "insert":
+                return _inserted(term.data, *parts)
+            case "struct":
+                assert isinstance(term.data, tuple)
+                return frozenset(name for name, part in zip(term.data, parts, strict=True) if part)
+            case "construct" if term.type is not None and term.type.is_array:
+                return frozenset(at for at, part in enumerate(parts) if part)
+            case "construct" if _is_joined(term):
+                return frozenset(_placed(term, parts))
+        if term.op in _BY_COMPONENT or (term.op == "call" and term.data in _BY_COMPONENT):
+            return _by_component(term, parts)
+        return WHOLE
+
+
+def touches(components: Components, part: object) -> bool:
+    """Is a part of a vector, an array or a struct among them?"""
+    return part in components or components.issuperset(WHOLE)
+
+
+def _inserted(where: object, into: Components, value: Components) -> Components:
+    if isinstance(where, tuple):
+        put = frozenset(of for at, of in enumerate(where) if touches(value, at))
+        return (into - frozenset(where)) | put
+    assert isinstance(where, int | str)
+    return (into | {where}) if value else (into - {where})
+
+
+def _by_component(term: Term, parts: list[Components]) -> Components:
+    found = _NONE
+    for arg, part in zip(term.args, parts, strict=True):
+        if part and arg.width != term.width:
+            return WHOLE
+        found |= part
+    return found
+
+
+def _is_joined(term: Term) -> bool:
+    """Are the components of a vector those of its arguments, one behind the other?"""
+    widths = [arg.width for arg in term.args]
+    return term.width > 0 and all(widths) and (len(widths) > 1 or widths[0] >= term.width)
+
+
+def _placed(term: Term, parts: list[Components]) -> Iterator[int]:
+    at = 0
+    for arg, part in zip(term.args, parts, strict=True):
+        yield from (at + of for of in range(arg.width) if touches(part, of))
+        at += arg.width
+
+
+def _limited(term: Term) -> Components:
+    return frozenset(_SCREEN & set(range(term.width))) if term.width else WHOLE
+
+
+def _projection(product: Term) -> Iterator[tuple[Term, bool]]:
+    """What a product multiplies its position by last, and from which side."""
+    first, last = product.args[0], product.args[-1]
+    if last.type is not None and last.type.is_vector and not _is_direction(last):
+        yield from ((item, True) for item in _outermost(product.args))
+    elif first.type is not None and first.type.is_vector and not _is_direction(first):
+        yield from ((item, False) for item in _outermost(product.args[::-1]))
+
+
+def _outermost(factors: tuple[Term, ...]) -> Iterator[Term]:
+    """The first factor that a uniform moves; constant ones before it turn axes or mirror."""
+    for item in factors[:-1]:
+        if item.moves:
+            yield item
+            return
+
+
+def _is_direction(vector: Term) -> bool:
+    """Is its last component 0, so that it has no place?"""
+    last = vector.args[-1] if vector.op == "construct" else vector
+    return vector.width == 4 and last.op == "literal" and last.data == 0.0

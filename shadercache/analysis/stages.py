@@ -1,0 +1,253 @@
+"""How the outputs of a vertex shader meet the inputs of a fragment shader.
+
+Two variables match by their locations where both have one, whatever their names (GLSL 4.60 section
+4.4.1, from 4.10 and ES 3.10 on), else by their names; blocks by their block names, or member by
+member where these have locations.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from shadercache.ast import nodes as n
+from shadercache.ast.walk import walk
+from shadercache.diagnostics import Diagnostic, InputError
+from shadercache.lang.types import Type
+from shadercache.sema.context import enabled_extensions
+from shadercache.sema.facts import Facts
+from shadercache.sema.locations import PER_VERTEX, of_one_vertex
+from shadercache.source import Source
+
+Links = Mapping[str, frozenset[str]]
+"""A name of the fragment shader (of a varying, a block, its instance, its member) -> the variables
+of the vertex shader that it gets its value from."""
+
+_PLACES = ("location", "component")
+_SEPARATE = ("GL_ARB_separate_shader_objects", "GL_ARB_enhanced_layouts")
+
+Place = tuple[int, int]
+"""Location and component."""
+
+
+@dataclass(frozen=True, slots=True)
+class StageSide:
+    """One stage of a program, with unique names."""
+
+    module: n.Module
+    facts: Facts
+    source: Source
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Varying:
+    """A varying, or a member of a block of them; ``name``: the variable that holds it."""
+
+    label: str
+    name: str
+    type: Type
+    place: Place | None
+    decl: n.VarDecl | n.BlockDecl
+    node: n.Node
+
+    @property
+    def block(self) -> str | None:
+        """The name of its block."""
+        return self.decl.name if isinstance(self.decl, n.BlockDecl) else None
+
+    @property
+    def key(self) -> tuple[str | None, str]:
+        """By what it matches another without a place."""
+        return self.block, self.label
+
+    @property
+    def used(self) -> tuple[str | None, str]:
+        """By what its shader uses it: the instance of its block, if there is one, and its name."""
+        return (self.decl.instance if isinstance(self.decl, n.BlockDecl) else None), self.label
+
+
+Pairs = Sequence[tuple[Varying, Varying]]
+"""Inputs of the fragment shader, each with the output of the vertex shader that it is."""
+
+
+@dataclass(slots=True)
+class _Outputs:
+    """What a vertex shader passes on, by place and by name."""
+
+    placed: dict[Place, Varying] = field(default_factory=dict)
+    named: dict[tuple[str | None, str], Varying] = field(default_factory=dict)
+    blocks: dict[str, list[Varying]] = field(default_factory=dict)
+
+
+def match_stages(fragment: StageSide, vertex: StageSide) -> Pairs:
+    """Which outputs of the vertex shader the inputs of the fragment shader are.
+
+    Raises :class:`InputError` SC406 for a varying that is read and is missing, or of another type.
+    """
+    outputs = _Outputs()
+    for item in _varyings(vertex, "out"):
+        outputs.named[item.key] = item
+        if item.place is not None:
+            outputs.placed[item.place] = item
+        if item.block is not None:
+            outputs.blocks.setdefault(item.block, []).append(item)
+    used = _used(fragment.module)
+    pairs: list[tuple[Varying, Varying]] = []
+    problems: list[Diagnostic] = []
+    for item in _varyings(fragment, "in"):
+        found, problem = _match(item, outputs, vertex.source.name)
+        if found is not None:
+            pairs.append((item, found))
+        elif item.name in used:
+            problems.append(Diagnostic("SC406", problem, fragment.source, item.node.span))
+    if problems:
+        raise InputError(problems)
+    return pairs
+
+
+def links_of(pairs: Pairs) -> Links:
+    """The variables that each name of the fragment shader gets its value from."""
+    links: dict[str, set[str]] = {}
+    for ours, theirs in pairs:
+        for name in filter(None, (ours.name, ours.block)):
+            links.setdefault(name, set()).add(theirs.name)
+    return {name: frozenset(names) for name, names in links.items()}
+
+
+def _match(item: Varying, outputs: _Outputs, other: str) -> tuple[Varying | None, str]:
+    """The output that goes with an input, or what is wrong."""
+    found = None if item.place is None else outputs.placed.get(item.place)
+    named = outputs.named.get(item.key)
+    by_place = found is not None
+    if found is None and named is not None and None in (item.place, named.place):
+        found = named
+    if found is None and item.block in outputs.blocks and named is None:
+        return None, f"the block '{item.block}' has no '{item.label}' in {other}"
+    if found is None:
+        where = "" if item.place is None or named is None else f" at location {item.place[0]}"
+        return None, f"{other} does not write '{item.label}'{where}"
+    if _same(item.type, found.type, by_place):
+        return found, ""
+    called = f" ('{found.label}')" if found.label != item.label else ""
+    return None, f"'{item.label}' is {item.type} here and {found.type} in {other}{called}"
+
+
+def _same(one: Type, other: Type, any_name: bool, known: set[object] | None = None) -> bool:
+    """The same type? (A struct without a name is any that has the same members.)"""
+    known = set() if known is None else known
+    sizes = zip(one.dims, other.dims, strict=False)
+    if len(one.dims) != len(other.dims) or any(None not in s and s[0] != s[1] for s in sizes):
+        return False
+    if one.struct is None or other.struct is None:
+        return one.name == other.name
+    if not any_name and one.name and other.name and one.name != other.name:
+        return False
+    if (one.struct, other.struct) in known:
+        return True
+    known.add((one.struct, other.struct))
+    ours, theirs = one.struct.fields, other.struct.fields
+    return [*ours] == [*theirs] and all(
+        _same(ours[name], theirs[name], any_name, known) for name in ours
+    )
+
+
+def _used(module: n.Module) -> set[str]:
+    return {
+        node.name
+        for decl in module.decls
+        if isinstance(decl, n.FunctionDef | n.VarDecl)
+        for node in walk(decl)
+        if isinstance(node, n.Name)
+    }
+
+
+# --- what a stage declares ------------------------------------------------------------------------
+
+
+def _varyings(side: StageSide, word: str) -> Iterator[Varying]:
+    for decl in side.module.decls:
+        if isinstance(decl, n.VarDecl) and decl.qualifiers.has(word):
+            for item in decl.declarators:
+                if not item.name.startswith("gl_"):
+                    kind = of_one_vertex(side.facts.declared[item].type, decl.qualifiers)
+                    place = _place(decl.qualifiers, side.facts)
+                    yield Varying(item.name, item.name, kind, place, decl, item)
+        elif isinstance(decl, n.BlockDecl) and decl.qualifiers.has(word) and not _is_builtin(decl):
+            yield from _members(decl, side.facts)
+
+
+def _is_builtin(block: n.BlockDecl) -> bool:
+    return block.name.startswith("gl_")
+
+
+def _members(block: n.BlockDecl, facts: Facts) -> Iterator[Varying]:
+    """One behind the other, unless they say otherwise; an array of blocks goes by its name."""
+    array = bool(block.dims) and not block.qualifiers.has(*PER_VERTEX)
+    at = None if array else _place(block.qualifiers, facts)
+    for decl in block.fields:
+        at = (None if array else _place(decl.qualifiers, facts)) or at
+        for item in decl.declarators:
+            kind = of_one_vertex(_member_type(block, item, facts), decl.qualifiers)
+            yield Varying(item.name, block.instance or item.name, kind, at, block, item)
+            at = at and (at[0] + kind.slots, 0)
+
+
+def _member_type(block: n.BlockDecl, item: n.Declarator, facts: Facts) -> Type:
+    if block.instance is None:
+        return facts.declared[item].type
+    held = facts.declared[block].type.struct
+    assert held is not None
+    return held.fields[item.name]
+
+
+def _place(qualifiers: n.Qualifiers, facts: Facts) -> Place | None:
+    found = {
+        item.name.lower(): int(facts.constants[item.value])
+        for item in qualifiers.layout or ()
+        if item.value is not None and item.name.lower() in _PLACES
+    }
+    return (found["location"], found.get("component", 0)) if "location" in found else None
+
+
+# --- where one stage alone has places -------------------------------------------------------------
+
+
+def aligned(vertex: StageSide, fragment: StageSide) -> n.Module:
+    """The vertex shader with places where the fragment shader has them: drivers may not find what
+    only one of them places, though the names are the same."""
+    theirs = {item.key: item for item in _varyings(fragment, "in")}
+    changed: dict[n.Decl, n.Decl] = {}
+    for item in _varyings(vertex, "out"):
+        other = theirs.get(item.key)
+        if other is None or (item.place is None) == (other.place is None):
+            continue
+        if other.place is None or _takes_places(vertex.module):
+            changed[item.decl] = _placed_like(item.decl, other.decl)
+    if not changed:
+        return vertex.module
+    decls = tuple(changed.get(decl, decl) for decl in vertex.module.decls)
+    return replace(vertex.module, decls=decls)
+
+
+def _takes_places(module: n.Module) -> bool:
+    since = 310 if module.profile == "es" else 410
+    return module.version >= since or not enabled_extensions(module).isdisjoint(_SEPARATE)
+
+
+def _placed_like(decl: n.VarDecl | n.BlockDecl, other: n.VarDecl | n.BlockDecl) -> n.Decl:
+    qualifiers = _with_places(decl.qualifiers, other.qualifiers)
+    if isinstance(decl, n.VarDecl) or isinstance(other, n.VarDecl):
+        return replace(decl, qualifiers=qualifiers)
+    fields = decl.fields
+    if len(fields) == len(other.fields):
+        fields = tuple(
+            replace(ours, qualifiers=_with_places(ours.qualifiers, theirs.qualifiers))
+            for ours, theirs in zip(fields, other.fields, strict=True)
+        )
+    return replace(decl, qualifiers=qualifiers, fields=fields)
+
+
+def _with_places(ours: n.Qualifiers, theirs: n.Qualifiers) -> n.Qualifiers:
+    placed = tuple(item for item in theirs.layout or () if item.name.lower() in _PLACES)
+    kept = tuple(item for item in ours.layout or () if item.name.lower() not in _PLACES)
+    return replace(ours, layout=(*placed, *kept) or None)

@@ -1,0 +1,278 @@
+"""Goes through ``main`` with a term for what each variable holds (:mod:`analysis.terms`)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import cast
+
+from shadercache.analysis.effects import EffectTable, out_arguments
+from shadercache.analysis.terms import Term, Terms
+from shadercache.ast import nodes as n
+from shadercache.ast.walk import EXPRESSIONS, children
+from shadercache.lang.types import Type, builtin_type
+from shadercache.sema.facts import Facts
+
+POSITION = "gl_Position"
+
+MAX_STEPS = 50_000
+"""Expressions that are gone through, each as often as it is reached."""
+
+_SWIZZLES = ("xyzw", "rgba", "stpq")
+
+
+class TooLongError(Exception):
+    """The shader takes more steps than are gone."""
+
+
+class Evaluator:
+    """``run`` leaves in ``env`` what the variables hold behind ``main``."""
+
+    def __init__(self, module: n.Module, facts: Facts) -> None:
+        self.facts, self.terms = facts, Terms()
+        self.env: dict[str, Term] = {}
+        self._table = EffectTable(module)
+        self._module, self._steps = module, 0
+        self._moving = {
+            name
+            for decl in module.decls
+            if isinstance(decl, n.VarDecl | n.BlockDecl)
+            and decl.qualifiers.has("uniform", "buffer")
+            for name in _declared(decl)
+        }
+        self._returned: list[list[tuple[dict[str, Term], Term | None]]] = []
+
+    def run(self) -> None:
+        """Raises :class:`TooLongError`."""
+        for decl in self._module.decls:
+            if isinstance(decl, n.VarDecl) and not decl.qualifiers.has("uniform", "in", "buffer"):
+                self._declare(decl)
+        self._call_body(self._table.functions["main"], None)
+
+    # --- statements -------------------------------------------------------------------------------
+
+    def _block(self, stmts: Sequence[n.Stmt]) -> bool:
+        """Is what comes behind the statements reached?"""
+        return all(self._statement(stmt) for stmt in stmts)
+
+    def _statement(self, stmt: n.Stmt) -> bool:
+        match stmt:
+            case n.ExprStmt(expr=expr):
+                if expr is not None:
+                    self.value(expr)
+            case n.DeclStmt(decl=n.VarDecl() as decl):
+                self._declare(decl)
+            case n.Block(body=body):
+                return self._block(body)
+            case n.If():
+                return self._branch(stmt)
+            case n.For() | n.While() | n.DoWhile() | n.Switch():
+                self._repeated(stmt)
+            case n.Return(value=value):
+                result = None if value is None else self.value(value)
+                self._returned[-1].append((dict(self.env), result))
+                return False
+        return True
+
+    def _declare(self, decl: n.VarDecl) -> None:
+        for item in decl.declarators:
+            if item.init is not None:
+                self.env[item.name] = self.value(item.init)
+            else:
+                self.env.pop(item.name, None)
+
+    def _branch(self, stmt: n.If) -> bool:
+        condition = self.value(stmt.condition)
+        before = dict(self.env)
+        then_goes_on = self._statement(stmt.then)
+        then, self.env = self.env, dict(before)
+        other_goes_on = stmt.other is None or self._statement(stmt.other)
+        if then_goes_on and other_goes_on:
+            self.env = self._joined([then, self.env], (condition,))
+        elif then_goes_on:
+            self.env = then
+        return then_goes_on or other_goes_on
+
+    def _repeated(self, stmt: n.For | n.While | n.DoWhile | n.Switch) -> None:
+        """What is written there is made of what is read and of what was there."""
+        effects = self._table.of(stmt)
+        known = [self._held(name) for name in sorted(effects.reads | effects.writes)]
+        found = [item for item in known if item is not None]
+        # The position first: what is written beside it may be made of it.
+        for name in sorted(effects.writes, key=lambda name: (name != POSITION, name)):
+            old = self.env.get(name)
+            made = self.terms.unknown(found, old.type if old is not None else None)
+            self.env[name] = made
+            if name == POSITION and name in effects.reads:
+                found.append(made)
+
+    def _held(self, name: str) -> Term | None:
+        if name in self.env:
+            return self.env[name]
+        return self._leaf(name, None) if name in self._moving else None
+
+    def _joined(
+        self, ways: Sequence[dict[str, Term]], decides: tuple[Term, ...] = ()
+    ) -> dict[str, Term]:
+        names = dict.fromkeys(name for way in ways for name in way)
+        return {
+            name: self.terms.join([way[name] for way in ways if name in way], decides)
+            for name in names
+        }
+
+    # --- expressions ------------------------------------------------------------------------------
+
+    def value(self, expr: n.Expr) -> Term:
+        """What an expression is; assigns on the way."""
+        self._steps += 1
+        if self._steps > MAX_STEPS:
+            raise TooLongError
+        constant = self.facts.constants.get(expr)
+        kind = self.facts.types.get(expr)
+        if constant is not None:
+            return self.terms.literal(float(constant), kind)
+        match expr:
+            case n.Name(name=name):
+                return self.env.get(name) or self._leaf(name, kind)
+            case n.Assign():
+                return self._assigned(expr)
+            case n.Unary(op="++" | "--", operand=place) | n.Postfix(operand=place):
+                made = self.terms.unknown([self.value(place)], kind)
+                self._assign(place, made)
+                return made
+            case n.Member():
+                return self._member(expr, kind)
+            case n.Index(object=owner, index=index):
+                return self._index(self.value(owner), self.value(index), kind)
+            case n.Binary(op=op, left=left, right=right):
+                return self._binary(op, self.value(left), self.value(right), kind)
+            case n.Call():
+                return self._call(expr, kind)
+            case n.Construct():
+                return self._construct(expr, kind)
+            case n.Conditional(condition=condition, then=then, other=other):
+                decides = (self.value(condition),)
+                return self.terms.join([self.value(then), self.value(other)], decides)
+            case n.Comma(left=left, right=right):
+                self.value(left)
+                return self.value(right)
+        inner = [part for part in children(expr) if isinstance(part, EXPRESSIONS)]
+        parts = [self.value(cast("n.Expr", part)) for part in inner]
+        return self.terms.make(type(expr).__name__, getattr(expr, "op", None), parts, kind)
+
+    def _leaf(self, name: str, kind: Type | None) -> Term:
+        return self.terms.leaf(name, kind, name in self._moving)
+
+    def _binary(self, op: str, one: Term, other: Term, kind: Type | None) -> Term:
+        kinds = [item.type for item in (one, other) if item.type is not None]
+        matrices = any(k.is_matrix for k in kinds) and not any(k.is_scalar for k in kinds)
+        if op == "*" and kind is not None and len(kinds) == 2 and matrices:
+            return self.terms.multiply(one, other, kind)
+        return self.terms.make(op, None, (one, other), kind)
+
+    def _member(self, expr: n.Member, kind: Type | None) -> Term:
+        owner = self.value(expr.object)
+        places = swizzled(expr, self.facts)
+        if places is None:
+            return self.terms.part(owner, expr.name, kind)
+        return self.terms.swizzle(owner, places, kind)
+
+    def _index(self, owner: Term, index: Term, kind: Type | None) -> Term:
+        at = int(index.data) if index.op == "literal" and isinstance(index.data, float) else None
+        if at is not None and owner.type is not None and owner.type.is_vector:
+            return self.terms.swizzle(owner, (at,), kind)
+        if at is not None:
+            return self.terms.part(owner, at, kind)
+        return self.terms.make("index", None, (owner, index), kind)
+
+    def _construct(self, expr: n.Construct, kind: Type | None) -> Term:
+        args = [self.value(arg) for arg in expr.args]
+        if len(args) == 1 and args[0].type is kind:
+            return args[0]
+        if kind is not None and kind.struct is not None and not kind.dims:
+            return self.terms.make("struct", tuple(kind.struct.fields), args, kind)
+        return self.terms.make("construct", None, args, kind)
+
+    # --- assignments ------------------------------------------------------------------------------
+
+    def _assigned(self, expr: n.Assign) -> Term:
+        value = self.value(expr.value)
+        if expr.op != "=":
+            kind = self.facts.types.get(expr)
+            value = self._binary(expr.op[:-1], self.value(expr.target), value, kind)
+        self._assign(expr.target, value)
+        return value
+
+    def _assign(self, target: n.Expr, value: Term) -> None:
+        match target:
+            case n.Name(name=name):
+                self.env[name] = value
+            case n.Member(object=owner, name=name):
+                places = swizzled(target, self.facts)
+                where: object = name if places is None else places
+                self._assign(owner, self.terms.insert(self.value(owner), where, value))
+            case n.Index(object=owner, index=index):
+                held, at = self.value(owner), self.value(index)
+                if at.op == "literal" and isinstance(at.data, float):
+                    vector = held.type is not None and held.type.is_vector
+                    where = (int(at.data),) if vector else int(at.data)
+                    self._assign(owner, self.terms.insert(held, where, value))
+                else:
+                    self._assign(owner, self.terms.unknown((held, at, value), held.type))
+
+    # --- calls ------------------------------------------------------------------------------------
+
+    def _call(self, call: n.Call, kind: Type | None) -> Term:
+        function = self._table.functions.get(call.name)
+        outs = out_arguments(call, self._table)
+        args = [self.value(arg) for arg in call.args]
+        if function is None:
+            made = self.terms.make("call", call.name, args, kind)
+            for arg, out in zip(call.args, outs, strict=True):
+                if out:
+                    self._assign(arg, self.terms.unknown(args, self.facts.types.get(arg)))
+            return made
+        params = function.proto.params
+        for param, value in zip(params, args, strict=True):
+            if param.name is not None:
+                self.env[param.name] = value
+        made = self._call_body(function, kind)
+        backs = [self.env.get(param.name or "") for param in params]
+        for arg, out, back in zip(call.args, outs, backs, strict=True):
+            if out and back is not None:
+                self._assign(arg, back)
+        return made
+
+    def _call_body(self, function: n.FunctionDef, kind: Type | None) -> Term:
+        self._returned.append([])
+        goes_on = self._block(function.body.body)
+        ends = self._returned.pop()
+        if goes_on:
+            ends.append((dict(self.env), None))
+        self.env = self._joined([env for env, _ in ends])
+        results = [value for _, value in ends if value is not None]
+        return self.terms.join(results) if results else self.terms.leaf("void", kind, False)
+
+
+def swizzled(expr: n.Member, facts: Facts) -> tuple[int, ...] | None:
+    """The components that a member of a vector names; ``None`` for a field."""
+    kind = facts.types.get(expr.object)
+    if kind is None or not (kind.is_vector or kind.is_scalar):
+        return None
+    letters = next((row for row in _SWIZZLES if set(expr.name) <= set(row)), None)
+    return None if letters is None else tuple(map(letters.index, expr.name))
+
+
+def _moves(decl: n.VarDecl | n.BlockDecl) -> bool:
+    """May it be another in the next frame? (What is in textures is taken not to be.)"""
+    if not decl.qualifiers.has("uniform", "buffer"):
+        return False
+    kind = builtin_type(decl.type.name) if isinstance(decl, n.VarDecl) else None
+    return kind is None or not kind.is_opaque
+
+
+def _declared(decl: n.VarDecl | n.BlockDecl) -> list[str]:
+    if isinstance(decl, n.VarDecl):
+        return [item.name for item in decl.declarators]
+    if decl.instance is not None:
+        return [decl.instance]
+    return [item.name for field in decl.fields for item in field.declarators]

@@ -1,0 +1,149 @@
+"""Every input of a vertex shader, and how it stands to the position of the last frame.
+
+A vertex program computes two clip positions: of this frame and of the last. What the second one is
+computed from is one of three (:class:`Fate`): it has a *twin* for the last frame, or the manifest
+*names* it as what must not change between frames, or the shader is *refused*. Here is the whole
+list; a test holds it against the tables of the language.
+
+========================================  =========================================================
+uniforms and members of uniform blocks    twinned
+globals, and outputs that are read back   twinned: computed anew from what is twinned
+attributes                                named
+samplers, textures, images that are read  named
+storage buffers that are read             named, by the name of the block
+numbers of vertices, instances, draws     named (:data:`NAMED`)
+atomic counters that are read             refused where they decide the position
+clocks, other invocations, devices        refused where they decide the position (:data:`UNSTEADY`)
+layers, viewports, views                  refused, whatever they decide (:data:`PLACES`)
+memory that is written                    refused, whatever it decides
+========================================  =========================================================
+
+The fixed-function state and attributes of old are declared as uniforms and attributes
+(:mod:`shadercache.transform.fixed_function`): they are what these are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from enum import Enum
+
+from shadercache.lang.builtins import Signature, overloads
+
+
+class Fate(Enum):
+    """What becomes of an input that decides the position."""
+
+    TWINNED = "twinned"
+    NAMED = "named"
+    REFUSED = "refused"
+
+
+_NUMBERS = {
+    "a vertex keeps its number": ("gl_VertexID", "gl_VertexIndex"),
+    "an instance keeps its number": ("gl_InstanceID", "gl_InstanceIDARB", "gl_InstanceIndex"),
+    "a draw keeps its number": ("gl_DrawID", "gl_DrawIDARB"),
+    "a draw keeps its first vertex": ("gl_BaseVertex", "gl_BaseVertexARB"),
+    "a draw keeps its first instance": ("gl_BaseInstance", "gl_BaseInstanceARB"),
+    "the range of depths stays the same": ("gl_DepthRange",),
+}
+
+NAMED = {name: what for what, names in _NUMBERS.items() for name in names}
+"""Built-in inputs that are named -> what has to hold from frame to frame."""
+
+ATTRIBUTES = frozenset(
+    (
+        *("gl_Vertex", "gl_Normal", "gl_Color", "gl_SecondaryColor", "gl_FogCoord"),
+        *(f"gl_MultiTexCoord{number}" for number in range(8)),
+    )
+)
+"""Attributes of the fixed-function pipeline."""
+
+_MATRICES = ("ModelView", "Projection", "ModelViewProjection", "Texture")
+STATE = frozenset(
+    (
+        *(f"gl_{name}Matrix" for name in _MATRICES),
+        *(f"gl_{name}MatrixInverse" for name in _MATRICES),
+        *(f"gl_{name}MatrixTranspose" for name in _MATRICES),
+        *(f"gl_{name}MatrixInverseTranspose" for name in _MATRICES),
+        *("gl_NormalMatrix", "gl_NormalScale", "gl_ClipPlane", "gl_Point", "gl_Fog"),
+        *("gl_FrontMaterial", "gl_BackMaterial", "gl_LightSource", "gl_LightModel"),
+        *("gl_FrontLightModelProduct", "gl_BackLightModelProduct"),
+        *("gl_FrontLightProduct", "gl_BackLightProduct", "gl_TextureEnvColor"),
+        *(f"gl_{space}Plane{axis}" for space in ("Eye", "Object") for axis in "STRQ"),
+    )
+)
+"""Uniforms of the fixed-function pipeline."""
+
+OUTPUTS = frozenset(
+    (
+        *("gl_Position", "gl_PointSize", "gl_ClipDistance", "gl_CullDistance", "gl_ClipVertex"),
+        *("gl_FrontColor", "gl_BackColor", "gl_FrontSecondaryColor", "gl_BackSecondaryColor"),
+        *("gl_TexCoord", "gl_FogFragCoord", "gl_PrimitiveShadingRateEXT"),
+    )
+)
+"""Built-in outputs: one that is read back has a twin."""
+
+PLACES = {
+    "gl_Layer": "a layer",
+    "gl_ViewportIndex": "a viewport",
+    "gl_ViewportMask": "viewports",
+    "gl_ViewID_OVR": "a view",
+    "gl_ViewIndex": "a view",
+}
+"""What chooses the part of the target that is drawn to: the caches have one part."""
+
+PLACING_LAYOUTS = {
+    "num_views": "views",
+    "viewport_relative": "a layer",
+    "secondary_view_offset": "a second view",
+}
+"""Words of layouts that do the same."""
+
+UNSTEADY = frozenset(
+    (
+        *("gl_SubgroupSize", "gl_SubgroupInvocationID", "gl_DeviceIndex"),
+        *(f"gl_Subgroup{word}Mask" for word in ("Eq", "Ge", "Gt", "Le", "Lt")),
+    )
+)
+"""Built-in inputs that may be others in the next frame, or in the next pass."""
+
+READS = frozenset(("imageLoad",))
+"""Functions that read memory and leave it as it is: what they read is named."""
+
+_WRITERS = ("atomic", "imageStore", "imageAtomic")
+
+
+def variable_fate(name: str) -> Fate | None:
+    """What becomes of a built-in variable; ``None`` for one that is not in the list."""
+    if name in OUTPUTS or name in STATE:
+        return Fate.TWINNED
+    if name in NAMED or name in ATTRIBUTES:
+        return Fate.NAMED
+    return Fate.REFUSED if name in PLACES or name in UNSTEADY else None
+
+
+def function_fate(signature: Signature) -> Fate | None:
+    """What becomes of the value of a built-in function; ``None`` where that is what becomes of its
+    arguments."""
+    if not signature.memory:
+        return None
+    return Fate.NAMED if signature.name in READS else Fate.REFUSED
+
+
+def writes_memory(name: str) -> bool:
+    """Does the built-in function of that name change a counter, a buffer or an image?"""
+    return name.startswith(_WRITERS) and name != "atomicCounter"
+
+
+def is_unsteady(name: str) -> bool:
+    """May the built-in function of that name have another value in the next frame, or pass?"""
+    return any(function_fate(item) is Fate.REFUSED for item in overloads(name))
+
+
+def kept_numbers(names: Iterable[str]) -> Iterator[str]:
+    """Sentences for a manifest: what has to hold of the named built-in inputs among ``names``."""
+    found: dict[str, list[str]] = {}
+    for name in sorted(set(names) & NAMED.keys()):
+        found.setdefault(NAMED[name], []).append(name)
+    for what, culprits in found.items():
+        yield f"{what} from frame to frame ({', '.join(culprits)} decides the position)"

@@ -1,0 +1,150 @@
+"""What of a vertex shader has a twin of its own for the position of the last frame.
+
+The list of all inputs, and what becomes of each, is :mod:`shadercache.analysis.vertex_inputs`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from shadercache.analysis.vertex_inputs import OUTPUTS
+from shadercache.ast import nodes as n
+from shadercache.emit.packing import with_layouts
+from shadercache.lang.builtins import variable
+from shadercache.lang.types import builtin_type
+from shadercache.sema.context import enabled_extensions
+from shadercache.sema.redeclared import MOST_ELEMENTS
+from shadercache.source import NOWHERE
+from shadercache.transform.builtin_block import BUILTIN_BLOCK
+from shadercache.transform.reachable import declared_names, names_in
+from shadercache.transform.rename import rename
+
+POSITION = "gl_Position"
+
+_PLACES = ("location", "component", "binding", "xfb_buffer", "xfb_offset", "xfb_stride")
+
+
+class Twins:
+    """The twins of the declarations of a slice that computes the position."""
+
+    def __init__(self, sliced: n.Module, prefix: str) -> None:
+        self._slice, self._prefix = sliced, prefix
+        used = names_in(sliced)
+        self._read_back = sorted((used & OUTPUTS) - {POSITION})
+
+    def uniforms(self) -> dict[str, str]:
+        """The uniforms of the slice, and their twins for the previous frame."""
+        return {
+            old: new
+            for decl in self._slice.decls
+            if _is_twinned_uniform(decl)
+            for old, new in self._names(decl).items()
+        }
+
+    def decls(self) -> Iterator[n.Decl]:
+        """The slice with everything in it renamed that is its own in each frame."""
+        laid_out = with_layouts(self._slice.decls)
+        twinned = [_unplaced(decl) for decl in laid_out if _is_twinned(decl)]
+        names = {name: self._twin(name) for name in self._read_back}
+        for decl in twinned:
+            names |= self._names(decl)
+        names[POSITION] = self._prefix + "previous"
+        yield from map(self._output, self._read_back)
+        yield from (rename(decl, names) for decl in twinned)
+
+    def _twin(self, name: str) -> str:
+        return f"{self._prefix}previous_{name}"
+
+    def _names(self, decl: n.Decl) -> dict[str, str]:
+        names = {name: self._twin(name) for name in declared_names(decl)}
+        if isinstance(decl, n.BlockDecl):
+            names[decl.name] = self._twin(decl.name)
+        if "main" in names:
+            names["main"] = self._prefix + "vertex_previous"
+        return names
+
+    def _output(self, name: str) -> n.VarDecl:
+        """A plain global in place of a built-in output, which has one value: this frame's."""
+        module = self._slice
+        known = variable(name, "vertex", module.version, module.profile, enabled_extensions(module))
+        assert known is not None, name
+        dims: n.Dims = ()
+        if known.type.is_array:
+            dims = (self._size(name) or n.Literal(NOWHERE, str(MOST_ELEMENTS[name])),)
+        item = n.Declarator(NOWHERE, self._twin(name), dims)
+        kind = n.TypeSpec(NOWHERE, known.type.name)
+        return n.VarDecl(NOWHERE, n.NO_QUALIFIERS, kind, (item,))
+
+    def _size(self, name: str) -> n.Expr | None:
+        """How long the shader says that a built-in array is."""
+        sizes = (
+            item.dims[0]
+            for decl in self._slice.decls
+            if isinstance(decl, n.VarDecl | n.BlockDecl) and is_builtin_output(decl)
+            for field in (decl.fields if isinstance(decl, n.BlockDecl) else (decl,))
+            for item in field.declarators
+            if item.name == name and item.dims
+        )
+        return next(sizes, None)
+
+
+def is_opaque_uniform(decl: n.Decl) -> bool:
+    """Is it a sampler, an image or an array of them?"""
+    if not isinstance(decl, n.VarDecl) or not decl.qualifiers.has("uniform"):
+        return False
+    kind = builtin_type(decl.type.name)
+    return kind is not None and kind.is_opaque
+
+
+def is_builtin_output(decl: n.Decl) -> bool:
+    """Does it declare built-in outputs again?"""
+    if isinstance(decl, n.BlockDecl):
+        return decl.name == BUILTIN_BLOCK
+    return isinstance(decl, n.VarDecl) and any(i.name.startswith("gl_") for i in decl.declarators)
+
+
+def _is_twinned_uniform(decl: n.Decl) -> bool:
+    if isinstance(decl, n.BlockDecl):
+        return decl.qualifiers.has("uniform")
+    return (
+        isinstance(decl, n.VarDecl)
+        and decl.qualifiers.has("uniform")
+        and not is_opaque_uniform(decl)
+    )
+
+
+def _is_twinned(decl: n.Decl) -> bool:
+    """Functions, uniforms and changing globals; constants, attributes, buffers and types are
+    shared."""
+    match decl:
+        case n.FunctionDef() | n.FunctionProto():
+            return True
+        case _ if is_builtin_output(decl):
+            return False
+        case n.VarDecl():
+            shared = decl.qualifiers.has("in", "const") or is_opaque_uniform(decl)
+            return bool(decl.declarators) and not shared
+        case n.BlockDecl():
+            return decl.qualifiers.has("uniform", "out")
+        case _:
+            return False
+
+
+def _unplaced(decl: n.Decl) -> n.Decl:
+    """A variable or block without its place in the interface, which its twin cannot share."""
+    if isinstance(decl, n.BlockDecl):
+        fields = decl.fields
+        if decl.qualifiers.has("out"):
+            fields = tuple(replace(f, qualifiers=_nowhere(f.qualifiers)) for f in fields)
+        return replace(decl, qualifiers=_nowhere(decl.qualifiers), fields=fields)
+    if isinstance(decl, n.VarDecl):
+        return replace(decl, qualifiers=_nowhere(decl.qualifiers))
+    return decl
+
+
+def _nowhere(qualifiers: n.Qualifiers) -> n.Qualifiers:
+    if qualifiers.layout is None:
+        return qualifiers
+    layout = tuple(item for item in qualifiers.layout if item.name not in _PLACES)
+    return replace(qualifiers, layout=layout or None)
