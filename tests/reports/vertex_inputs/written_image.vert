@@ -1,0 +1,6 @@
+// REFUSED: SC462 imageStore
+#version 430 core
+layout(location = 0) in vec3 a_position; layout(location = 1) in vec3 a_normal;
+out vec3 v_p; out vec3 v_n; uniform mat4 u_vp;
+layout(binding = 0, rgba32f) writeonly uniform image2D u_rows;
+void main() { v_p = a_position; v_n = a_normal; imageStore(u_rows, ivec2(0), vec4(1.0)); gl_Position = u_vp * vec4(a_position, 1.0); }
