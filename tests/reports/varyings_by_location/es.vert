@@ -1,0 +1,6 @@
+#version 310 es
+precision highp float;
+layout(location = 0) in vec3 a_position; layout(location = 1) in vec3 a_normal;
+uniform mat4 u_mvp;
+layout(location = 0) out vec3 at; layout(location = 1) out vec3 facing;
+void main() { at = a_position; facing = a_normal; gl_Position = u_mvp * vec4(a_position, 1.0); }
