@@ -1,0 +1,16 @@
+#version 330 core
+in vec3 v_posed; in vec4 v_clip; in vec4 v_either; in float v_side; in vec4 v_given; in vec3 v_skin;
+float wave(vec3 p) { return sin(p.x * 5.0) * cos(p.y * 3.0) + sin(p.z * 7.0) * cos(p.x * 11.0); }
+float wave(vec2 p) { return wave(p.xyx); }
+float wave(float p) { return wave(vec3(p, p * 2.0, p * 3.0)); }
+out vec4 o;
+void main() {
+    float s = 0.0;
+    s += wave(v_posed); // surface
+    s += wave(v_skin); // surface
+    s += wave(v_clip.xyz); // screen: v_clip
+    s += wave(v_either.xyz); // screen: v_either
+    s += wave(v_side); // screen: v_side
+    s += wave(v_given.xyz); // screen: v_given
+    o = vec4(s);
+}
