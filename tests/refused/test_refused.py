@@ -91,7 +91,7 @@ def test_a_folder_of_shaders(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     (tmp_path / "half.frag").write_text(f"{HEAD}void main() {{ {body} }}")
     (tmp_path / "half.vert").write_text(VERTEX)
     (tmp_path / "wrong.frag").write_text("#version 330\nvoid main() { none(); }\n")
-    (tmp_path / "unfit.frag").write_text(f"{HEAD}void main() {{ color = vec4(1.0); }}")
+    (tmp_path / "unfit.frag").write_text(f"{HEAD}void main() {{ color = vec4(uv, p.xy); }}")
     (tmp_path / "unfit.vert").write_text(VERTEX.replace("out vec2 uv", "vec2 uv"))
     found = {item.name: item for item in folder_costs(tmp_path, 1)}
     root = tmp_path.name
