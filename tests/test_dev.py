@@ -165,7 +165,17 @@ def test_new_requirements_are_installed(machine: Machine) -> None:
 def test_help_names_every_verb(machine: Machine, verb: str) -> None:
     done = machine.dev(*verb.split())
     assert done.returncode == 0
-    verbs = ["setup", "demo", "test", "verify-all", "goldens", "lint", "corpus", "stress"]
+    verbs = [
+        "setup",
+        "demo",
+        "test",
+        "nightly",
+        "verify-all",
+        "goldens",
+        "lint",
+        "corpus",
+        "stress",
+    ]
     for name in [*verbs, "bench", "bench-parse", "bench-emit", "clean"]:
         assert f"\n  {name} " in done.stdout
     assert machine.log.read_text() == ""

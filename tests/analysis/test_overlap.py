@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from laws.slices import day_slice, seed
+from laws.slices import amount, day_slice, seed
 from shaders import analysed as analysed_body
 from shaders import find
 
@@ -35,6 +35,8 @@ NOISE = (
     "float noise(vec3 p) { return sin(p.x * 3.0) * cos(p.y * 5.0) + sin(p.z * 7.0 + cos(p.x)); }"
 )
 AT, ONCE = "v_position * noise(v_position * 2.0)", "noise(at + 1.0)"
+
+PAIRS = amount(2, 8)
 
 PADDING = 22.0
 """What packing and unpacking a payload of seven channels costs at most, and marking its depth."""
@@ -84,7 +86,7 @@ def test_no_pass_of_a_set_costs_more_than_is_told(name: str) -> None:
     analysis = analysed(name)
     nodes = list(one_of_each((n for n in analysis.nodes if n.legal), analysis.groups))
     for one, other in zip(
-        day_slice(nodes, seed(), 4), day_slice(nodes, seed() + 1, 4), strict=False
+        day_slice(nodes, seed(), PAIRS), day_slice(nodes, seed() + 1, PAIRS), strict=False
     ):
         if can_be_cached(analysis, (one, other)):
             compare(analysis, one, other)
@@ -93,7 +95,7 @@ def test_no_pass_of_a_set_costs_more_than_is_told(name: str) -> None:
 @pytest.mark.parametrize("name", CACHEABLE)
 def test_no_pass_costs_more_than_is_told(name: str) -> None:
     analysis = analysed(name)
-    for node in day_slice([node for node in analysis.nodes if node.legal], seed(), 6):
+    for node in day_slice([node for node in analysis.nodes if node.legal], seed(), amount(3, 8)):
         compare(analysis, node)
 
 

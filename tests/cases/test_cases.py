@@ -11,7 +11,7 @@ from random import Random
 
 import pytest
 from laws.random_sets import random_sets
-from laws.slices import VARIABLE, day_slice, seed
+from laws.slices import VARIABLE, amount, day_slice, seed
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.compiler import emit_original, rewrite
@@ -25,8 +25,8 @@ from .cases import FOLDER, NAMES, analysed, golden_text, sources, told
 from .scenery import scene_of
 
 SIZE = (40, 40)
-NODES = 3
-"""Of each case every day; the slices of successive days cover all of them."""
+NODES = amount(2, 6)
+"""Of each case; the slices of successive seeds cover all of them."""
 
 ROUNDING = 1e-4
 """What plain mode may change of a colour. Colours of the cases are of the order of 1, a step of a
@@ -40,8 +40,8 @@ def legal(name: str) -> list[Candidate]:
     return [node for node in told(name, analysed(name)) if node.legal]
 
 
-def of_the_day(name: str) -> list[tuple[Candidate, ...]]:
-    """What is tried today: some nodes, and a set of nodes."""
+def tried(name: str) -> list[tuple[Candidate, ...]]:
+    """What is tried: some nodes, and a set of nodes."""
     sets, _ = random_sets(analysed(name), legal(name), Random(f"{seed()} {name}"), 1)
     return [*((node,) for node in day_slice(legal(name), seed(), NODES)), *sets]
 
@@ -73,7 +73,7 @@ def test_laws_1_to_4(name: str, gpu: Gpu, scene_folder: Path) -> None:
     scene = scene_of(name, scene_folder)
     with closing(Verifier(gpu, scene, analysed(name), SIZE)) as verifier:
         found = verifier.round_trip()
-        verdicts = [verifier.check(nodes) for nodes in of_the_day(name)]
+        verdicts = [verifier.check(nodes) for nodes in tried(name)]
         assert verifier.covered[0].mean() > 0.2
     assert found is not None and found.exact
     broken = {
@@ -98,7 +98,7 @@ def test_the_reference_compiler_says_no_more_than_of_the_original(
     accepted = _complaints([(f"user{suffix}", text) for suffix, text in shaders.items()], tmp_path)
     assert not any(line.startswith("ERROR") for line in accepted)
     texts = [item for mode in MODES for item in emit_original(analysis, mode).files.items()]
-    for nodes in of_the_day(name):
+    for nodes in tried(name):
         for mode in MODES:
             emission = rewrite(analysis, nodes, Options(mode), unprofitable=True)
             texts += emission.files.items()

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
-from .conftest import SHADERS, Shell
+from .conftest import Shell
 
 GOOD = "#version 330\nout vec4 o;\nvoid main() { o = vec4(1.0); }\n"
 BAD = "#version 330\nout vec4 o;\nvoid main() {\n    o = vec3(1.0);\n    o = nothing;\n}\n"
@@ -141,14 +138,3 @@ def test_wrong_options(
     outcome = shell(command, "good.frag", *args)
     assert outcome.status == 2
     assert "[SC008]" in outcome.err and word in outcome.err
-
-
-def test_a_small_shader_is_checked_at_once() -> None:
-    command = [sys.executable, "-m", "shadercache", "check", str(SHADERS / "small.frag")]
-    times = []
-    for _ in range(4):  # The first one makes the parser, where no test has made it yet.
-        begin = sum(os.times()[2:4])
-        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
-        times.append(sum(os.times()[2:4]) - begin)
-    # Processor time, as other tests run beside this one. Measured: 0.25 on a quiet machine.
-    assert min(times) < 0.4

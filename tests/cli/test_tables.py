@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-import time
 
 import pytest
 
@@ -33,13 +32,6 @@ def test_lines_are_cut_to_the_width() -> None:
 )
 def test_shorten(text: str, width: int | None, expected: str) -> None:
     assert shorten(text, width) == expected
-
-
-def test_a_large_table_is_quick() -> None:
-    rows = [tuple(f"cell {row} {column}" for column in range(8)) for row in range(2000)]
-    start = time.perf_counter()
-    format_table(("h",) * 8, rows)
-    assert time.perf_counter() - start < 0.2
 
 
 def test_short_work_says_nothing_in_a_log(capsys: pytest.CaptureFixture[str]) -> None:

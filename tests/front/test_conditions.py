@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import time
-
 import pytest
 from preprocessing import errors, problem, rejected, words
 
@@ -185,9 +183,7 @@ def test_groups_that_are_wrong(text: str, expected: list[str]) -> None:
     ids=lambda text: text[:12],
 )
 def test_conditions_may_be_deep_and_long(text: str) -> None:
-    begin = time.perf_counter()
     assert words(text) == "a"
-    assert time.perf_counter() - begin < 10.0  # Measured: under 1.
 
 
 def test_a_number_of_many_digits_is_one_error() -> None:

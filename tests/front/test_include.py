@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 
 import pytest
@@ -138,10 +137,8 @@ def test_files_that_include_themselves(tmp_path: Path) -> None:
 def test_included_files_are_limited_in_all(tmp_path: Path) -> None:
     chain = {f"t{n}": f"#include <t{n + 1}.glsl>\n" * 2 for n in range(40)}
     write(tmp_path, **chain, t40="", big="// comment\n" * 100_000)
-    begin = time.perf_counter()
     for text in ("#include <t0.glsl>", "#include <big.glsl>\n" * 100):
         assert refusal(text, tmp_path) == "included files have more than 16 million characters"
-    assert time.perf_counter() - begin < 30.0  # Measured: 5.
 
 
 def test_a_mistake_of_a_file_that_is_included_twice_is_told_once(tmp_path: Path) -> None:

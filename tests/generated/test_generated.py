@@ -1,12 +1,14 @@
-"""Laws 1 to 4 on shaders that are written at random, other ones every day.
+"""Laws 1 to 4 on shaders that are written at random, other ones each night.
 
 ``./dev stress`` tries 2,000 of them. A failing run is repeated by ``SHADERCACHE_SEED``.
 """
 
 from __future__ import annotations
 
+import os
+
 import pytest
-from laws.slices import VARIABLE, seed
+from laws.slices import NIGHTLY, VARIABLE, amount, seed
 
 from shadercache.harness.context import Gpu
 
@@ -16,7 +18,12 @@ from .trial import try_shader
 
 pytestmark = [pytest.mark.xdist_group("generated"), pytest.mark.timeout(900)]
 
-COUNTS = {"gl330": 64, "gl120": 12, "es100": 12, "es300": 12}
+COUNTS = {
+    "gl330": amount(20, 100),
+    "gl120": amount(4, 20),
+    "es100": amount(4, 20),
+    "es300": amount(4, 20),
+}
 
 CONSTRUCTS = (
     *("?:", "&&", "arithmetic", "integer", "matrix", "struct", "array", "swizzle", "conversion"),
@@ -24,7 +31,7 @@ CONSTRUCTS = (
     *("inout argument", "out argument", "global", "const global", "shadowed name"),
     *("compound assignment", "swizzled l-value", "texture", "textureLod", "precision"),
 )
-"""Constructs without which a day's shaders would prove too little."""
+"""Constructs without which a night's shaders would prove too little."""
 
 ALGORITHMS = ("1-pass", "2-pass", "3-pass", "of a set")
 CODES = ("offered", *(f"SC{number}" for number in (301, 302, 303, 304, 307, 308)))
@@ -36,6 +43,8 @@ def test_laws_1_to_4(gpu: Gpu) -> None:
     for dialect in DIALECTS:
         check_shaders(gpu, dialect, COUNTS[dialect], seed(), coverage)
     print(coverage.table())
+    if not os.environ.get(NIGHTLY):
+        return  # too few to have everything
     missing = [name for name in CONSTRUCTS if not coverage.constructs[name]]
     missing += [code for code in CODES if not coverage.codes[code]]
     missing += [name for name in ALGORITHMS if not coverage.algorithms[name]]

@@ -8,6 +8,7 @@ import random
 from contextlib import closing
 
 import pytest
+from laws.slices import seed
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.harness.context import Gpu
@@ -43,18 +44,18 @@ OPTIONS = (
 
 @pytest.fixture(scope="module", params=["dragon", "trashcan"])
 def nodes(request: pytest.FixtureRequest) -> tuple[str, list[Candidate]]:
-    """Some offered nodes of a scene, others every day, that leave room for an age and an id."""
+    """Some offered nodes of a scene, others each night, that leave room for an age and an id."""
     _, analysis = open_scene(data_path("corpus", request.param, "scene.toml"))
     every = [node for node in analysis.nodes if node.offered and (node.type.components or 9) <= 5]
-    pick = random.Random(os.environ["SHADERCACHE_SEED"])
+    pick = random.Random(seed())
     return request.param, pick.sample(every, 8 if DEEP else 1)
 
 
 def _todays() -> tuple[str, ...]:
-    """All, or in the short form others every day."""
+    """All, or in the short form others each night."""
     if DEEP:
         return OPTIONS
-    return tuple(random.Random(os.environ["SHADERCACHE_SEED"]).sample(OPTIONS, 4))
+    return tuple(random.Random(seed()).sample(OPTIONS, 4))
 
 
 @pytest.mark.parametrize("text", _todays())

@@ -1,4 +1,4 @@
-"""Laws 2 to 4 for several nodes in one cache: chosen sets, and random ones, others every day."""
+"""Laws 2 to 4 for several nodes in one cache: chosen sets, and random ones, others each night."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from random import Random
 import pytest
 from harness.test_independent import agree
 from laws.random_sets import random_sets
-from laws.slices import VARIABLE, seed
+from laws.slices import VARIABLE, amount, seed
 from laws.test_conditions import FOLDER as CONDITIONS
 from laws.test_conditions import SHADERS
 from laws.test_mutations import Replace, broken
@@ -34,7 +34,7 @@ pytestmark = pytest.mark.xdist_group("sets")
 
 FOLDER = Path(__file__).with_name("sets")
 SIZE = (64, 64)
-A_DAY = 2
+A_DAY = amount(1, 3)
 """Random sets of each shader."""
 
 
@@ -151,7 +151,7 @@ def corpus(name: str) -> tuple[Scene, Analysis]:
 
 
 @pytest.mark.parametrize("name", ["paths", "types", *SHADERS, "dragon", "trashcan"])
-def test_laws_2_to_4_for_sets_of_the_day(
+def test_laws_2_to_4_for_random_sets(
     name: str, gpu: Gpu, record_property: Callable[[str, object], None]
 ) -> None:
     day = seed()

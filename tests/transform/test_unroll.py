@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import time
 
 import pytest
 
@@ -104,9 +103,7 @@ def test_conditions_on_counters_are_decided() -> None:
     ],
 )
 def test_loops_that_stay_and_why(loop: str, reason: str) -> None:
-    started = time.process_time()
     analysis = unrolled(loop, "void advance(inout int i) { i++; }\n")
-    assert time.process_time() - started < 5.0
     (note,) = analysis.kept_loops
     assert note.code == "SC414" and reason in note.message
     assert note.span is not None and note.source is not None

@@ -1,0 +1,1 @@
+"""The tests that draw what they try, with another seed each day."""
