@@ -1,4 +1,4 @@
-"""``./dev nightly``: what is drawn by a seed, with the day's seed and more of it than in a day's test.
+"""``./dev nightly``: what is drawn by a seed, with the day's seed, and more of it than else.
 
 Part after part, two processes, twenty minutes at most. What has passed is kept in
 ``out/nightly/<seed>.json``; with ``--resume`` only the rest is run. The exit status is 1 where a
