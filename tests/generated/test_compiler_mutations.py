@@ -1,6 +1,6 @@
 """The compiler broken on purpose, a pass at a time: each must be noticed.
 
-By generated shaders, or where those take long for it by a small shader of ``mutations``. What the
+By generated shaders (at night), or where those take long for it by a small shader of ``mutations``. What the
 analyses get wrong is mostly safe, since the programs are made from the text anew: it shows in the
 goldens of the cases. Other breaks are in ``laws/test_mutations.py`` (the text of the look-up) and
 ``cases/test_loops.py`` (loops that wait for a payload).
@@ -8,6 +8,7 @@ goldens of the cases. Other breaks are in ``laws/test_mutations.py`` (the text o
 
 from __future__ import annotations
 
+import os
 import random
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -15,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from laws.slices import NIGHTLY
 
 from shadercache import compiler
 from shadercache.analysis import candidates, effects, inside, neighbours, slices
@@ -79,6 +81,11 @@ BROKEN: dict[str, tuple[str, Break]] = {
 }
 
 
+at_night = pytest.mark.skipif(
+    not os.environ.get(NIGHTLY), reason="takes minutes: a part of ./dev nightly"
+)
+
+
 def noticed(gpu: Gpu, dialect: str, most: int = MOST) -> list[str]:
     """The problems of the first shader that has any."""
     for number in range(most):
@@ -93,6 +100,7 @@ def noticed(gpu: Gpu, dialect: str, most: int = MOST) -> list[str]:
     return []
 
 
+@at_night
 @pytest.mark.parametrize(("dialect", "change"), BROKEN.values(), ids=BROKEN.keys())
 def test_a_broken_pass_is_noticed(
     gpu: Gpu, monkeypatch: pytest.MonkeyPatch, dialect: str, change: Break

@@ -55,8 +55,10 @@ def test_laws_1_to_4(gpu: Gpu) -> None:
 
 
 def test_what_broke_once(gpu: Gpu) -> None:
-    """Every legal node of the small shaders that broke a law or the compiler."""
+    """Legal nodes of the small shaders that broke a law or the compiler; at night all of them."""
     for file in sorted(REGRESSIONS.glob("*.frag")):
         dialect = DIALECTS[file.name.split("-")[0]]
-        report = try_shader(gpu, file.read_text(encoding="utf-8"), dialect, lambda legal: legal)
+        report = try_shader(
+            gpu, file.read_text(encoding="utf-8"), dialect, lambda legal: legal[:: amount(4, 1)]
+        )
         assert not report.problems, file.name

@@ -30,7 +30,9 @@ PARTS = {
     "cache options": ["tests/laws/test_cache_options.py"],
     "independent runner": ["tests/harness/test_independent.py", "-k", "compiler_writes"],
     "damaged shaders": ["tests/stress/test_stress.py", "-k", "random_cases"],
-    "generated shaders": ["tests/generated/test_generated.py", "-k", "laws_1_to_4"],
+    "versions": ["tests/laws/test_versions.py", "-k", "reference_compiler"],
+    "broken passes": ["tests/generated/test_compiler_mutations.py", "-k", "broken_pass"],
+    "generated shaders": ["tests/generated/test_generated.py"],
 }
 """The tests of each part, as pytest takes them; the longest comes last."""
 

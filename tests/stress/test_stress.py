@@ -16,19 +16,16 @@ from .suite import random_case, real_shaders, run_apart
 SLOW = 300_000
 """Characters above which a case is left to ``./dev stress``."""
 
+PARTS = 4
+"""Of the cases, so that several processes share the work."""
+
 CASES = [case for case in written_cases() if len(case.text) < SLOW]
 
 
-@pytest.fixture(scope="module")
-def results() -> dict[str, str]:
-    """What went wrong, by the names of the cases."""
-    return {result.case.name: result.wrong for result in run_apart(CASES, "spawn")}
-
-
-@pytest.mark.xdist_group("stress")
-@pytest.mark.parametrize("name", [case.name for case in CASES], ids=lambda name: name[:60])
-def test_a_written_case(results: dict[str, str], name: str) -> None:
-    assert results[name] == ""
+@pytest.mark.parametrize("part", range(PARTS))
+def test_written_cases(part: int) -> None:
+    results = run_apart(CASES[part::PARTS], "spawn")
+    assert not {result.case.name: result.wrong for result in results if result.wrong}
 
 
 def test_random_cases() -> None:
