@@ -12,6 +12,7 @@ from errno import EISDIR, ENOTDIR
 from pathlib import Path
 
 from shadercache.diagnostics import Diagnostic, InputError, UsageError, usage_error
+from shadercache.harness.foreign import MAX_SHADER, read_bytes, read_stream
 from shadercache.source import Source, Span
 
 MANIFEST = "manifest.json"
@@ -38,9 +39,12 @@ def read_source(path: str) -> Source:
     """
     name = "<stdin>" if path == "-" else path
     try:
-        data = sys.stdin.buffer.read() if path == "-" else Path(path).read_bytes()
-    except (OSError, ValueError) as error:  # ValueError: a null character in the path
-        reason = getattr(error, "strerror", None) or str(error)
+        if path == "-":
+            data = read_stream(sys.stdin.buffer, MAX_SHADER)
+        else:
+            data = read_bytes(Path(path), MAX_SHADER)
+    except OSError as error:
+        reason = error.strerror or str(error)
         raise InputError(Diagnostic("SC001", f"cannot read {name}: {reason}")) from None
     try:
         return Source(name, data.decode("utf-8-sig"))

@@ -5,7 +5,6 @@ This is all the harness knows about a variant; it holds no knowledge of the algo
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -14,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from shadercache.diagnostics import InputError, UsageError, input_error, usage_error
+from shadercache.harness import foreign
 from shadercache.options import DEFAULT_EPSILON, Mode, Options, read_cache_options
 from shadercache.source import Source
 
@@ -245,9 +245,9 @@ def load_bundle(folder: Path) -> Bundle:
     """
     path = folder / "manifest.json"
     try:
-        manifest = json.loads(path.read_text(encoding="utf-8"))
+        manifest = foreign.read_json(path)
         names = [item for item in sorted(folder.iterdir()) if item.suffix in (".vert", ".frag")]
-        files = {item.name: item.read_text(encoding="utf-8") for item in names}
+        files = {item.name: foreign.read_text(item) for item in names}
     except (OSError, ValueError) as error:
         raise input_error("SC020", f"cannot read the manifest {path}: {error}") from None
     if not isinstance(manifest, dict) or manifest.get("schema_version") != SCHEMA_VERSION:

@@ -20,6 +20,7 @@ from pathlib import Path
 from typing import Any
 
 from shadercache.diagnostics import input_error
+from shadercache.harness import foreign
 from shadercache.harness.context import Gpu
 from shadercache.harness.files import write_bytes
 from shadercache.harness.measurement import Group, Measurement, NodeResult, VariantResult
@@ -98,7 +99,7 @@ def read_json(path: Path) -> dict[str, Any]:
         InputError: SC023, it is no result file of this version.
     """
     try:
-        data = json.loads(path.read_text(encoding="utf-8"))
+        data = foreign.read_json(path)
     except (OSError, ValueError) as error:
         raise input_error("SC023", f"cannot read the result {path}: {error}") from None
     if not isinstance(data, dict) or data.get("schema_version") != SCHEMA_VERSION:

@@ -13,6 +13,7 @@ from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import input_error, usage_error
 from shadercache.front.options import ReadOptions
 from shadercache.harness.camera import root_of, scene_values
+from shadercache.harness.foreign import read_text
 from shadercache.harness.made_scene import made_scene
 from shadercache.harness.scene import Scene, load_scene
 from shadercache.options import MappingKind
@@ -94,7 +95,7 @@ def read_shaders(scene: Scene) -> tuple[Source, Source | None]:
 def read_shader(path: Path) -> Source:
     """The text of one shader. Raises :class:`InputError` SC001 for what is no text."""
     try:
-        return Source(str(path), path.read_text(encoding="utf-8-sig"))
+        return Source(str(path), read_text(path))
     except (OSError, UnicodeDecodeError) as error:
         raise input_error("SC001", f"cannot read {path}: {error}") from None
 

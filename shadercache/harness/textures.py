@@ -8,12 +8,14 @@ Values reach the shader as stored; nothing is converted from or to sRGB.
 
 from __future__ import annotations
 
+import struct
+import zlib
 from pathlib import Path
 
 import moderngl
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
+from PIL import Image, UnidentifiedImageError
 
 from shadercache.diagnostics import InputError, input_error
 from shadercache.harness.context import Gpu
@@ -30,6 +32,12 @@ _FILTERS = {
     ("linear", True): (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR),
 }
 
+
+MAX_PIXELS = 1 << 26
+"""Pixels of a PNG file: 8192 by 8192."""
+
+_RATIO = 1_100
+"""Deflated data are at most 1,032 times as long once they are inflated."""
 
 _ARRAYS = {"faces": "(6, n, n, c)", "layers": "(n, h, w, c)", "pixels": "(h, w, c)"}
 """The array that a ``.npz`` file has one of, and its shape."""
@@ -72,10 +80,26 @@ def load_pixels(path: Path) -> tuple[NDArray[np.generic], str]:
 
 def _load_png(path: Path) -> NDArray[np.generic]:
     try:
-        with Image.open(path) as image:
+        with Image.open(path, formats=("PNG",)) as image:
+            _check_size(path, image.width, image.height)
             return np.asarray(image.convert("RGBA"))
-    except (OSError, ValueError, Image.DecompressionBombError) as error:
-        raise input_error("SC530", f"cannot read the texture {path}: {error}") from None
+    except UnidentifiedImageError:
+        reason = "it is not a PNG file"
+    except OSError as error:
+        reason = error.strerror or str(error)
+    except (ValueError, SyntaxError, EOFError, struct.error, zlib.error) as error:
+        reason = str(error) or "it is broken"
+    except (Image.DecompressionBombError, Image.DecompressionBombWarning) as error:
+        reason = str(error)
+    raise input_error("SC530", f"cannot read the texture {path}: {reason}")
+
+
+def _check_size(path: Path, width: int, height: int) -> None:
+    """Refuse what is too large, and what a file of this size cannot hold."""
+    if width * height > MAX_PIXELS:
+        raise ValueError(f"it has {width} x {height} pixels; at most {MAX_PIXELS:,} are read")
+    if width * height > 8 * _RATIO * path.stat().st_size:  # A pixel may have one bit.
+        raise ValueError(f"it claims {width} x {height} pixels, which the file does not hold")
 
 
 def _check(path: Path, pixels: NDArray[np.generic], what: str) -> None:

@@ -5,19 +5,27 @@ All mistakes of a file are collected, so that the user mends them in one go.
 
 from __future__ import annotations
 
-import math
 import re
+import sys
 import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from shadercache.diagnostics import Diagnostic, InputError
+from shadercache.diagnostics import Diagnostic, InputError, shortened
+from shadercache.harness.foreign import MAX_NESTING, is_file, read_bytes, toml_nesting
 from shadercache.source import Source, Span
 
 _AT = re.compile(r"\(at line (\d+), column (\d+)\)")
 _NUMBER = re.compile(r"\[\d+\]")
 _HEADER = re.compile(r"^[ \t]*\[+([^\[\]\n]*)\]+", re.MULTILINE)
+
+
+MAX_SCENE = 1 << 20
+"""Bytes of a scene file."""
+
+_MOST_PARTS = 20
+"""Parts of the name of a table; those behind are taken for one."""
 
 
 def read_toml(path: Path) -> tuple[Source, dict[str, Any]]:
@@ -27,16 +35,20 @@ def read_toml(path: Path) -> tuple[Source, dict[str, Any]]:
         InputError: SC501 unreadable file, SC502 not TOML.
     """
     try:
-        source = Source(str(path), path.read_text(encoding="utf-8"))
+        source = Source(str(path), read_bytes(path, MAX_SCENE).decode("utf-8"))
     except OSError as error:
         message = f"cannot read the scene {path}: {error.strerror}"
         raise InputError(Diagnostic("SC501", message)) from None
     except UnicodeDecodeError:
         message = f"the scene {path} is not UTF-8 text"
         raise InputError(Diagnostic("SC501", message)) from None
+    at = toml_nesting(source.text)
+    if at is not None:
+        message = f"more than {MAX_NESTING} brackets are open here"
+        raise InputError(Diagnostic("SC502", message, source, Span(at, at + 1)))
     try:
         return source, tomllib.loads(source.text)
-    except tomllib.TOMLDecodeError as error:
+    except ValueError as error:  # of TOML, or a number of thousands of digits
         raise InputError(_syntax_error(source, str(error))) from None
 
 
@@ -81,7 +93,7 @@ def _full_names(headers: list[re.Match[str]]) -> list[str]:
         name = header[1].strip()
         if "[[" in header[0]:
             counts[name] = counts.get(name, -1) + 1
-        parts = name.split(".")
+        parts = name.split(".", _MOST_PARTS)
         stems = [".".join(parts[: end + 1]) for end in range(len(parts))]
         marks = [f"[{counts[stem]}]" if stem in counts else "" for stem in stems]
         names.append(".".join(map("".join, zip(parts, marks, strict=True))))
@@ -189,7 +201,7 @@ class Table:
     def file(self, key: str) -> Path:
         """A path relative to the scene file, which must exist."""
         path = Path(self.source.name).parent / self.text(key)
-        if key in self.values and not path.is_file():
+        if key in self.values and not is_file(path):
             self.problem("SC507", key, f"{self.full(key)}: there is no file {path}")
         return path
 
@@ -215,9 +227,11 @@ class Table:
 
     def _wrong(self, key: str, wanted: str) -> None:
         got = self.values.get(key)
-        self.problem("SC505", key, f"{self.full(key)} must be {wanted}, not {got!r}")
+        self.problem("SC505", key, f"{self.full(key)} must be {wanted}, not {shortened(repr(got))}")
 
 
 def is_number(value: Any) -> bool:
     """Whether a TOML value is a finite number (a boolean is not)."""
-    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return False
+    return -sys.float_info.max <= value <= sys.float_info.max
