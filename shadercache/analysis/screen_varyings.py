@@ -87,72 +87,55 @@ class _Screen:
         self._positions: set[Term] = set()
         self._projections: set[tuple[Term, bool]] = set()
         self._found: dict[Term, Components] = {}
-        self._looked_at: set[Term] = set()
+        self._looked_at: set[tuple[Term, bool]] = set()
         self._learn(position)
 
     # --- what the position is ---------------------------------------------------------------------
 
-    def _learn(self, term: Term) -> None:
-        """``term`` is the position, or was before something was done to it."""
-        if not term.moves or term.op == "leaf" or term in self._positions:
-            return
-        self._positions.add(term)
+    def _learn(self, position: Term) -> None:
+        """The position, and what it was before something was done to it."""
+        todo = [(position, True)]
+        while todo:
+            term, whole = todo.pop()
+            if (term, whole) in self._looked_at:
+                continue
+            self._looked_at.add((term, whole))
+            if term.moves and term.op != "leaf" and (whole or term.op == "product"):
+                self._positions.add(term)
+            todo += self._behind(term, whole)
+
+    def _behind(self, term: Term, whole: bool) -> Iterator[tuple[Term, bool]]:
+        """Terms that are a position if ``term`` is one (``whole``), or gives one its x and y."""
         match term.op:
             case "product":
                 self._projections.update(_projection(term))
             case "join":
-                for way in term.args:
-                    self._learn(way)
-            case "insert":
-                self._learn(term.args[0])
+                yield from ((way, whole) for way in term.args)
+            case "insert" if whole:
+                yield term.args[0], True
                 if isinstance(term.data, tuple) and _SCREEN.intersection(term.data):
-                    self._learn_part(term.args[1])
+                    yield term.args[1], False
             case "+" | "-":
-                for part in term.args:
-                    self._learn_part(part)
-            case "*":
-                self._learn_scaled(*term.args)
+                yield from ((part, False) for part in term.args)
+            case "*" if any(part.constant for part in term.args):
+                yield from ((part, False) for part in term.args)
             case "/":
-                self._learn_part(term.args[0])
-            case "swizzle" | "construct":
-                self._learn_part(term)
-
-    def _learn_part(self, term: Term) -> None:
-        """The same for what gives the position some of its components."""
-        if term in self._looked_at:
-            return
-        self._looked_at.add(term)
-        match term.op:
-            case "product":
-                self._learn(term)
+                yield term.args[0], False
             case "swizzle":
                 assert isinstance(term.data, tuple)
-                if _SCREEN.issuperset(term.data[:2]) and term.args[0].op != "leaf":
-                    self._learn_part(term.args[0])
+                if _SCREEN.issuperset(term.data[:2]):
+                    yield term.args[0], False
             case "construct":
-                self._learn_constructed(term)
-            case "+" | "-" | "join":
-                for part in term.args:
-                    self._learn_part(part)
-            case "*":
-                self._learn_scaled(*term.args)
-            case "/":
-                self._learn_part(term.args[0])
+                yield from ((part, False) for part in self._constructed(term))
 
-    def _learn_scaled(self, one: Term, other: Term) -> None:
-        if one.constant:
-            self._learn_part(other)
-        elif other.constant:
-            self._learn_part(one)
-
-    def _learn_constructed(self, term: Term) -> None:
+    def _constructed(self, term: Term) -> Iterator[Term]:
         """``vec4(clip.xy, z, clip.w)`` is a position, and so is ``vec4(screen, z, 1.0)``."""
         last = term.args[-1]
         if last.op == "swizzle" and isinstance(last.data, tuple) and last.data[-1] == 3:
-            self._learn_part(last.args[0])
+            yield last.args[0]
         elif last.op == "literal" and last.data == 1.0:
             for arg in term.args[: 1 if term.args[0].width > 1 else 2]:
-                self._learn_part(arg)
+                yield arg
                 if arg.moves and arg.op in ("+", "-", "*", "/"):
                     self._positions.add(arg)
 

@@ -143,8 +143,8 @@ class Evaluator:
                 return self._member(expr, kind)
             case n.Index(object=owner, index=index):
                 return self._index(self.value(owner), self.value(index), kind)
-            case n.Binary(op=op, left=left, right=right):
-                return self._binary(op, self.value(left), self.value(right), kind)
+            case n.Binary():
+                return self._chain(expr)
             case n.Call():
                 return self._call(expr, kind)
             case n.Construct():
@@ -161,6 +161,16 @@ class Evaluator:
 
     def _leaf(self, name: str, kind: Type | None) -> Term:
         return self.terms.leaf(name, kind, name in self._moving)
+
+    def _chain(self, expr: n.Binary) -> Term:
+        """``a + b + c``, however long, without recursion."""
+        chain = [expr]
+        while isinstance(left := chain[-1].left, n.Binary) and left not in self.facts.constants:
+            chain.append(left)
+        made = self.value(chain[-1].left)
+        for item in reversed(chain):
+            made = self._binary(item.op, made, self.value(item.right), self.facts.types.get(item))
+        return made
 
     def _binary(self, op: str, one: Term, other: Term, kind: Type | None) -> Term:
         kinds = [item.type for item in (one, other) if item.type is not None]

@@ -86,19 +86,20 @@ class Terms:
 
     def swizzle(self, of: Term, places: tuple[int, ...], kind: Type | None) -> Term:
         """Components of a vector."""
-        if places == tuple(range(of.width)):
-            return of
-        if of.op == "swizzle":
-            assert isinstance(of.data, tuple)
-            return self.swizzle(of.args[0], tuple(of.data[place] for place in places), kind)
-        if of.op == "insert" and isinstance(of.data, tuple):
+        while places != tuple(range(of.width)):
+            if of.op == "swizzle":
+                assert isinstance(of.data, tuple)
+                places, of = tuple(of.data[place] for place in places), of.args[0]
+                continue
+            if of.op != "insert" or not isinstance(of.data, tuple):
+                return self.make("swizzle", places, (of,), kind)
             inside = [place for place in places if place in of.data]
-            if not inside:
-                return self.swizzle(of.args[0], places, kind)
-            if len(inside) == len(places):
-                found = tuple(of.data.index(place) for place in places)
-                return self.swizzle(of.args[1], found, kind)
-        return self.make("swizzle", places, (of,), kind)
+            if inside and len(inside) < len(places):
+                return self.make("swizzle", places, (of,), kind)
+            if inside:
+                places = tuple(of.data.index(place) for place in places)
+            of = of.args[1] if inside else of.args[0]
+        return of
 
     def insert(self, into: Term, where: object, value: Term) -> Term:
         """A vector, a struct or an array with one part of it replaced."""
@@ -109,11 +110,12 @@ class Terms:
 
     def part(self, of: Term, where: object, kind: Type | None) -> Term:
         """A field of a struct, an element of an array."""
-        if of.op == "insert" and not isinstance(of.data, tuple):
+        while of.op == "insert" and not isinstance(of.data, tuple):
             if of.data == where:
                 return of.args[1]
-            if isinstance(where, str) or {type(where), type(of.data)} == {int}:
-                return self.part(of.args[0], where, kind)
+            if not isinstance(where, str) and {type(where), type(of.data)} != {int}:
+                break
+            of = of.args[0]
         if of.op == "struct" and isinstance(where, str):
             assert isinstance(of.data, tuple)
             return of.args[of.data.index(where)]
