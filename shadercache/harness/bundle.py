@@ -6,7 +6,7 @@ This is all the harness knows about a variant; it holds no knowledge of the algo
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -231,8 +231,8 @@ class Bundle:
             looks="previous-cache" in entry.get("reads", ()),
         )
 
-    def _file(self, name: str) -> Source:
-        if name not in self.files:
+    def _file(self, name: object) -> Source:
+        if not isinstance(name, str) or name not in self.files:
             raise input_error("SC022", f"the manifest names the file {name}, which is not there")
         return Source(name, self.files[name])
 
@@ -250,9 +250,53 @@ def load_bundle(folder: Path) -> Bundle:
         files = {item.name: foreign.read_text(item) for item in names}
     except (OSError, ValueError) as error:
         raise input_error("SC020", f"cannot read the manifest {path}: {error}") from None
+    return bundle_of(manifest, files, str(path))
+
+
+def bundle_of(manifest: Any, files: Mapping[str, str], name: str) -> Bundle:
+    """A manifest that somebody else wrote, with its files.
+
+    Raises:
+        InputError: SC021 not a manifest of this version.
+    """
     if not isinstance(manifest, dict) or manifest.get("schema_version") != SCHEMA_VERSION:
-        raise _broken(f"{path} is not of schema_version {SCHEMA_VERSION}")
-    return Bundle(manifest, files)
+        raise _broken(f"{name} is not of schema_version {SCHEMA_VERSION}")
+    bundle = Bundle(manifest, files)
+    _check_types(bundle)
+    return bundle
+
+
+_PARTS: tuple[tuple[str, Callable[[Bundle], object]], ...] = (
+    ("nodes", lambda bundle: bundle.node("id")),
+    ("variants", lambda bundle: [bundle.passes(name) for name in bundle.algorithms]),
+    ("original", lambda bundle: bundle.original),
+    ("payload", lambda bundle: bundle.payload),
+    ("debug", lambda bundle: bundle.debug),
+    ("debug", lambda bundle: bundle.mask_values),
+    ("needed", lambda bundle: bundle.needed),
+    ("geometry", lambda bundle: bundle.geometry),
+    ("cache", lambda bundle: bundle.cache),
+    ("cache", lambda bundle: bundle.options),
+    ("cache", lambda bundle: bundle.age_channel),
+    ("uniforms", lambda bundle: bundle.roles),
+    ("uniforms", lambda bundle: bundle.defaults),
+    ("uniforms", lambda bundle: bundle.reset_numbers),
+    ("previous", lambda bundle: bundle.twins),
+)
+"""Parts of a manifest, and what is made of them."""
+
+
+def _check_types(bundle: Bundle) -> None:
+    """SC021 where a part of a manifest is of another kind than it has to be; what is missing is
+    told when it is asked for."""
+    for name, read in _PARTS:
+        try:
+            if name in bundle.manifest:
+                read(bundle)
+        except (InputError, UsageError):
+            continue
+        except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError):
+            raise _broken(f"its '{name}' is not what it has to be") from None
 
 
 def _need(entry: Any, *keys: str) -> Any:

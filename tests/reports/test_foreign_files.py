@@ -7,18 +7,24 @@ import json
 import struct
 import zipfile
 import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from functools import cached_property
+from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from PIL import Image
+from shaders import analysed
 
 from shadercache.cli.app import main
-from shadercache.diagnostics import InputError
+from shadercache.compiler import rewrite
+from shadercache.diagnostics import InputError, UsageError
 from shadercache.harness import foreign, npz, textures
 from shadercache.harness.animation import Rows
-from shadercache.harness.bundle import load_bundle
+from shadercache.harness.bundle import Bundle, bundle_of, load_bundle
 from shadercache.harness.mesh import load_mesh
 from shadercache.harness.npz import load_npz
 from shadercache.harness.results import read_json
@@ -275,6 +281,41 @@ def test_the_limit_of_json(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
     text = json.dumps({"schema_version": 1, "a": "b" * 100})
     (tmp_path / "manifest.json").write_text(text, encoding="utf-8")
     assert "more than 100 bytes" in told(load_bundle, tmp_path, "SC020")
+
+
+def leaves(value: object, path: tuple[str | int, ...] = ()) -> Iterator[tuple[str | int, ...]]:
+    """The paths to everything in a JSON value."""
+    yield path
+    if isinstance(value, dict | list):
+        items = value.items() if isinstance(value, dict) else enumerate(value)
+        for key, inner in items:
+            yield from leaves(inner, (*path, key))
+
+
+@pytest.mark.parametrize("instead", [None, 7, "x", [[]], {"a": None}, 10**400])
+def test_manifests_with_anything_anywhere(instead: object) -> None:
+    analysis = analysed("o_color = vec4(sin(v_position * 3.0) * exp(v_uv.x), 1.0);")
+    node = next(node for node in analysis.nodes if node.offered)
+    emission = rewrite(analysis, node)
+    whole = json.dumps(emission.manifest)
+    for path in leaves(emission.manifest):
+        broken = [json.loads(whole)]
+        at: Any = broken
+        for key, after in pairwise((0, *path, None)):
+            if after is None:
+                at[key] = instead
+            else:
+                at = at[key]
+        with suppress(InputError):
+            use(bundle_of(broken[0], emission.files, "manifest.json"))
+
+
+def use(bundle: Bundle) -> None:
+    """Ask a manifest for all that the renderer asks it for."""
+    names = [name for name, kind in vars(Bundle).items() if isinstance(kind, cached_property)]
+    for name in (*names, "mode", "refreshes", "needed_by_some"):
+        with suppress(InputError, UsageError):
+            getattr(bundle, name)
 
 
 # --- shaders --------------------------------------------------------------------------------------
