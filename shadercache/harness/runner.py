@@ -62,7 +62,8 @@ class RunOptions:
     ``period`` in frames (1 refreshes everything), ``block`` in pixels (even), ``epsilon`` relative
     to 1/w; without ``moving`` every frame shows the scene of frame 0, while the clock runs on.
     With ``short_reset`` one and three passes are drawn after a reset as the one of two that
-    computes: image and cache are the same (law 4), and nothing is looked up or drawn twice.
+    computes: the cache is the same (law 4), and so is the image, but that three passes show what
+    half floats hold of a payload. Nothing is looked up or drawn twice.
     """
 
     period: int = 32

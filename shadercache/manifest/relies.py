@@ -29,6 +29,11 @@ RELIES_ON_FULL_SCREEN = (
     ONE_VIEW,
 )
 
+LARGEST_OF_HALF = (
+    "payloads up to 65504 in size where cache.format is rgba16f: of larger ones three passes show "
+    "what that holds, in the very frame"
+)
+
 
 def relies_on(options: Options, programs: ProgramSet, setting: Setting) -> list[str]:
     """What these programs rely on."""
@@ -37,6 +42,8 @@ def relies_on(options: Options, programs: ProgramSet, setting: Setting) -> list[
         relies[relies.index(WHOLE_TARGET)] = PART_OF_TARGET
     if options.cache.depth != "ndc" and not setting.full_screen:
         relies.append("a perspective projection: in an orthographic one w tells no depth")
+    if options.cache_format == "rgba16f" and 3 in programs.variants:
+        relies.append(LARGEST_OF_HALF)
     if programs.unchanging:
         names = ", ".join(programs.unchanging)
         relies.append(f"these decide the position and do not change between frames: {names}")

@@ -50,13 +50,25 @@ FRAME_OF_TWO = (
     "to values of their own."
 )
 
+NOT_FINITE = (
+    "What is not finite, or too large or too small for cache.format, is read back as it is in the "
+    "frame that computes it (half floats make 65504 of larger numbers). Of later frames "
+    "cache.options.guard tells: with 'miss' they compute it anew, with 'clamp' they reuse the "
+    "nearest number and 0 for NaN, with 'off' they reuse it, and half floats may make infinity of "
+    "larger numbers."
+)
+
 ON_RESET = (
-    "Draw only the passes with on_reset true: what was stored is not looked up, and the image is "
-    "the original's."
+    "Draw only the passes with on_reset true: what was stored is not looked up. The image of one "
+    "and two passes is the original's, but for what a driver rounds otherwise around a value that "
+    "is cut out (mode proof: not even that). Three passes read the payload back from the cache, "
+    "and show the original with the payload as cache.format holds it: rgba32f and rgba32ui hold "
+    "it as it is, rgba16f rounds it (to 11 bits, and larger numbers to 65504)."
 )
 SHORT_RESET = (
-    "One and three passes may then be drawn as the one of two passes with on_reset true: image and "
-    "cache are the same, no branch is in the way, and the geometry is drawn once."
+    "One and three passes may then be drawn as the one of two passes with on_reset true: the cache "
+    "is the same, and the image is that of two passes; no branch is in the way, and the geometry "
+    "is drawn once."
 )
 
 RESET = (
@@ -91,6 +103,7 @@ def frame_sentences(two_textures: bool, setting: Setting, programs: ProgramSet) 
     blocks = {item.name for item in setting.inputs if item.kind == "uniform block"}
     return [
         *(FRAME_FULL_SCREEN if setting.full_screen else FRAME),
+        NOT_FINITE,
         *PLACES,
         *(BLOCKS if blocks else ()),
         *(TWINS_OF_BLOCKS if blocks & programs.previous.keys() else ()),
