@@ -176,6 +176,7 @@ def _text(
     if equal:
         lines.append(f"{equal} more nodes have the value of one of these (--every-node checks all)")
     lines += [f"{item.node}: {reason}" for item in verdicts for reason in item.reasons]
+    lines += [f"{item.node}: {item.cause}" for item in verdicts if item.cause]
     if ties > MAX_TIES:
         lines.append(f"{ties:.2%} of the pixels are depth ties, which are left out")
     return "\n".join(lines)

@@ -18,10 +18,12 @@ from numpy.typing import NDArray
 from shadercache.analysis.candidates import Candidate
 from shadercache.compiler import Analysis, emit_original, rewrite
 from shadercache.diagnostics import InputError, input_error
+from shadercache.emit.layout import Layout
 from shadercache.harness.bundle import Bundle
 from shadercache.harness.context import Gpu
 from shadercache.harness.home import at_home
 from shadercache.harness.mesh import Mesh
+from shadercache.harness.not_finite import told_of
 from shadercache.harness.prop import Prop
 from shadercache.harness.reuse import Look, Reuse
 from shadercache.harness.runner import (
@@ -87,7 +89,8 @@ class Verdict:
     """The laws for one node, or for several cached together. Keys of the dictionaries are
     algorithms (``2-pass``).
 
-    ``node`` and what follows it is of all nodes, joined as :meth:`Bundle.node` does it.
+    ``node`` and what follows it is of all nodes, joined as :meth:`Bundle.node` does it. ``cause``:
+    what of the payload is not finite, where a law is broken.
     ``refused`` holds the algorithms that the compiler does not offer for the node, and why;
     ``ages``: the greatest age in frames that a payload reached at a period of :data:`PERIOD`, where
     the cache keeps ages. ``failure`` says why a variant could not be drawn at all, where one could
@@ -99,6 +102,7 @@ class Verdict:
     path: str
     text: str
     profitable: bool
+    cause: str = ""
     always: dict[str, Difference] = field(default_factory=dict)
     resting: dict[str, Difference] = field(default_factory=dict)
     agreeing: dict[str, Difference] = field(default_factory=dict)
@@ -238,10 +242,21 @@ class Verifier:
         for entry in bundle.manifest["refused"]:
             verdict.refused[entry["algorithm"]] = entry["reason"]
         self.check_bundle(bundle, verdict)
+        if verdict.broken:
+            verdict.cause = self._cause(nodes, bundle)
         if plain:
             shipped = self._rewritten(nodes, "plain")
             for name in shipped.algorithms:
                 verdict.plain[name] = self._changed(shipped, name)
+
+    def _cause(self, nodes: Sequence[Candidate], bundle: Bundle) -> str:
+        """What of the payload is not finite in the first frame, in words."""
+        layout = Layout(tuple(item.type for item in nodes))
+        with VariantRunner(
+            self.stage, bundle, bundle.algorithms[0], RunOptions(period=1)
+        ) as runner:
+            runner.draw(0)
+            return told_of(runner.cache(), self.covered[0], layout, self.cache.guard)
 
     def check_bundle(self, bundle: Bundle, verdict: Verdict) -> None:
         """Laws 2 to 4 for a proof-mode bundle, and 7 where it keeps ages, into ``verdict``."""

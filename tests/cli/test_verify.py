@@ -97,3 +97,15 @@ def test_ages_are_told_where_they_are_kept(shell: Shell, scene: Path) -> None:
     assert outcome.status == 0, outcome.err
     assert "law 7: the oldest payload was" in outcome.out
     assert "law 7" not in shell("verify", scene, "--proof-only").out
+
+
+def test_a_verdict_names_what_is_not_finite(shell: Shell) -> None:
+    reports = Path(__file__).parent.parent / "reports" / "not_finite"
+    path = reports / "o20_not_finite_but_absorbed.frag"
+    how = ("--mapping", "screen", "--proof-only", "-j", 1)
+    told = shell("verify", path, *how, "--cache", "guard=clamp")
+    assert told.status == 1
+    assert ": the payload is NaN in 4,608 of 9,216 pixels; guard=clamp" in told.out
+    right = shell("verify", path, *how)
+    assert right.status == 0, right.out
+    assert "the payload is" not in right.out
