@@ -24,7 +24,7 @@ from shadercache.harness.context import Gpu
 from shadercache.harness.runner import OriginalRunner, RunOptions, VariantRunner
 from shadercache.harness.shaders import open_scene
 from shadercache.harness.stage import Stage
-from shadercache.harness.verify import Verifier
+from shadercache.harness.verify import Verdict, Verifier
 from shadercache.options import CacheFormat, Mode, Options, read_cache_options
 from shadercache.source import Source
 
@@ -39,18 +39,18 @@ PAYLOADS = {
     "o20_not_finite_but_absorbed": ("acos(p.x * 2.0) * exp(p.y)", "acos(p.x * 2.0)"),
     "almost_the_largest": ("march(p)",),
     "infinity_in_a_branch": ("exp(2.0 * p.y) / floor(4.0 * p.x)", "2.0 * far"),
-    "integers_beside_a_nan": ("march(p)", "hit.way"),
-    "inverse_of_a_matrix": ("turned", "turned * (p + 1.0)"),
+    "integers_beside_a_nan": ("march(p)",),
+    "inverse_of_a_matrix": ("turned * (p + 1.0)",),
     "packed_in_a_float": ("held",),
     "struct_in_two_texels": ("lit(p)", "it.more"),
     "subnormal_bits": ("tiny",),
     "surface_mixed": ("layer(v_position)",),
     "surface_spots": ("odd", "sqrt(wave.x + 0.6)"),
-    "surface_tiny": ("exp2(-125.0 + 6.0 * wave) * (1.5 + wave)", "tiny"),
-    "surface_two_texels": ("lit(v_position)", "it.more"),
-    "too_large_for_half": ("1e4 + 1e5 * sin(1.5 * p.x) * sin(1.5 * p.y)",),
+    "surface_two_texels": ("lit(v_position)", "abs(it.more)"),
 }
 """Shader -> the values that are cached."""
+
+LARGE = "1e4 + 1e5 * sin(1.5 * p.x) * sin(1.5 * p.y)"
 
 CASES = [(name, text) for name, texts in PAYLOADS.items() for text in texts]
 
@@ -201,6 +201,31 @@ def test_nor_from_integers_and_from_two_texels(gpu: Gpu, name: str, settings: st
     assert np.isfinite(found).all()
 
 
+FILTERED = (
+    ("surface_spots", "sin(9.0 * v_position) * cos(5.0 * v_position.yzx)", 0.05),
+    ("surface_spots", "cos(5.0 * v_position.yzx)", 0.05),
+    ("surface_spots", "wave.x + 0.6", 0.05),
+    ("surface_two_texels", "wave.xyzx * 0.5 + 0.5", 0.05),
+    ("surface_tiny", "exp2(-125.0 + 6.0 * wave) * (1.5 + wave)", 2.0**-121),
+)
+
+
+@pytest.mark.parametrize(("name", "text", "least"), FILTERED)
+def test_the_algorithms_agree_on_what_a_filter_makes(
+    gpu: Gpu, name: str, text: str, least: float
+) -> None:
+    """Between larger numbers a filter finds some below the smallest that is reused: they are no
+    poison in any algorithm. Drivers that flush such numbers hide it, so the bound is raised."""
+    made = changed(
+        bundle(name, text, "rgba32f", mode="proof"),
+        lambda source: source.replace("floatBitsToUint(sc_least)", f"floatBitsToUint({least})"),
+    )
+    verdict = Verdict(made.node("id"), "", "", True)
+    with closing(verifier(gpu, name)) as checks:
+        checks.check_bundle(made, verdict)
+    assert verdict.broken == []
+
+
 WEIGHED = re.compile(r"weights\.([xyzw]) > 0\.0 \? weights\.\1 \* ([abcd]) : vec4\(0\.0\)")
 MARKED = re.compile(r"        sc_store\.w = \S+;\n")
 
@@ -252,14 +277,14 @@ def test_three_passes_read_it_back_from_half_floats(gpu: Gpu, name: str) -> None
 def test_half_floats_hold_no_larger_numbers(gpu: Gpu) -> None:
     """The one exception, and the manifest says so."""
     name = "too_large_for_half"
-    made = bundle(name, PAYLOADS[name][0], "rgba16f")
+    made = bundle(name, LARGE, "rgba16f")
     image, truth = (frame(gpu, name, made, which) for which in ("3-pass", "original"))
     light = 3e4 * truth[..., 0] / (1.0 - truth[..., 0])
     assert light.max() > 7e4
     held = np.minimum(light, 65504.0)
     assert image[..., 0] == pytest.approx(held / (held + 3e4), rel=1e-3)
     assert any("65504" in sentence for sentence in made.manifest["relies_on"])
-    wide = bundle(name, PAYLOADS[name][0], "rgba32f")
+    wide = bundle(name, LARGE, "rgba32f")
     assert not any("65504" in sentence for sentence in wide.manifest["relies_on"])
     assert frame(gpu, name, wide, "3-pass") == pytest.approx(truth, rel=1e-6)
 
