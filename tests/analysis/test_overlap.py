@@ -39,8 +39,8 @@ AT, ONCE = "v_position * noise(v_position * 2.0)", "noise(at + 1.0)"
 PAIRS = amount(2, 8)
 
 PADDING = 28.0
-"""What packing and unpacking a payload of seven channels costs at most, and marking its depth: 25 for
-a truth and four floats that some fragments lack."""
+"""What packing and unpacking a payload of seven channels costs at most, and marking its depth: 25
+for a truth and four floats that some fragments lack."""
 
 
 def test_what_both_passes_need_is_told() -> None:
