@@ -2,8 +2,8 @@
 
 By generated shaders (at night), or where those take long for it by a small shader of
 ``mutations``. What the analyses get wrong is mostly safe, since the programs are made from the text
-anew: it shows in the goldens of the cases. Other breaks are in ``laws/test_mutations.py`` (the text of the look-up) and
-``cases/test_loops.py`` (loops that wait for a payload).
+anew: it shows in the goldens of the cases. Other breaks are in ``laws/test_mutations.py`` (the text
+of the look-up) and ``cases/test_loops.py`` (loops that wait for a payload).
 """
 
 from __future__ import annotations
