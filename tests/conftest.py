@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import os
+import random
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
     from shadercache.harness.context import Gpu
 
 ROOT = Path(__file__).resolve().parent.parent
-UPDATE = "--update-goldens"
+UPDATE, SHUFFLE = "--update-goldens", "--shuffle"
 SEED, FIXED = "SHADERCACHE_SEED", "739949"
 
 Golden = Callable[[str | Path, str], None]
@@ -33,17 +34,28 @@ def pytest_report_header(config: pytest.Config) -> str:
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Add ``--update-goldens``."""
+    """Add ``--update-goldens`` and ``--shuffle``."""
     help_text = "write the expected files anew instead of comparing with them"
     parser.addoption(UPDATE, action="store_true", help=help_text)
+    help_text = "files, and tests in files, in an order drawn by this number"
+    parser.addoption(SHUFFLE, type=int, metavar="N", help=help_text)
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """With ``--update-goldens`` run only the tests that have an expected file."""
+    """With ``--update-goldens`` run only the tests that have an expected file; ``--shuffle``."""
+    if (number := config.getoption(SHUFFLE)) is not None:
+        _shuffle(items, random.Random(number))
     if config.getoption(UPDATE):
         chosen = [item for item in items if "golden" in getattr(item, "fixturenames", ())]
         config.hook.pytest_deselected(items=[item for item in items if item not in chosen])
         items[:] = chosen
+
+
+def _shuffle(items: list[pytest.Item], by: random.Random) -> None:
+    """Tests of a file stay together: fixtures of a module are made once."""
+    by.shuffle(items)
+    files = list(dict.fromkeys(item.path for item in items))
+    items.sort(key=lambda item: files.index(item.path))
 
 
 @pytest.fixture
