@@ -90,10 +90,28 @@ def _difference(name: str, expected: str, text: str) -> str:
     return f"{name} is not what the code writes now.\n{body}\n\n{advice}"
 
 
+_open: list[Gpu] = []
+
+
 @pytest.fixture(scope="session")
 def gpu() -> Iterator[Gpu]:
     """The OpenGL context of this process; every test that draws shares it."""
     from shadercache.harness.context import open_context
 
     with open_context() as context:
+        _open.append(context)
         yield context
+        _open.clear()
+
+
+@pytest.fixture(autouse=True)
+def shared_context_is_current() -> Iterator[None]:
+    """A command that ran in this process had a context of its own, and left none current."""
+    _make_current()
+    yield
+    _make_current()
+
+
+def _make_current() -> None:
+    for context in _open:
+        context.ctx.mglo._context.__enter__()
