@@ -141,12 +141,6 @@ class Layout:
         return min(self.used, FIRST_TEXEL), max(self.used - FIRST_TEXEL, 0)
 
     @property
-    def float_channels(self) -> tuple[int, ...]:
-        """The channels that hold floats of the payloads: those of the second texel count from 4."""
-        marks = _discrete(self._leaves("", False), 0, FIRST_TEXEL + SECOND_TEXEL)[: self.used]
-        return tuple(i + (i >= FIRST_TEXEL) for i, mark in enumerate(marks) if not mark)
-
-    @property
     def extra_places(self) -> dict[str, tuple[int, str]]:
         """Of each extra the number of its texel, 0 or 1, and its channel there."""
         return {
@@ -230,8 +224,7 @@ class Layout:
             )
             any_discrete = any(_discrete(leaves, start, end))
             found[f"ANY_DISCRETE_{number}"] = str(int(any_discrete))
-            discrete = [*_discrete(stored, start, end), False][:4]
-            marks = ("0xFFFFFFFFu" if mark else "0u" for mark in discrete)
+            marks = ("0xFFFFFFFFu" if mark else "0u" for mark in _discrete(stored, start, end))
             found[f"DISCRETE_{number}"] = f"uvec4({', '.join(marks)})"
         if len(leaves) == 1 and not self.bits and self.used <= FIRST_TEXEL:
             found["CHANNELS"] = _XYZW[: self.used]
@@ -352,7 +345,7 @@ def _place(channel: int) -> tuple[int, str]:
 
 def _discrete(leaves: list[_Leaf], start: int, end: int) -> list[bool]:
     """Which channels of a texel hold integers or booleans."""
-    marks = [False] * (end - start)
+    marks = [False] * 4
     for leaf in leaves:
         for channel in range(leaf.start, leaf.start + leaf.type.components_or_one):
             if start <= channel < end:

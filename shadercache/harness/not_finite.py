@@ -18,7 +18,8 @@ def told_of(
 
     ``cache`` as :meth:`VariantRunner.cache` gives it; pixels count where ``covered``.
     """
-    found = cache[covered][:, list(layout.float_channels)]
+    channels = [channel for channel, discrete in layout.read_back if not discrete]
+    found = cache[covered][:, channels]
     size = np.abs(found)
     least = np.float32(precision_of("rgba32f").least)
     kinds = {

@@ -165,7 +165,8 @@ def reused(gpu: Gpu, name: str, made: Bundle) -> tuple[NDArray[np.float32], int]
     """The payloads that hits of three frames in motion brought back, and how many pixels missed
     because of what was stored."""
     node = next(node for node in analysed(name).nodes if node.id == made.node("id"))
-    channels = list(Layout((node.type,)).float_channels)
+    places = Layout((node.type,)).read_back
+    channels = [channel for channel, discrete in places if not discrete]
     hits, poisoned = [], 0
     with (
         stage(gpu, name) as canvas,
