@@ -23,7 +23,8 @@ and for one node or a set of them, for each pass of each algorithm:
 15. :mod:`transform.drop_results`
 16. :mod:`transform.drop_parameters`
 17. :mod:`transform.compound`       ``c += x`` again where nothing was cut out
-18. :mod:`transform.make_precise`   in proof mode only
+18. :mod:`transform.hide_arguments`, :mod:`transform.write_out_matrices` and
+    :mod:`transform.make_precise`   in proof mode only
 19. :mod:`emit.printer`             tree to text
 """
 

@@ -20,6 +20,7 @@ from shadercache.sema.facts import Stage
 from shadercache.transform.hide_arguments import hide_arguments
 from shadercache.transform.make_precise import make_precise
 from shadercache.transform.precisions import with_precisions
+from shadercache.transform.write_out_matrices import write_out_matrices
 
 COLOR, CACHE, MASK = "color", "cache", "mask"
 PREVIOUS, CURRENT = "previous-cache", "current-cache"
@@ -209,6 +210,7 @@ class _Writer:
         if self.options.mode == "proof":
             if stage == "fragment":
                 module = hide_arguments(module, memo)
+            module = write_out_matrices(module, self.vertex.prefix, stage, memo)
             module = make_precise(module, self.vertex.prefix, stage, memo)
         version, rest = print_module(module, memo).split("\n", 1)
         return f"{version}\n// shadercache: {item.file}, {self.about}\n{rest}"

@@ -11,37 +11,30 @@ compute exactly what is written, and must agree to the bit (DESIGN section 4, la
 ``precise`` needs GLSL 4.00 or GLSL ES 3.20. It goes on locals, global variables, outputs and out
 parameters; a returned value and an argument of a user's function become locals first, since
 ``precise`` does not reach into expressions that are not assigned to a precise variable. So do the
-operands of linear algebra, which drivers (Mesa) take apart into temporaries that are not precise.
+arguments of built-in functions of matrices, which Mesa takes apart into temporaries that are not
+precise; :mod:`transform.write_out_matrices` has left no other arithmetic on these.
 In GLSL ES everything becomes ``highp``: how exact ``mediump`` is, and where it is rounded, is up to
 the driver as well.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import TypeAlias, cast
+from typing import cast
 
 from shadercache.analysis.effects import EffectTable, Linked
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.walk import children
-from shadercache.lang.types import Type, builtin_type
-from shadercache.sema.check import check
+from shadercache.lang.types import builtin_type
 from shadercache.sema.facts import Stage
-from shadercache.source import NOWHERE, Source
+from shadercache.source import NOWHERE
 from shadercache.transform.precisions import all_highp
-from shadercache.transform.reachable import kept_names
 from shadercache.transform.replace import replace_expressions
+from shadercache.transform.write_out_matrices import Types, types_for_matrices
 
 _DESKTOP, _ES = 400, 320
 _OUTPUTS_ONLY = 420
-
-_SIZES = ("2", "3", "4", *(f"{rows}x{columns}" for rows in "234" for columns in "234"))
-_MATRICES = {f"{kind}{size}" for kind in ("mat", "dmat") for size in _SIZES} | {"outerProduct"}
-"""What a program names that works with matrices: their types, and what makes one without."""
-
-Types: TypeAlias = Mapping[n.Expr, Type]
 
 
 def precise_version(module: n.Module) -> int:
@@ -73,24 +66,12 @@ def _functions(module: n.Module, prefix: str, stage: Stage, memo: Memo) -> dict[
     kept: dict[Linked, n.FunctionDef] = memo.table("precise functions")
     linked = {name: table.linked(name) for name in table.functions}
     new = {name for name, item in linked.items() if item not in kept}
-    types = _types(module, new, memo) if stage == "fragment" and new else {}
+    types = types_for_matrices(module, new, stage, memo) if new else {}
     for name in new:
         function = table.functions[name]
         body = _Function(function, prefix, table.functions, table, types).block(function.body)
         kept[linked[name]] = replace(function, proto=_proto(function.proto), body=body)
     return {name: kept[item] for name, item in linked.items()}
-
-
-def _types(module: n.Module, functions: set[str], memo: Memo) -> Types:
-    """The types of all expressions in the given functions where the module works with matrices,
-    which it rarely does. Of the other functions the checker sees the heads alone."""
-    if all(kept_names(decl, memo).isdisjoint(_MATRICES) for decl in module.decls):
-        return {}
-    decls = tuple(
-        decl.proto if isinstance(decl, n.FunctionDef) and decl.name not in functions else decl
-        for decl in module.decls
-    )
-    return check(replace(module, decls=decls), Source("proof", "")).types
 
 
 def _decl(decl: n.Decl) -> n.Decl:
@@ -222,20 +203,12 @@ class _Function:
         return replace_expressions(expr, named)
 
     def algebra(self, original: n.Expr, rebuilt: n.Expr) -> n.Expr:
-        """Turn the operands of an operation on matrices into precise locals."""
+        """Turn the arguments of a built-in function of matrices into precise locals."""
         if not any(self._is_matrix(part) for part in (original, *children(original))):
             return rebuilt
-        match original, rebuilt:
-            case n.Call(), n.Call():
-                pairs = zip(original.args, rebuilt.args, strict=True)
-                return replace(rebuilt, args=tuple(self.operand(*pair) for pair in pairs))
-            case n.Binary(), n.Binary():
-                left = self.operand(original.left, rebuilt.left)
-                return replace(
-                    rebuilt, left=left, right=self.operand(original.right, rebuilt.right)
-                )
-            case n.Assign(), n.Assign(op="*="):
-                return replace(rebuilt, value=self.operand(original.value, rebuilt.value))
+        if isinstance(original, n.Call) and isinstance(rebuilt, n.Call):
+            pairs = zip(original.args, rebuilt.args, strict=True)
+            return replace(rebuilt, args=tuple(self.operand(*pair) for pair in pairs))
         return rebuilt
 
     def operand(self, original: n.Expr, rebuilt: n.Expr) -> n.Expr:

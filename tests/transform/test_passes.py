@@ -17,6 +17,7 @@ from shadercache.transform.rename import rename
 from shadercache.transform.specialise import Cut, insert_clones, specialise
 from shadercache.transform.split import split_declarations
 from shadercache.transform.unique_names import make_names_unique
+from shadercache.transform.write_out_matrices import write_out_matrices
 
 HEAD = "#version 330\nuniform float u_a;\nin vec3 v_a;\nout vec4 color;\n"
 
@@ -244,21 +245,18 @@ def test_make_precise_does_not_take_the_stored_payload_for_a_side_effect() -> No
     assert "precise float sc_exact_2 = sc_f(sc_exact_1) * 3.0;" in text
 
 
-def test_make_precise_names_the_operands_of_matrix_products() -> None:
-    module = make_precise(
-        module_of(
-            """uniform mat3 u_m;
-            void main() { mat3 m = u_m * 2.0; vec3 a = m * (v_a * 2.0) + 3.0 * v_a;
-                          a *= inverse(m + u_m); color = vec4(a, 1.0); }"""
-        ),
-        "sc_",
+def test_arithmetic_on_matrices_is_written_out_before_it_is_made_precise() -> None:
+    module = module_of(
+        """uniform mat3 u_m;
+        void main() { mat3 m = u_m * 2.0; vec3 a = m * (v_a * 2.0) + 3.0 * v_a;
+                      a *= inverse(m + u_m); color = vec4(a, 1.0); }"""
     )
-    text = lines(module)
+    text = lines(make_precise(write_out_matrices(module, "sc_"), "sc_"))
     assert "precise vec3 sc_exact_1 = v_a * 2.0;" in text
-    assert "precise vec3 a = m * sc_exact_1 + 3.0 * v_a;" in text
-    assert "precise mat3 sc_exact_2 = m + u_m;" in text
+    assert "precise vec3 a = sc_mat3_times_vec3(m, sc_exact_1) + 3.0 * v_a;" in text
+    assert "precise mat3 sc_exact_2 = sc_mat3_plus_mat3(m, u_m);" in text
     assert "precise mat3 sc_exact_3 = inverse(sc_exact_2);" in text
-    assert "a *= sc_exact_3;" in text
+    assert "a = sc_vec3_times_mat3(a, sc_exact_3);" in text
 
 
 def test_make_precise_leaves_conditional_arguments_where_they_are() -> None:
