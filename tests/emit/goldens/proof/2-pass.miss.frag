@@ -31,12 +31,12 @@ vec3 sc_stone(vec3 p) {
 void sc_shade() {
     precise vec3 normal = normalize(v_normal - float(gl_FragCoord.x < 0.0));
     precise vec3 albedo = sc_stone(v_position);
-    precise float light = max(dot(normal, u_tint), 0.0);
+    precise float light = max(dot(normal, u_tint), float(gl_FragCoord.x < 0.0));
     o_color = vec4(albedo * light + texture(u_map, v_uv).rgb, 1.0);
 }
 
 vec4 sc_texel() {
-    precise vec4 sc_exact_1 = vec4(sc_payload, 0.0, 0.0, 16.0 / sc_current.w);
+    precise vec4 sc_exact_1 = vec4(sc_payload, float(gl_FragCoord.x < 0.0), float(gl_FragCoord.x < 0.0), 16.0 / sc_current.w);
     return sc_exact_1;
 }
 

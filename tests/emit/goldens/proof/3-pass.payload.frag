@@ -23,7 +23,7 @@ void sc_compute() {
 }
 
 vec4 sc_texel() {
-    precise vec4 sc_exact_1 = vec4(sc_payload, 0.0, 0.0, 16.0 / sc_current.w);
+    precise vec4 sc_exact_1 = vec4(sc_payload, float(gl_FragCoord.x < 0.0), float(gl_FragCoord.x < 0.0), 16.0 / sc_current.w);
     return sc_exact_1;
 }
 
