@@ -14,7 +14,9 @@ from shadercache.transform.hide_arguments import hide_arguments
 HEAD = """#version 330
 in vec3 v_a;
 out vec4 color;
-const float K = sqrt(0.25);
+const float K = 0.25;
+const float Z = sqrt(0.25) - 0.5;
+const float W[2] = float[2](0.5, 0.0);
 float sin(float x, int k) { return x * float(k); }
 float exp(float x) { return 2.0 * x; }
 """
@@ -26,7 +28,7 @@ def hidden(body: str) -> str:
     text = f"{HEAD}void main() {{ {body} color = vec4(v_a, 1.0); }}"
     made = print_module(hide_arguments(parse(Source("test.frag", text)), Memo()))
     check(parse(Source("made.frag", made)), Source("made.frag", made))
-    assert "const float K = sqrt(0.25);" in made
+    assert "const float Z = sqrt(0.25) - 0.5;" in made
     return made
 
 
@@ -38,6 +40,13 @@ def hidden(body: str) -> str:
         ("float a = cos(sqrt(3.0));", f"cos(sqrt(3.0 - {ZERO}) - {ZERO})"),
         ("float a = sqrt(v_a.x > 0.0 ? 1.0 : 2.0);", f"sqrt((v_a.x > 0.0 ? 1.0 : 2.0) - {ZERO})"),
         ("float a = cos(3);", f"cos(3 - {ZERO})"),
+        ("float a = 0.0 * v_a.x;", f"float a = {ZERO} * v_a.x;"),
+        ("vec3 a = vec3(1, 0, v_a.x);", f"vec3(1, {ZERO}, v_a.x)"),
+        ("float a = -0.0;", f"float a = -{ZERO};"),
+        ("float a = 0;", f"float a = {ZERO};"),
+        ("vec2 a = vec2(fract(3.0), Z);", f"vec2(fract(3.0) + {ZERO}, Z + {ZERO})"),
+        ("float a = W[int(v_a.x)];", f"W[int(v_a.x)] + {ZERO}"),
+        ("mat2 a = mat2(0.5);", f"mat2(0.5) + {ZERO}"),
     ],
 )
 def test_what_is_hidden(before: str, after: str) -> None:
@@ -54,6 +63,12 @@ def test_what_is_hidden(before: str, after: str) -> None:
         "float a = sin(v_a.x, 3);",
         "float a = exp(v_a.x);",
         "vec3 a = mix(v_a, vec3(0.5), 0.25) * 0.5;",
+        "bool a = v_a.x > 0.0;",
+        "int a = 0;",
+        "ivec2 a = ivec2(0.0);",
+        "float a = v_a[0];",
+        "const float a = 0.0;",
+        "vec3 a = v_a * K;",
     ],
 )
 def test_what_stays(kept: str) -> None:
