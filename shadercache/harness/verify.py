@@ -22,6 +22,7 @@ from shadercache.emit.layout import Layout
 from shadercache.harness.bundle import Bundle
 from shadercache.harness.context import Gpu
 from shadercache.harness.home import at_home
+from shadercache.harness.levels import tells_true_levels
 from shadercache.harness.mesh import Mesh
 from shadercache.harness.not_finite import told_of
 from shadercache.harness.prop import Prop
@@ -173,8 +174,9 @@ class Verifier:
     ) -> None:
         """Render the originals. Raises as ``Stage`` and ``BoundPass``.
 
-        ``fetches``: as in :class:`Options`; in proof mode gradients, which are not exact, are not
-        taken. ``cache``: how variants look up, store and refresh.
+        ``fetches``: as in :class:`Options`; proof mode takes none that are not exact: gradients,
+        and levels where the driver tells others than it fetches at. ``cache``: how variants look
+        up, store and refresh.
         """
         self.analysis, self.fetches, self.cache = analysis, fetches, cache
         self.stage = Stage(gpu, scene, size, color="rgba32f", mesh=mesh, small=True)
@@ -286,7 +288,8 @@ class Verifier:
         return Bundle(emission.manifest, emission.files)
 
     def _rewritten(self, nodes: Sequence[Candidate], mode: Mode) -> Bundle:
-        fetches = "whole" if (mode, self.fetches) == ("proof", "gradient") else self.fetches
+        exact = self.fetches == "level" and tells_true_levels(self.stage.gpu)
+        fetches = self.fetches if mode == "plain" or exact else "whole"
         options = Options(mode=mode, cache_format="rgba32f", fetches=fetches, cache=self.cache)
         emission = rewrite(self.analysis, nodes, options, unprofitable=True)
         return Bundle(emission.manifest, emission.files)

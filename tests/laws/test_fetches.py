@@ -14,6 +14,7 @@ from shadercache.compiler import Analysis, analyse, rewrite
 from shadercache.diagnostics import InputError
 from shadercache.harness.bundle import Bundle
 from shadercache.harness.context import Gpu
+from shadercache.harness.levels import tells_true_levels
 from shadercache.harness.scene import Scene, load_scene
 from shadercache.harness.shaders import analyse_scene
 from shadercache.harness.verify import Verdict, Verifier
@@ -52,6 +53,19 @@ def test_laws_2_to_4(gpu: Gpu, opened: tuple[Scene, Analysis], fetches: FetchFor
     for verdict in verdicts(gpu, opened, fetches):
         assert set(verdict.always) == {"1-pass", "2-pass", "3-pass"}
         assert not verdict.broken and not verdict.failure, verdict.text
+
+
+def test_levels_are_proven_where_the_driver_tells_its_own(
+    gpu: Gpu, opened: tuple[Scene, Analysis]
+) -> None:
+    """The filter of the scene is the trilinear one, for which llvmpipe 25.0 tells others."""
+    scene, analysis = opened
+    emission = rewrite(
+        analysis, find(analysis, VALUES[0]), Options("proof", "rgba32f", fetches="level")
+    )
+    with closing(Verifier(gpu, scene, analysis, SIZE)) as verifier:
+        found = broken(verifier, Bundle(emission.manifest, emission.files))
+    assert tells_true_levels(gpu) == (not found)
 
 
 def test_gradients_are_near_but_not_exact(gpu: Gpu, opened: tuple[Scene, Analysis]) -> None:

@@ -16,6 +16,7 @@ from shadercache.harness.scene import Scene, load_scene
 from shadercache.harness.shaders import analyse_scene
 from shadercache.harness.verify import Verifier
 from shadercache.options import Options
+from tests.conditioning import all_too_far
 from tests.conftest import Golden
 
 FOLDER = Path(__file__).with_name("versions")
@@ -35,13 +36,13 @@ def test_laws_1_to_4(name: str, gpu: Gpu) -> None:
     with closing(Verifier(gpu, scene, analysis, (64, 64))) as verifier:
         found = verifier.round_trip()
         verdicts = [verifier.check(node) for node in nodes]
+        # In 16 bits a payload would be 2^-11 off, in 32 what is rearranged moves it by some 2^-23.
+        far = all_too_far(verifier, [[node] for node in nodes], verdicts)
     # The core profile has no fixed-function pipeline to compare with.
     assert found is None if name == "fixed" else found is not None and found.exact
     broken = {item.text: item.failure or item.broken for item in verdicts if item.broken}
     assert not broken
-    if name.startswith("es"):
-        changed = [item.text for item in verdicts if any(not d.exact for d in item.plain.values())]
-        assert not changed, "a payload of another precision than its expression"
+    assert not far, "a payload of another precision than its expression"
 
 
 @pytest.mark.parametrize("name", VERSIONS)
