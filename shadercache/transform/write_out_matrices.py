@@ -65,9 +65,10 @@ def write_out_matrices(
     new = [name for name, item in linked.items() if item not in kept]
     helpers: dict[str, n.FunctionDef] = memo.table("arithmetic on matrices")
     types = types_for_matrices(module, new, stage, memo) if new else {}
+    words = n.Qualifiers(NOWHERE, ("highp",)) if module.profile == "es" else n.NO_QUALIFIERS
     for name in new:
         function = table.functions[name]
-        writer = _Writer(types, prefix, helpers)
+        writer = _Writer(types, prefix, helpers, words)
         kept[linked[name]] = writer.rewrite(function) if types else function
     decls = [
         kept[linked[decl.name]] if isinstance(decl, n.FunctionDef) else decl
@@ -84,8 +85,10 @@ def _is_function(decl: n.Decl) -> bool:
 
 
 class _Writer(Rewriter):
-    def __init__(self, types: Types, prefix: str, helpers: dict[str, n.FunctionDef]) -> None:
-        self._types, self._prefix, self._helpers = types, prefix, helpers
+    def __init__(
+        self, types: Types, prefix: str, helpers: dict[str, n.FunctionDef], words: n.Qualifiers
+    ) -> None:
+        self._types, self._prefix, self._helpers, self._words = types, prefix, helpers, words
 
     def enter(self, node: n.Node) -> n.Node | None:
         """What must be constant can call no function of ours."""
@@ -113,7 +116,8 @@ class _Writer(Rewriter):
         kinds = _named(left, double), _named(right, double)
         name = f"{self._prefix}{kinds[0]}_{_WORDS[op]}_{kinds[1]}"
         if name not in self._helpers:
-            self._helpers[name] = _function(name, kinds, _result(op, left, right, double))
+            value = _result(op, left, right, double)
+            self._helpers[name] = _function(name, kinds, value, self._words)
         return n.Call(args[0].span, name, args)
 
 
@@ -138,13 +142,15 @@ def _type(columns: int, rows: int, double: bool) -> str:
     return f"{'d' if double else ''}{'vec' if columns == 1 else 'mat'}{size}"
 
 
-def _function(name: str, kinds: tuple[str, str], value: tuple[str, n.Expr]) -> n.FunctionDef:
+def _function(
+    name: str, kinds: tuple[str, str], value: tuple[str, n.Expr], words: n.Qualifiers
+) -> n.FunctionDef:
     params = tuple(
-        n.Param(NOWHERE, n.NO_QUALIFIERS, n.TypeSpec(NOWHERE, kind), param)
+        n.Param(NOWHERE, words, n.TypeSpec(NOWHERE, kind), param)
         for kind, param in zip(kinds, "ab", strict=True)
     )
     kind = n.TypeSpec(NOWHERE, value[0])
-    proto = n.FunctionProto(NOWHERE, n.NO_QUALIFIERS, kind, name, params)
+    proto = n.FunctionProto(NOWHERE, words, kind, name, params)
     return n.FunctionDef(NOWHERE, proto, n.Block(NOWHERE, (n.Return(NOWHERE, value[1]),)))
 
 
