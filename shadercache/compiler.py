@@ -21,7 +21,7 @@ and for one node or a set of them, for each pass of each algorithm:
 13. :mod:`emit.assemble`            add the look-up, the store and a new ``main``
 14. :mod:`transform.remove_dead`    keep what the pass's outputs need, in turns with
 15. :mod:`transform.drop_results`
-16. :mod:`transform.drop_parameters`
+16. :mod:`transform.drop_parameters`, :mod:`transform.move_arguments`
 17. :mod:`transform.compound`       ``c += x`` again where nothing was cut out
 18. :mod:`transform.hide_arguments`, :mod:`transform.write_out_matrices` and
     :mod:`transform.make_precise`   in proof mode only
