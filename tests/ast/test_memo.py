@@ -18,6 +18,7 @@ from shadercache.paths import data_path
 from shadercache.source import Source
 from shadercache.transform.make_precise import make_precise
 from shadercache.transform.remove_dead import remove_dead
+from shadercache.transform.write_out_matrices import write_out_matrices
 
 TEXT = """#version 330
 in float v_a;
@@ -86,10 +87,14 @@ def test_precise_functions_with_matrices_need_the_types_of_the_new_ones_alone() 
         "return f(x) + 1.0;", "return dot(u_m * (u_m * vec3(x)), vec3(2.0));"
     )
     module, memo = parse(Source("test", text)), Memo()
-    alone = print_module(make_precise(module, "sc_"))
-    assert "precise vec3 sc_exact" in alone
-    make_precise(_with(module, _function(parse(Source("test", text)), "h")), "sc_", memo=memo)
-    assert print_module(make_precise(module, "sc_", memo=memo)) == alone
+    alone = print_module(_proven(module, Memo()))
+    assert "precise vec3 sc_exact" in alone and "sc_mat3_times_vec3(u_m, sc_exact" in alone
+    _proven(_with(module, _function(parse(Source("test", text)), "h")), memo)
+    assert print_module(_proven(module, memo)) == alone
+
+
+def _proven(module: n.Module, memo: Memo) -> n.Module:
+    return make_precise(write_out_matrices(module, "sc_", memo=memo), "sc_", memo=memo)
 
 
 @pytest.mark.parametrize("mode", ["plain", "proof"])

@@ -187,6 +187,10 @@ NOTICED: dict[str, tuple[str, Break]] = {
         "gl330-known_part",
         lambda patch: patch.setattr(program_set, "hide_arguments", lambda module, _: module),
     ),
+    "write_out_matrices: nothing": (
+        "gl330-turned",
+        lambda patch: patch.setattr(program_set, "write_out_matrices", lambda module, *_: module),
+    ),
     "legacy_calls: no bias": ("gl120-bias", a_bias_is_dropped),
     "fixed_function: nothing declared": (
         "gl120-bias",

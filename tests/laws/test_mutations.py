@@ -66,7 +66,7 @@ class Replace:
         return text.replace(self.old, self.new)
 
 
-TWINS_SWAPPED = Replace("sc_previous_u_modelViewProjection * vec4", "u_modelViewProjection * vec4")
+TWINS_SWAPPED = Replace("_vec4(sc_previous_u_modelViewProjection,", "_vec4(u_modelViewProjection,")
 HITS_DISABLED = Replace("    return 1;\n", "    return 4;\n")
 HITS_UNMARKED = Replace("    sc_moved = marked;\n    return 1;\n", "    return 4;\n")
 """The same for the passes of the variants, where a miss must not look like a marked hit."""
