@@ -226,7 +226,7 @@ class Layout:
             found[f"ANY_DISCRETE_{number}"] = str(int(any_discrete))
             marks = ("0xFFFFFFFFu" if mark else "0u" for mark in _discrete(stored, start, end))
             found[f"DISCRETE_{number}"] = f"uvec4({', '.join(marks)})"
-        if len(leaves) == 1 and not self.bits and self.used <= FIRST_TEXEL:
+        if len(leaves) == 1 and self.types[0].is_float and self.used <= FIRST_TEXEL:
             found["CHANNELS"] = _XYZW[: self.used]
         return found | self._extra_macros()
 
