@@ -56,7 +56,18 @@ class Expressions(State):
         found = self.readable(kind)
         if found and self.pick(5):
             return self.choose(found)
+        if kind == "bool" and self.pick(4):
+            return self.parting_test()
         return self.literal(kind)
+
+    def parting_test(self) -> str:
+        """A condition that about half of the fragments meet."""
+        place = f"{self.choose(('v_position', 'v_normal'))}.{self.choose('xyz')}"
+        return f"({place} {self.choose('<>')} {self.choose(('0.1', '0.0', '(-0.2)'))})"
+
+    def uniform_test(self) -> str:
+        """A condition that all fragments agree on; mostly one that they meet."""
+        return self.choose(("u_a > 0.5", "u_n == 3", "u_a < 2.0", "u_n > 5"))
 
     def readable(self, kind: str) -> list[str]:
         """Variables of the type, and parts of other variables; varyings are the likeliest."""
@@ -200,6 +211,7 @@ class Expressions(State):
         if self.dialect.modern:
             forms += [
                 ("textureLod", "textureLod({s}, {uv}, abs({l}))", ""),
+                ("cube level", "textureLod(u_cube, vec3({uv}, 0.7), 0.0)", ""),
                 ("texelFetch", "texelFetch({s}, ivec2(15.0 * fract({uv})), 1)", ""),
             ]
         if not forms:

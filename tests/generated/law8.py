@@ -8,6 +8,7 @@ hangs on what differs between fragments) or some may have been discarded.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cached_property
 from typing import cast
 
 from shadercache.analysis.effects import Does, EffectTable, needs_derivative
@@ -16,6 +17,7 @@ from shadercache.ast import nodes as n
 from shadercache.ast.walk import children, walk
 from shadercache.emit.printer import print_node
 
+SHARED = Does.DERIVATIVE | Does.IMPLICIT_LOD | Does.DISCARD
 JUMPS = Does.JUMP | Does.RETURN | Does.DISCARD
 
 
@@ -30,10 +32,14 @@ class _Walker:
     """``under`` tells that some fragments are elsewhere; ``gone``, that some were discarded."""
 
     def __init__(self, module: n.Module) -> None:
-        self.table = EffectTable(module)
-        self.differing = hanging_names(module, _varying(module))
+        self.module, self.table = module, EffectTable(module)
         self.found: list[str] = []
         self.gone = False
+
+    @cached_property
+    def differing(self) -> frozenset[str]:
+        """What differs between fragments; most texts are done without."""
+        return hanging_names(self.module, _varying(self.module))
 
     def function(self, name: str, under: bool) -> None:
         body = self.table.functions[name].body
@@ -43,7 +49,7 @@ class _Walker:
         """Statements in a row; behind one with a jump that some fragments take, they are apart."""
         for stmt in stmts:
             self.statement(stmt, under, jumps)
-            under = under or (self.parts(stmt) and bool(self.table.of(stmt).does & jumps))
+            under = under or (bool(self.table.of(stmt).does & jumps) and self.parts(stmt))
 
     def parts(self, stmt: n.Stmt) -> bool:
         """Is there anything in it that some fragments execute and others do not?"""
@@ -52,6 +58,8 @@ class _Walker:
 
     def statement(self, stmt: n.Stmt, under: bool, jumps: Does) -> None:
         heads = list(_heads(stmt))
+        if not self.table.of(stmt).does & SHARED:
+            return
         if isinstance(stmt, n.Block):
             self.block(stmt.body, under, jumps)
             return
@@ -60,7 +68,7 @@ class _Walker:
             return
         inner = under or any(self.differs(head) for head in heads)
         if isinstance(stmt, LOOPS):
-            inner = inner or (self.parts(stmt.body) and bool(self.table.of(stmt.body).does & JUMPS))
+            inner = inner or (bool(self.table.of(stmt.body).does & JUMPS) and self.parts(stmt.body))
         for part in children(stmt):
             if part in heads and not isinstance(stmt, LOOPS):
                 self.expression(part, under)

@@ -32,13 +32,20 @@ class Variable:
 
 @dataclass(frozen=True)
 class Function:
-    """A function that is written already. ``derives``: for uniform flow only."""
+    """A function that is written already. ``derives``: for uniform flow only.
+
+    ``role``: what it is for, if for anything; ``carrier``: the global that it works on, with its
+    type; ``left``: the global that its result is left in.
+    """
 
     name: str
     result: str
     params: tuple[tuple[str, str], ...]
     derives: bool
     discards: bool
+    role: str = ""
+    carrier: tuple[str, str] = ("", "")
+    left: tuple[str, str] = ("", "")
 
 
 @dataclass
@@ -71,6 +78,9 @@ class State:
     discards: bool = False
     default_precision: bool = True
     may_discard: bool = False
+    stories: int = 0
+    left: int = 0
+    """How often fragments were let go."""
 
     def choose(self, items: Sequence[T]) -> T:
         """One of the items; the first is the simplest."""
@@ -123,6 +133,7 @@ class State:
     def leave(self) -> None:
         """Some fragments have left: no more derivatives from here on in this function."""
         self.flow.uniform = False
+        self.left += 1
 
     def typed(self, kind: str) -> str:
         """The type as a declaration has it: in GLSL ES with a precision."""

@@ -6,6 +6,7 @@ import random
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -16,14 +17,22 @@ from shadercache.analysis.candidates import Candidate
 from shadercache.ast.large import allow_deep_trees
 from shadercache.harness.context import Gpu
 
-from .dialects import DIALECTS
-from .trial import Report, try_shader
+from .dialects import DIALECTS, Dialect
+from .trial import Chooser, Report, try_shader
 from .writer import Shader, Writer, shaders
 
 OUTPUT = Path(__file__).resolve().parent.parent.parent / "out" / "generated"
 REGRESSIONS = Path(__file__).with_name("regressions")
-NODES = 2
+Nodes = Sequence[Candidate]
+Trial = Callable[[Gpu, str, Dialect, Chooser], Report]
+
+REPEATED = 3
+"""Shaders that are made for one that is new, at most."""
+
+NODES = 3
 """Nodes of a shader that are checked."""
+
+_PICKS = st.tuples(*[st.integers(0, 0xFFFF)] * NODES)
 
 
 @dataclass
@@ -97,23 +106,41 @@ class Coverage:
         return "\n".join(lines)
 
 
+@dataclass
+class _Told:
+    """What a run has seen. Hypothesis repeats shaders that it has made, with other nodes: half of
+    what it makes is known already, and is passed over until it looks for a smaller one."""
+
+    texts: set[str] = field(default_factory=set)
+    broken: bool = False
+
+
 class BrokenError(AssertionError):
     """A generated shader for which something does not hold."""
 
 
-def check_shaders(gpu: Gpu, dialect: str, count: int, number: int, coverage: Coverage) -> None:
-    """Try so many shaders, the same ones for the same seed ``number``.
+def check_shaders(
+    gpu: Gpu,
+    dialect: str,
+    count: int,
+    number: int,
+    coverage: Coverage,
+    trial: Trial = try_shader,
+    shrink: bool = True,
+) -> None:
+    """Try so many different shaders, the same ones for the same seed ``number``.
 
-    Raises :class:`BrokenError` for the smallest shader that breaks anything, written to
-    ``out/generated``.
+    Raises :class:`BrokenError` for a shader that breaks anything, written to ``out/generated``;
+    the smallest one if ``shrink``.
     """
+    told = _Told()
 
     @seed(number)
     @settings(
-        max_examples=count,
+        max_examples=REPEATED * count,
         deadline=None,
         database=None,
-        phases=(Phase.generate, Phase.shrink),
+        phases=(Phase.generate, *([Phase.shrink] if shrink else [])),
         suppress_health_check=list(HealthCheck),
         report_multiple_bugs=False,
         print_blob=False,
@@ -121,23 +148,26 @@ def check_shaders(gpu: Gpu, dialect: str, count: int, number: int, coverage: Cov
     @given(st.data())
     def every_shader(data: st.DataObject) -> None:
         shader = data.draw(shaders(dialect))
-
-        def drawn(legal: Sequence[Candidate]) -> list[Candidate]:
-            return pick_nodes(legal, lambda below: data.draw(st.integers(0, below - 1)))
-
-        report = try_shader(gpu, shader.text, shader.dialect, drawn)
+        picks = iter(data.draw(_PICKS))  # drawn in any case: what is drawn must not hang on state
+        if not told.broken and (shader.text in told.texts or len(told.texts) >= count):
+            return
+        told.texts.add(shader.text)
+        drawn = partial(pick_nodes, pick=lambda below: next(picks) % below)
+        report = trial(gpu, shader.text, shader.dialect, drawn)
         coverage.add(shader, report)
         if report.problems:
+            told.broken = True
             raise BrokenError(_kept(shader, report, number))
 
     allow_deep_trees()  # or hypothesis warns that the limit changes under it
     every_shader()
 
 
-def pick_nodes(legal: Sequence[Candidate], pick: Callable[[int], int]) -> list[Candidate]:
-    """Some of the nodes: where there is one, one that might pay, and one inside of a function."""
+def pick_nodes(legal: Nodes, near: Nodes, pick: Callable[[int], int]) -> list[Candidate]:
+    """Some of the nodes: where there is one, one that might pay, one inside of a function, and one
+    that may come to what fragments share (``near``)."""
     left, found = list(legal), list[Candidate]()
-    for wanted in (_pays, _is_called):
+    for wanted in (near.__contains__, _pays, _is_called):
         some = [node for node in left if wanted(node)]
         if some:
             found.append(some[pick(len(some))])

@@ -2,8 +2,9 @@
 
 By generated shaders (at night), or where those take long for it by a small shader of
 ``mutations``. What the analyses get wrong is mostly safe, since the programs are made from the text
-anew: it shows in the goldens of the cases. Other breaks are in ``laws/test_mutations.py`` (the text
-of the look-up) and ``cases/test_loops.py`` (loops that wait for a payload).
+anew: it shows in the goldens of the cases. The rules that are not safe to break are those of
+``rules``. Other breaks are in ``laws/test_mutations.py`` (the text of the look-up) and
+``cases/test_loops.py`` (loops that wait for a payload).
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ import os
 import random
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -35,8 +37,9 @@ from tests.cases.cases import FOLDER as CASES
 from tests.cases.cases import golden_text, sources
 
 from .dialects import DIALECTS
-from .suite import pick_nodes, quick_shader
-from .trial import try_shader
+from .rules import RULES, Rule
+from .suite import Nodes, pick_nodes, quick_shader
+from .trial import Chooser, try_shader
 
 pytestmark = pytest.mark.xdist_group("generated")
 
@@ -91,9 +94,7 @@ def noticed(gpu: Gpu, dialect: str, most: int = MOST) -> list[str]:
     for number in range(most):
         shader = quick_shader(dialect, number)
         pick = random.Random(number).randrange
-        report = try_shader(
-            gpu, shader.text, shader.dialect, lambda legal, pick=pick: pick_nodes(legal, pick)
-        )
+        report = try_shader(gpu, shader.text, shader.dialect, partial(pick_nodes, pick=pick))
         if report.problems:
             print(f"shader {number}: {report.problems[0]}")
             return report.problems
@@ -242,11 +243,21 @@ TOLD: dict[str, tuple[str, Break]] = {
 """The case whose golden changes, and how the analysis is broken."""
 
 
-def small_shader(gpu: Gpu, name: str) -> list[str]:
+def some_nodes(legal: Nodes, near: Nodes) -> Nodes:
+    """Five of the nodes, from all over the shader."""
+    return legal[:: -(-len(legal) // 5)]
+
+
+def near_first(legal: Nodes, near: Nodes) -> Nodes:
+    """Two of the nodes: those first that may come to what fragments share."""
+    return [*near, *(node for node in legal[::-1] if node not in near)][:2]
+
+
+def small_shader(gpu: Gpu, name: str, chooser: Chooser = some_nodes) -> list[str]:
     """The problems of one of the small shaders, with some of its legal nodes."""
     text = (MUTATIONS / f"{name}.frag").read_text(encoding="utf-8")
     dialect = DIALECTS[name.partition("-")[0]]
-    return try_shader(gpu, text, dialect, lambda legal: legal[:: -(-len(legal) // 5)]).problems
+    return try_shader(gpu, text, dialect, chooser).problems
 
 
 @pytest.mark.parametrize(("name", "change"), NOTICED.values(), ids=NOTICED.keys())
@@ -264,6 +275,17 @@ def test_a_small_shader_notices(
 def test_unbroken_they_have_no_problems(gpu: Gpu) -> None:
     for name in sorted({name for name, _ in NOTICED.values()}):
         assert not small_shader(gpu, name), name
+    for rule in RULES:
+        assert not small_shader(gpu, rule.shader, near_first), rule.shader
+
+
+@pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.name)
+def test_a_broken_rule_is_noticed(gpu: Gpu, rule: Rule) -> None:
+    with pytest.MonkeyPatch.context() as patch:
+        rule.broken(patch)
+        problems = small_shader(gpu, rule.shader, near_first)
+    assert problems
+    print(problems[0].partition("\n")[0])
 
 
 @pytest.mark.parametrize(("name", "change"), TOLD.values(), ids=TOLD.keys())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 import subprocess
 import tempfile
@@ -27,18 +28,21 @@ from shadercache.harness.context import Gpu
 from shadercache.harness.runner import RunOptions, VariantRunner
 from shadercache.harness.verify import Difference, Image, Verdict, Verifier
 from shadercache.options import Options
+from shadercache.sema.facts import Stage
 from shadercache.sema.read import read
 from shadercache.source import Source
 from shadercache.transform.unique_names import make_names_unique
 
 from .dialects import Dialect
 from .law8 import apart_derivatives
+from .reach import near
 from .stage import SIZE, ring, scene
 
 Nodes = tuple[Candidate, ...]
 """What is cached together."""
 
-Chooser = Callable[[Sequence[Candidate]], Sequence[Candidate]]
+Chooser = Callable[[Sequence[Candidate], Sequence[Candidate]], Sequence[Candidate]]
+"""Chooses from all legal nodes, and those of them that may come to what fragments share."""
 
 ROUNDING = 1e-3
 """What rounding may change, absolutely and relatively: sums and sines of a hundred operations."""
@@ -50,6 +54,9 @@ UNRAISED = ("gl330", "es300")
 """Dialects whose text the driver is given as it is."""
 
 SHIPPED = Options("plain", "rgba32f")
+
+SHARING = re.compile(r"\bdFd|\bfwidth|\btexture")
+"""What a text without derivatives has not."""
 
 REFERENCE = shutil.which("glslangValidator")
 
@@ -86,7 +93,8 @@ def _try(gpu: Gpu, text: str, dialect: Dialect, chooser: Chooser, report: Report
     analysis = analyse(Source("made.frag", text), Source("made.vert", dialect.vertex))
     for node in analysis.nodes:
         report.codes[node.refusal.code.code if node.refusal else "offered"] += 1
-    chosen = chooser([node for node in analysis.nodes if node.legal])
+    legal = [node for node in analysis.nodes if node.legal]
+    chosen = chooser(legal, near(analysis.program.module, legal))
     report.nodes = len(chosen)
     sets = [*((node,) for node in chosen), *_together(analysis, chosen)]
     made = [(nodes, _rewritten(analysis, nodes)) for nodes in sets]
@@ -104,7 +112,6 @@ def _try(gpu: Gpu, text: str, dialect: Dialect, chooser: Chooser, report: Report
         for content, name in {content: name for name, content in reversed(texts.items())}.items()
     }
     report.problems += _read(texts)
-    report.problems += _law_8(texts)
     report.problems += _compiled(texts)
 
 
@@ -230,27 +237,22 @@ def zeros_alike() -> Iterator[None]:
 
 
 def _read(texts: dict[str, str]) -> Iterator[str]:
-    """Every program, and the original, by our own checker."""
+    """Every program, and the original, by our own checker and by law 8: derivatives that fragments
+    take apart, where those of the original are taken together."""
+    apart = dict[str, list[str]]()
     for name, text in texts.items():
-        stage = "fragment" if name.endswith(".frag") else "vertex"
+        stage: Stage = "fragment" if name.endswith(".frag") else "vertex"
         try:
-            read(Source(name, text), stage, ReadOptions(), needs_main=True)
+            module, facts = read(Source(name, text), stage, ReadOptions(), needs_main=True)
         except InputError as error:
             yield f"our own checker, {name}: {error}\n{text}"
-
-
-def _law_8(texts: dict[str, str]) -> Iterator[str]:
-    """Derivatives that fragments take apart, where those of the original are taken together."""
-    if _apart_derivatives("user.frag", texts["user.frag"]):
-        return
-    for name, text in texts.items():
-        for found in _apart_derivatives(name, text) if name.endswith(".frag") else ():
-            yield f"law 8, {name}: '{found}' is not taken by all\n{text}"
-
-
-def _apart_derivatives(name: str, text: str) -> list[str]:
-    module, facts = read(Source(name, text), "fragment", ReadOptions())
-    return apart_derivatives(make_names_unique(module, facts))
+            continue
+        if stage == "fragment" and SHARING.search(text):
+            apart[name] = apart_derivatives(make_names_unique(module, facts))
+    if not apart.get("user.frag"):
+        for name, found in apart.items():
+            for item in found:
+                yield f"law 8, {name}: '{item}' is not taken by all\n{texts[name]}"
 
 
 def _compiled(texts: dict[str, str]) -> Iterator[str]:

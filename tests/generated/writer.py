@@ -8,9 +8,11 @@ from functools import cache
 
 from hypothesis import strategies as st
 
+from .carriers import indented
 from .dialects import DIALECTS, Dialect
-from .expressions import VARYINGS, Expressions
-from .state import ELEMENT, FLOATS, LENGTH, Flow, Function
+from .expressions import VARYINGS
+from .shapes import Shapes
+from .state import ELEMENT, FLOATS, LENGTH
 
 UNIFORMS = {
     "u_a": ("float", (0.7,)),
@@ -18,6 +20,9 @@ UNIFORMS = {
     "u_n": ("int", (3.0,)),
 }
 SAMPLERS = {"u_mipmapped": "sampler2D", "u_plain": "sampler2D", "u_cube": "samplerCube"}
+
+NEVER = ("u_n > 5", "u_b.x > 2.0", "u_a < 0.0")
+"""Conditions that no fragment meets, which only the driver can know."""
 
 LEVELS = (1, 2, 2, 3)
 """Of an expression."""
@@ -32,16 +37,17 @@ class Shader:
     tags: Counter[str]
 
 
-class Writer(Expressions):
+class Writer(Shapes):
     """Writes one shader."""
 
     def shader(self) -> Shader:
         self.default_precision = not (self.dialect.es and self.chance(4))
-        self.may_discard = self.chance(8)
+        self.may_discard = self.chance(3)
         head = self.head()
         lines: list[str] = []
-        for number in range(self.pick(4)):
-            lines += self.function_(number)
+        for number in range(self.pick(5)):
+            shapes = (self.function_, self.taker, self.taker, self.giver, self.passer)
+            lines += self.choose((*shapes, self.function_, self.taker))(number)
         lines += self.main()
         text = "\n".join([*head, *lines, ""])
         return Shader(self.dialect, text, self.tags)
@@ -79,8 +85,9 @@ class Writer(Expressions):
     def globals(self) -> list[str]:
         lines: list[str] = []
         for number in range(self.pick(4)):
-            kind = self.choose(("float", "vec3", "int", "vec2", "bool", "mat2"))
-            name, constant = f"g{number}", self.chance(3)
+            kinds = ("float", "vec3", "float", "int", "vec2", "Pair", "bool", "mat2", "float[3]")
+            kind = self.choose(self.held(kinds))
+            name, constant = f"g{number}", self.chance(4)
             if self.chance(4):
                 name = self.new_name() or name
             self.tag("const global" if constant else "global")
@@ -101,11 +108,9 @@ class Writer(Expressions):
         params = tuple(self.parameter() for _ in range(self.pick(4)))
         name = self.function_name(number, params)
         self.begin_function(result, calls=2)
-        texts = []
-        for way, kind in params:
+        for _, kind in params:
             given = self.new_name()
             assert given is not None
-            texts.append(f"{way + ' ' if way != 'in' else ''}{self.variable(kind, given)}")
             self.declare(given, kind)
         outs = [
             name for (way, _), name in zip(params, self.scopes[-1], strict=True) if way == "out"
@@ -115,11 +120,7 @@ class Writer(Expressions):
         body += self.statements(1 + self.pick(3), 1)
         if result != "void":
             body.append(f"return {self.expr(result, self.choose(LEVELS))};")
-        self.scopes.pop()
-        made = Function(name, result, params, self.derives, self.discards)
-        self.functions.append(made)
-        head = f"{self.typed(result)} {name}({', '.join(texts)})"
-        return [f"{head} {{", *_indented(body), "}"]
+        return self.finished(name, result, params, body)
 
     def parameter(self) -> tuple[str, str]:
         kinds = ["float", "vec3", "vec2", "vec4", "int", "mat2", "Pair", "bool"]
@@ -142,23 +143,21 @@ class Writer(Expressions):
                 return other.name
         return f"f{number}"
 
-    def begin_function(self, result: str, calls: int) -> None:
-        self.scopes.append({})
-        self.flow, self.result, self.calls_left = Flow(), result, calls
-        self.derives = self.discards = False
-
     def main(self) -> list[str]:
         self.begin_function("main", calls=5)
         color = self.dialect.color
         body = [f"{color} = vec4(0.0);"]
         body += self.first_values()
-        body += self.statements(1 + self.pick(4), 2)
+        body += self.statements(self.pick(3), 2)
+        for _ in range(self.pick(3)):
+            body += self.story(1)
+        body += self.statements(self.pick(3), 2)
         body.append(f"{color} += {self.expr('vec4', 3)};")
         for name, item in self.visible().items():
             text = self.as_float(name, item.kind)
             if text and item.writable:
                 body.append(f"{color}.{self.choose('xyzw')} += 0.2 * {text};")
-        return ["void main() {", *_indented(body), "}"]
+        return ["void main() {", *indented(body), "}"]
 
     def first_values(self) -> list[str]:
         """Values of the surface, before anything is under a condition: there are always nodes."""
@@ -195,7 +194,7 @@ class Writer(Expressions):
             forms = [self.declaration, self.declaration, self.assignment, self.assignment]
             forms += [self.call_statement, self.compound]
             if depth:
-                forms += [self.if_, self.for_, self.block, self.if_]
+                forms += [self.if_, self.for_, self.block, self.if_, self.story, self.story]
                 forms += [self.while_] if self.dialect.loops else []
                 forms += [self.switch] if self.dialect.modern else []
             if self.flow.escapes and self.chance(2):
@@ -268,7 +267,7 @@ class Writer(Expressions):
             body = self.statements(1 + self.pick(2), depth - 1)
             left = self.flow.uniform
         self.flow.uniform = left
-        return ["{", *_indented(body), "}"]
+        return ["{", *indented(body), "}"]
 
     def nested(self, depth: int, uniform: bool, **changes: bool) -> list[str]:
         """A body of its own. What jumps out of it to the end of the function divides the flow."""
@@ -279,12 +278,12 @@ class Writer(Expressions):
                 body += self.leave_early(depth)
         if jumps != (self.tags["return"], self.tags["discard"], self.tags["jump"]):
             self.leave()
-        return _indented(body)
+        return indented(body)
 
     def if_(self, depth: int) -> list[str]:
         uniform = self.chance(4)
         self.tag("uniform if" if uniform else "if")
-        test = "u_a > 0.5" if uniform else self.expr("bool", 2)
+        test = self.uniform_test() if uniform else self.expr("bool", 2)
         before = self.flow.uniform
         lines = [f"if ({test}) {{", *self.nested(depth, uniform and before)]
         if self.chance(2):
@@ -320,13 +319,16 @@ class Writer(Expressions):
             lines = [f"while ({test}) {{", count, *body, "}"]
         else:
             lines = ["do {", count, *body, f"}} while ({test});"]
-        return ["{", *_indented([f"int {name} = 0;", *lines]), "}"]
+        return ["{", *indented([f"int {name} = 0;", *lines]), "}"]
 
     def switch(self, depth: int) -> list[str]:
-        self.tag("switch")
-        lines = [f"switch ({self.expr('int', 2)}) {{"]
-        for label in ("case 1:", "case 2:", "default:"):
-            lines += [f"    {label}", "    {", *_indented(self.nested(depth, False, switch=True))]
+        uniform = self.chance(3)
+        self.tag("uniform switch" if uniform else "switch")
+        lines = [f"switch ({'u_n' if uniform else self.expr('int', 2)}) {{"]
+        uniform = uniform and self.flow.uniform
+        for label in ("case 3:", "case 2:", "default:"):
+            lines += [f"    {label}", "    {"]
+            lines += indented(self.nested(depth, uniform, switch=True))
             falls = label != "default:" and self.chance(3)
             if falls:
                 self.tag("fall through")
@@ -341,8 +343,11 @@ class Writer(Expressions):
         if self.may_discard and self.flow.escapes:
             ways += ["discard", "discard"]
         word = self.choose(ways)
-        test = self.expr("bool", 2)
-        if word in ("return", "discard"):
+        together = word in ("return", "discard") and self.chance(3)
+        test = self.choose(NEVER) if together else self.expr("bool", 2)
+        if together:
+            self.tag(f"uniform {word}")
+        elif word in ("return", "discard"):
             self.leave()
         if word == "return":
             self.tag("return")
@@ -355,10 +360,6 @@ class Writer(Expressions):
             self.tag("jump")
             self.tag(word)
         return [f"if ({test}) {word};"]
-
-
-def _indented(lines: list[str]) -> list[str]:
-    return [f"    {line}" for line in lines]
 
 
 @cache

@@ -25,6 +25,7 @@ from pathlib import Path
 from shadercache.harness.context import open_context
 from shadercache.harness.results import SCHEMA_VERSION, environment, machine_name, write_json
 from tests.generated.many import Record, batches, try_many
+from tests.generated.rules import MOST, RULES, shaders_until
 from tests.generated.suite import Coverage
 
 from .cases import written_cases
@@ -49,12 +50,27 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--limit", type=int, metavar="N", help="at most so many batches now")
     parser.add_argument("-o", "--output", type=Path, default=ROOT / "out" / "stress")
     parser.add_argument("--results", type=Path, metavar="DIR", help="for results")
+    parser.add_argument("--rules", action="store_true", help="break rules: how many shaders notice")
     options = parser.parse_args(arguments)
+    if options.rules:
+        return _rules(options)
     if not (options.shaders or options.only_generated or options.only is not None):
         return run_numerics(options.names, not options.short, options.results)
     wrong = [] if options.only_generated else _cases(options)
     broken = 0 if options.only is not None else _generated(options)
     return int(bool(wrong or broken))
+
+
+def _rules(options: argparse.Namespace) -> int:
+    """Break each rule and count the shaders until one notices; how many rules none notices."""
+    missed = 0
+    with open_context() as gpu:
+        for rule in RULES:
+            found = shaders_until(gpu, rule, options.seed)
+            missed += found is None
+            count = f"shader {found[0]}" if found else f"none of {MOST} shaders"
+            print(f"{rule.name}: {count} (seed {options.seed})", flush=True)
+    return missed
 
 
 def _cases(options: argparse.Namespace) -> list[Result]:
