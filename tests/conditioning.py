@@ -3,15 +3,20 @@
 A driver rearranges arithmetic across the cut (``(v * 3.0) * 5.0`` is one product or two), so that a
 payload, and what is computed from it, is some roundings off; how many, and where, each driver
 decides for itself. How far that moves the picture is up to the shader. So it is measured, on the
-same driver: the payload is made larger and smaller by a few roundings, and the picture may change
-by as much as these change it, by as much as the same liberties change the original, and by the
-roundings of a colour.
+same driver: the payload is made larger and smaller by a few roundings, and the terms of each
+varying by one; the picture may change by as much as these change it, by as much as the same
+liberties change the original, and by the roundings of a colour.
+
+Varyings, because Mesa moves ``v_normal * 3.0`` into the vertex shader from 24.1 on, where a program
+needs no more of the varying, and interpolates the product. What is interpolated is the sum of terms
+that cancel, far larger than itself where triangles are small, so other roundings show.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from pathlib import Path
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.ast import nodes as n
@@ -28,6 +33,10 @@ COLOUR = 1e-5
 ROUNDINGS = 8
 """By which a payload is moved, in ulps. A product that is folded and a sum that is added in another
 order are off by one to three."""
+
+ULP = 2.0**-23
+
+NEAR = Path(__file__).with_suffix(".glsl")
 
 PROGRAM = "2-pass.miss.frag"
 """The whole shader, with the payload stored where it stands."""
@@ -76,29 +85,44 @@ def _moved(verifier: Verifier, nodes: Sequence[Candidate]) -> float:
     text = bundle.files[PROGRAM]
     found = 0.0
     for sign in (-1, 1):
-        scale = 1.0 + sign * ROUNDINGS * 2.0**-23
-        files = bundle.files | {PROGRAM: scaled(text, scale)}
+        files = bundle.files | {PROGRAM: scaled(text, sign * ROUNDINGS)}
         changed = verifier._changed(Bundle(bundle.manifest, files), "2-pass")
         found = max(found, changed.maximum)
     return found
 
 
-def scaled(text: str, scale: float) -> str:
-    """The program with every floating-point number of its payloads scaled."""
+def scaled(text: str, ulps: float) -> str:
+    """The program with every number of its payloads moved by so many ulps, and its varyings by
+    as many in proportion, one for :data:`ROUNDINGS`."""
     module = parse(Source(PROGRAM, text))
     structs = {item.name: item for item in walk(module) if isinstance(item, n.StructDef)}
-    kinds = {
-        item.name: (decl.type, item.dims)
-        for decl in module.decls
-        if isinstance(decl, n.VarDecl)
-        for item in decl.declarators
-    }
+    variables = [decl for decl in module.decls if isinstance(decl, n.VarDecl)]
+    kinds = {item.name: (decl.type, item.dims) for decl in variables for item in decl.declarators}
+    size = ulps * ULP
 
     def statement(found: re.Match[str]) -> str:
         parts = _parts(found[2], *kinds[found[2]], structs)
-        return found[0] + "".join(f" {part} *= {scale!r};" for part in parts)
+        return found[0] + "".join(f" {part} *= {1.0 + size!r};" for part in parts)
 
-    return _PAYLOAD.sub(statement, text)
+    near = f"#define SC_ULPS {size / ROUNDINGS!r}\n{NEAR.read_text(encoding='utf-8')}"
+    for decl in variables:
+        if decl.qualifiers.has("in") and not decl.type.dims and _is_vector(decl.type):
+            names = [item.name for item in decl.declarators if not item.dims]
+            near += "".join(f"#define {name} sc_near({name})\n" for name in names)
+    head, first, rest = _PAYLOAD.sub(statement, text).partition(_first_function(module, text))
+    return f"{head}{near}{first}{rest}"
+
+
+def _is_vector(kind: n.TypeSpec) -> bool:
+    found = builtin_type(kind.name)
+    return found is not None and found.is_float and not found.is_matrix
+
+
+def _first_function(module: n.Module, text: str) -> str:
+    """The text of the line in which the first function begins."""
+    kinds = n.FunctionDef | n.FunctionProto
+    start = next(decl.span.start for decl in module.decls if isinstance(decl, kinds))
+    return text[start:].partition("\n")[0]
 
 
 def _parts(
