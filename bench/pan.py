@@ -78,7 +78,7 @@ def ages(runner: VariantRunner, frames: int, warm: int | None = None) -> Ages:
     every = np.stack(seen)
     return Ages(
         float(every.mean()),
-        float(every.max()),
+        float(np.max(every)),
         float((every > period + 1e-3).mean()),
         tuple(refreshed),
         float(np.mean(missed)),

@@ -107,7 +107,7 @@ def write_mesh(path: Path, points: Points, faces: Faces) -> None:
         UsageError: SC002, the file cannot be written.
     """
     low, high = points.min(axis=0), points.max(axis=0)
-    middle, edge = (low + high) / 2, (high - low).max()
+    middle, edge = (low + high) / 2, np.max(high - low)
     position = (points - middle) * (EXTENT / edge) + np.array(CENTRE)
     with atomic_folder(path.parent) as folder:
         np.savez_compressed(

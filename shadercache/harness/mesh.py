@@ -140,7 +140,9 @@ def _index(path: Path, raw: Mapping[str, NDArray[np.generic]], count: int) -> ND
     flat = stored.astype(np.int64).ravel()
     if "index" not in raw:
         flat = np.cumsum(flat)
-    if flat.min() < 0 or flat.max() >= count:
-        message = f"the mesh {path} has triangles of vertex {int(flat.max())}, but {count} vertices"
+    if np.min(flat) < 0 or np.max(flat) >= count:
+        message = (
+            f"the mesh {path} has triangles of vertex {int(np.max(flat))}, but {count} vertices"
+        )
         raise input_error("SC513", message)
     return np.ascontiguousarray(flat.reshape(-1, 3), np.uint32)

@@ -362,7 +362,7 @@ class Verifier:
             for frame in AGEING:
                 runner.draw(frame)
                 cache = runner.cache()
-                ages.append(cache[..., channel][cache[..., DEPTH] > 0.0].max(initial=0.0))
+                ages.append(np.max(cache[..., channel][cache[..., DEPTH] > 0.0], initial=0.0))
         return float(max(ages))
 
     def _agreement(
