@@ -21,7 +21,6 @@ from shadercache.compiler import analyse
 from shadercache.emit import one_pass
 from shadercache.harness.context import Gpu
 from shadercache.source import Source
-from shadercache.transform import drop_parameters
 
 from .dialects import Dialect
 from .suite import BrokenError, Coverage, check_shaders
@@ -89,13 +88,14 @@ def _lenient(name: str, codes: tuple[Code, ...]) -> Callable[..., Refusal | None
     return judged
 
 
+def _in_any_order(patch: pytest.MonkeyPatch) -> None:
+    """As if order did not matter for what stands in a statement with side effects."""
+    patch.setattr(candidates._Judge, "_by_effects", lambda *_: None)
+
+
 def _always_valid(patch: pytest.MonkeyPatch) -> None:
     """As if no branch and no return skipped a payload."""
     patch.setattr(candidates.Candidate, "unsure", property(lambda _: False))
-
-
-def _given_back_is_dropped(patch: pytest.MonkeyPatch) -> None:
-    patch.setattr(drop_parameters, "_given_back", lambda *_: set())
 
 
 def _fetched_from_anywhere(patch: pytest.MonkeyPatch) -> None:
@@ -108,8 +108,8 @@ RULES = (
     Rule("values flow through globals", _no_flow_through_globals, "gl330-through_global"),
     Rule("SC316: a value decides on a discard", _without(Code.DISCARDS), "gl330-discard_decided"),
     Rule("SC319: a value decides a look-up", _without(Code.FEEDS_CUBE), "gl330-cube_decided"),
+    Rule("SC304, SC314: side effects", _in_any_order, "gl330-ordered"),
     Rule("a branch skips the payload", _always_valid, "gl330-skipped", judges=False),
-    Rule("inout gives back", _given_back_is_dropped, "gl330-inout_global", judges=False),
     Rule("fetches ahead of a branch", _fetched_from_anywhere, "gl330-skipped_fetch", judges=False),
 )
 

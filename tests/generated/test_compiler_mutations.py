@@ -71,7 +71,7 @@ def read_parameters_are_dropped(patch: pytest.MonkeyPatch) -> None:
     patch.setattr(
         drop_parameters,
         "_unread",
-        lambda function: {
+        lambda function, *_: {
             place for place, item in enumerate(function.proto.params) if not item.writes_back
         },
     )
@@ -89,7 +89,7 @@ BROKEN: dict[str, tuple[str, Break]] = {
     ),
     "precisions: nothing": (
         "es300",
-        lambda patch: patch.setattr(program_set, "with_precisions", lambda module: module),
+        lambda patch: patch.setattr(program_set, "with_precisions", lambda module, *_: module),
     ),
     "candidates: order": ("gl330", the_payload_is_stored_late),
 }
@@ -100,15 +100,21 @@ at_night = pytest.mark.skipif(
 )
 
 
+def of_laws(problems: list[str]) -> list[str]:
+    """Those of the problems that are not the break's own, which no longer fits what it breaks."""
+    return [item for item in problems if not item.startswith(("TypeError", "AttributeError"))]
+
+
 def noticed(gpu: Gpu, dialect: str, most: int = MOST) -> list[str]:
     """The problems of the first shader that has any."""
     for number in range(most):
         shader = quick_shader(dialect, number)
         pick = random.Random(number).randrange
         report = try_shader(gpu, shader.text, shader.dialect, partial(pick_nodes, pick=pick))
-        if report.problems:
-            print(f"shader {number}: {report.problems[0]}")
-            return report.problems
+        problems = of_laws(report.problems)
+        if problems:
+            print(f"shader {number}: {problems[0]}")
+            return problems
     return []
 
 
@@ -139,7 +145,9 @@ def nothing_is_stored(patch: pytest.MonkeyPatch) -> None:
     patch.setattr(
         specialise._Body,
         "_own_statements",
-        lambda self, item: [] if item.kind in ("store", "keep") else own(self, item),
+        lambda self, item: (
+            [] if item.cut and item.cut.kind in ("store", "keep") else own(self, item)
+        ),
     )
 
 
@@ -215,6 +223,10 @@ NOTICED: dict[str, tuple[str, Break]] = {
             effects, "out_arguments", lambda call, table: tuple(False for _ in call.args)
         ),
     ),
+    "drop_parameters: what is given back": (
+        "gl330-inout_global",
+        lambda patch: patch.setattr(drop_parameters, "_given_back", lambda *_: set()),
+    ),
     "neighbours: no fetch ahead": ("gl330-fetched", fetches_stay),
     "emission: discards too early": (
         "gl330-discarded",
@@ -260,8 +272,8 @@ def some_nodes(legal: Nodes, near: Nodes) -> Nodes:
 
 
 def near_first(legal: Nodes, near: Nodes) -> Nodes:
-    """Two of the nodes: those first that may come to what fragments share."""
-    return [*near, *(node for node in legal[::-1] if node not in near)][:2]
+    """Two of those that may come to what fragments share; where there are none, any."""
+    return near[:2] or some_nodes(legal, near)
 
 
 def small_shader(gpu: Gpu, name: str, chooser: Chooser = some_nodes) -> list[str]:
@@ -279,7 +291,7 @@ def test_a_small_shader_notices(
         change(patch)
         problems = small_shader(gpu, name)
     runtime.load_part.cache_clear()
-    assert problems
+    assert of_laws(problems), problems
     print(problems[0].partition("\n")[0])
 
 
@@ -295,7 +307,7 @@ def test_a_broken_rule_is_noticed(gpu: Gpu, rule: Rule) -> None:
     with pytest.MonkeyPatch.context() as patch:
         rule.broken(patch)
         problems = small_shader(gpu, rule.shader, near_first)
-    assert problems
+    assert of_laws(problems), problems
     print(problems[0].partition("\n")[0])
 
 
