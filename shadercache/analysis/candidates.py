@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from hashlib import blake2b
 
 from shadercache.analysis.cost import FETCH, CostTable
-from shadercache.analysis.effects import EffectTable
+from shadercache.analysis.effects import Does, EffectTable
 from shadercache.analysis.instances import Instance, Place, Use, find_instances, path_to
 from shadercache.analysis.neighbours import (
     Dependents,
@@ -233,6 +233,8 @@ class _Judge:
         effects = self.table.of(place.expr)
         if effects.writes:
             return Refusal(Code.SIDE_EFFECT, "writes " + ", ".join(sorted(effects.writes)))
+        if effects.does & Does.DISCARD:
+            return Refusal(Code.SIDE_EFFECT, "discards the fragment")
         if instance.order_matters or place.order_matters:
             return Refusal(Code.ORDER)
         return None

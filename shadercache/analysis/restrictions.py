@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from shadercache.analysis.effects import NO_EFFECTS, Does, EffectTable
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import EXPRESSIONS, walk
 from shadercache.diagnostics import Diagnostic, InputError
@@ -61,10 +62,10 @@ def find_color(module: n.Module, source: Source) -> str:
 
     Raises :class:`InputError` where it has none or several (SC403), writes a built-in output
     (SC404), asks for early fragment tests (SC405: the first pass must not write depth for a
-    fragment that it discards), uses memory that others write (SC413), or counts pixels in another
-    way (SC422).
+    fragment that it discards), uses memory that others write (SC413), counts pixels in another
+    way (SC422), or does something in the initialiser of a global (SC424).
     """
-    problems = list(_unsupported(module, source))
+    problems = [*_unsupported(module, source), *_busy_initialisers(module, source)]
     outputs = [
         (item, decl)
         for decl in module.decls
@@ -97,6 +98,21 @@ def _unsupported(module: n.Module, source: Source) -> Iterator[Diagnostic]:
             message = f"a shader with {node.name} cannot be cached: variants find texels by"
             message += " gl_FragCoord as it is without"
             yield Diagnostic("SC422", message, source, node.span)
+
+
+def _busy_initialisers(module: n.Module, source: Source) -> Iterator[Diagnostic]:
+    """Initialisers that do more than give a value: a pass without the global would not do it."""
+    table = EffectTable(module)
+    for decl in module.decls:
+        if not isinstance(decl, n.VarDecl):
+            continue
+        for item in decl.declarators:
+            effects = table.of(item.init) if item.init is not None else NO_EFFECTS
+            if effects.writes or effects.does & Does.DISCARD:
+                message = f"the initialiser of '{item.name}' changes a global or discards, so that"
+                message += " the shader cannot be cached"
+                hint = "main may begin with it"
+                yield Diagnostic("SC424", message, source, item.span, hint)
 
 
 def _uses_memory(node: n.Node, own: set[str]) -> bool:

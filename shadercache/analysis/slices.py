@@ -239,8 +239,11 @@ class SliceTable:
         found = Slice(0, self.leaf_bit(name))
         init = self._globals.get(name)
         if init is not None:
-            for item in self._table.of(init).reads:
-                if item in self._globals and item != name:
+            effects = self._table.of(init)
+            if effects.does & Does.DERIVATIVE:
+                found = found | Slice(0, self.leaf_bit(DERIVATIVE))
+            for item in effects.reads:
+                if (item in self._globals or item.startswith("%")) and item != name:
                     found = found | self._of_global(item)
         return found
 

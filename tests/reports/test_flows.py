@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 
 from shadercache.compiler import Analysis, analyse
+from shadercache.diagnostics import InputError
 from shadercache.harness.context import Gpu
 from shadercache.harness.scene import load_scene
 from shadercache.harness.verify import Verifier
@@ -23,7 +24,8 @@ from tests.cases.scenery import make_scene
 
 FOLDER = Path(__file__).with_name("flows")
 REPORTED = sorted(path.stem for path in FOLDER.glob("o*.frag"))
-NAMES = sorted(path.stem for path in FOLDER.glob("*.frag") if path.stem not in REPORTED)
+BUSY = sorted(path.stem for path in FOLDER.glob("busy_*.frag"))
+NAMES = sorted(path.stem for path in FOLDER.glob("*.frag") if path.stem not in REPORTED + BUSY)
 VALUE = "costly(v_position)"
 NOISE = "sin(exp(v_p.x) * 9.0) * cos(exp(v_p.y) * 7.0)"
 
@@ -59,6 +61,12 @@ def test_reported_shaders_are_refused(name: str) -> None:
     code = "SC316" if "discard" in name else "SC315"
     texts = (NOISE, NOISE.replace("v_p", "p"))
     assert verdicts(analyse(fragment), *texts) == {code}
+
+
+@pytest.mark.parametrize("name", BUSY)
+def test_initialisers_that_do_something_are_refused(name: str) -> None:
+    with pytest.raises(InputError, match="SC424"):
+        load(name)
 
 
 @pytest.mark.xdist_group("gl")
