@@ -65,7 +65,7 @@ def find_color(module: n.Module, source: Source) -> str:
     fragment that it discards), uses memory that others write (SC413), counts pixels in another
     way (SC422), or does something in the initialiser of a global (SC424).
     """
-    problems = [*_unsupported(module, source), *_busy_initialisers(module, source)]
+    problems = [*_unsupported(module, source), *busy_initialisers(module, source)]
     outputs = [
         (item, decl)
         for decl in module.decls
@@ -100,8 +100,8 @@ def _unsupported(module: n.Module, source: Source) -> Iterator[Diagnostic]:
             yield Diagnostic("SC422", message, source, node.span)
 
 
-def _busy_initialisers(module: n.Module, source: Source) -> Iterator[Diagnostic]:
-    """Initialisers that do more than give a value: a pass without the global would not do it."""
+def busy_initialisers(module: n.Module, source: Source) -> Iterator[Diagnostic]:
+    """SC424: initialisers that do more than give a value; a pass without the global would not."""
     table = EffectTable(module)
     for decl in module.decls:
         if not isinstance(decl, n.VarDecl):

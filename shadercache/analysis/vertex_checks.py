@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from shadercache.analysis.effects import EffectTable
+from shadercache.analysis.restrictions import busy_initialisers
 from shadercache.analysis.vertex_inputs import (
     PLACES,
     PLACING_LAYOUTS,
@@ -27,11 +28,13 @@ def check_vertex(module: n.Module, source: Source) -> None:
     """Can the shader be drawn in several passes, into caches of one layer?
 
     Works on a module with unique names. Raises :class:`InputError`: SC460 where it never writes the
-    position, SC461 where it chooses a layer, a viewport or a view, SC462 where it writes memory.
+    position, SC461 where it chooses a layer, a viewport or a view, SC462 where it writes memory,
+    SC424 where the initialiser of a global does something.
     """
     table = EffectTable(module)
     effects = table.summary("main")
     problems = [*_places(module, table, source), *_writers(module, table, source)]
+    problems += busy_initialisers(module, source)
     if POSITION not in effects.writes:
         hint = "what is drawn without one is undefined"
         message = f"{source.name} never writes {POSITION}"

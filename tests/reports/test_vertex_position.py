@@ -128,6 +128,17 @@ def test_a_shader_that_never_writes_the_position_is_told_so(body: str) -> None:
     assert [item.code for item in caught.value.diagnostics] == ["SC460"]
 
 
+def test_a_position_from_an_initialiser_that_does_something_is_refused() -> None:
+    head, _, _ = (FOLDER / "invariant_alone.vert").read_text("utf-8").partition("invariant")
+    body = """vec4 clip;
+        float put() { clip = u_mvp * vec4(a_position, 1.0); return 1.0; }
+        float unused = put();
+        void main() { v_p = a_position; v_n = a_normal; gl_Position = clip; }"""
+    fragment = Source("x.frag", (FOLDER / "o01_pervertex_redeclared.frag").read_text("utf-8"))
+    with pytest.raises(InputError, match="SC424"):
+        analyse(fragment, Source("x.vert", head + body))
+
+
 def test_the_emitter_cannot_make_a_program_without_it() -> None:
     module = parse(Source("x.vert", "#version 330\nvoid main() {}\n"))
     analysis = analysed(FOLDER, "nested")
