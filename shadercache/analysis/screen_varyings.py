@@ -129,15 +129,17 @@ class _Screen:
                 yield from ((part, False) for part in self._constructed(term))
 
     def _constructed(self, term: Term) -> Iterator[Term]:
-        """``vec4(clip.xy, z, clip.w)`` is a position, and so is ``vec4(screen, z, 1.0)``."""
+        """``vec4(clip.xy, z, clip.w)`` is a position, and so is ``vec4(screen, z, 1.0)``; in
+        ``vec4(eye.xy * scale, z, -eye.z)`` it is the product."""
         last = term.args[-1]
         if last.op == "swizzle" and isinstance(last.data, tuple) and last.data[-1] == 3:
             yield last.args[0]
-        elif last.op == "literal" and last.data == 1.0:
-            for arg in term.args[: 1 if term.args[0].width > 1 else 2]:
+            return
+        for arg in term.args[: 1 if term.args[0].width > 1 else 2]:
+            if last.op == "literal" and last.data == 1.0:
                 yield arg
-                if arg.moves and arg.op in ("+", "-", "*", "/"):
-                    self._positions.add(arg)
+            if arg.moves and arg.op in ("+", "-", "*", "/"):
+                self._positions.add(arg)
 
     # --- what is made of it -----------------------------------------------------------------------
 
