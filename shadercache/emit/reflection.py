@@ -7,11 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Literal
 
 from shadercache.ast import nodes as n
 from shadercache.emit.packing import Packing, is_default
-from shadercache.lang.types import Type
+from shadercache.lang.types import StructType, Type
 from shadercache.sema.facts import Facts, Stage
 
 InputKind = Literal[
@@ -25,6 +26,9 @@ InputKind = Literal[
 ]
 
 _STORAGES = ("uniform", "buffer")
+
+MOST_MEMBERS = 1_000
+"""A struct of more, all told, is given by its type alone."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,12 +152,19 @@ def _kind(kind: Type) -> InputKind:
 
 
 def _fields(kind: Type) -> tuple[Member, ...]:
-    if kind.struct is None:
+    if kind.struct is None or _count(kind.struct) > MOST_MEMBERS:
         return ()
     return tuple(
         Member(name, str(inner), members=_fields(inner))
         for name, inner in kind.struct.fields.items()
     )
+
+
+@lru_cache
+def _count(struct: StructType) -> int:
+    """The members of a struct, and of those in it: forty structs of two have 2^40."""
+    inner = (kind.struct for kind in struct.fields.values())
+    return len(struct.fields) + sum(_count(item) for item in inner if item is not None)
 
 
 def _block(decl: n.BlockDecl, facts: Facts, stage: Stage, defaults: Mapping[str, Packing]) -> Input:

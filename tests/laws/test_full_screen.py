@@ -151,7 +151,7 @@ def replaced(old: str, new: str) -> Change:
 OWN = "ivec2 own = ivec2(gl_FragCoord.xy);"
 BROKEN = {
     "one pixel off": replaced(OWN, f"{OWN[:-1]} + ivec2(1, 0);"),
-    "payload not stored": replaced("vec4(sc_payload, 0.0", "vec4(0.0, 0.0"),
+    "payload not stored": replaced("vec4(sc_payload, ", "vec4(0.0, "),
 }
 
 

@@ -67,6 +67,11 @@ class Replace:
 
 
 TWINS_SWAPPED = Replace("_vec4(sc_previous_u_modelViewProjection,", "_vec4(u_modelViewProjection,")
+TWINS_SWAPPED_PLAIN = Replace(
+    "sc_previous_u_modelViewProjection *", "u_modelViewProjection *", ".vert"
+)
+"""The same in plain mode, where products with matrices are not written out."""
+
 HITS_DISABLED = Replace("    return 1;\n", "    return 4;\n")
 HITS_UNMARKED = Replace("    sc_moved = marked;\n    return 1;\n", "    return 4;\n")
 """The same for the passes of the variants, where a miss must not look like a marked hit."""
@@ -175,7 +180,7 @@ MOTION = "sc_previous.xy / sc_previous.w - sc_current.xy / sc_current.w;"
 BACKWARDS = "sc_current.xy / sc_current.w - sc_previous.xy / sc_previous.w;"
 
 LAW_5 = {
-    "previous twins swapped": (TWINS_SWAPPED, ("too far away", "hit rate")),
+    "previous twins swapped": (TWINS_SWAPPED_PLAIN, ("too far away", "hit rate")),
     "hits disabled": (HITS_DISABLED, ("hit rate",)),
     "refresh test inverted": (REFRESH_INVERTED, ("out of turn", "hit rate")),
     "payload store dropped": (NOTHING_STORED, ("too far away",)),
