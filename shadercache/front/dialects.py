@@ -20,7 +20,7 @@ from pathlib import Path
 from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.front.lexis import Lexemes, clean, joins_comments, spellings
 from shadercache.front.options import Dialect
-from shadercache.front.version import Version, read_version
+from shadercache.front.version import Version, read_version, version_line
 from shadercache.source import Source, Span
 
 FOLDER = Path(__file__).with_name("glsl")
@@ -29,7 +29,6 @@ OLDEST = 130
 """The first version that has all that is in the texts of the hosts."""
 
 _MAIN = re.compile(r"\bvoid\s+(main|mainImage)\s*\(", re.ASCII)
-_VERSION = re.compile(r"#[ \t]*version\b[^\n]*")
 _USER = "// The user's file stands here.\n"
 
 
@@ -82,9 +81,10 @@ def surrounded(source: Source, dialect: Dialect) -> str:
         return source.text
     own = _uniforms(re.findall(r"\w+|[^\w\s]", source.text))
     head = [" ".join(decl) for decl in host.declarations if decl[2] not in own]
-    named = _VERSION.search(source.text)
-    version = f"#version {host.version.number}" if named is None else named[0]
-    user = source.text if named is None else source.text.replace(named[0], "", 1)
+    named = version_line(source.text)
+    version, user = f"#version {host.version.number}", source.text
+    if named is not None:
+        version, user = user[slice(*named)], user[: named[0]] + user[named[1] :]
     return "\n".join([version, *head, user, " ".join(host.main), ""])
 
 

@@ -14,6 +14,8 @@ DESKTOP = (110, 120, 130, 140, 150, 330, 400, 410, 420, 430, 440, 450, 460)
 ES = (100, 300, 310, 320)
 
 _VERSION = re.compile(r"(\d{1,9})(?:\s+(\w+))?", re.ASCII)
+_LINE = re.compile(r"^[ \t\ufeff]*(#[ \t]*version\b[^\n]*)", re.MULTILINE)
+_COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 _HINT = "there are 110 to 150, 330, 400 to 460, 100, and with 'es' 300, 310 and 320"
 
 
@@ -81,3 +83,10 @@ def check_place(version: Version, before: str) -> None:
     if version.es and version.number >= 300 and before.strip(" \t\ufeff"):
         hint = "move it up: there may be no empty line and no comment before it"
         raise MistakeError("SC100", "#version with 'es' must stand on the first line", hint)
+
+
+def version_line(text: str) -> tuple[int, int] | None:
+    """Where the ``#version`` of a text begins and ends; one in a comment is none."""
+    bare = _COMMENT.sub(lambda comment: " " * len(comment[0]), text)
+    found = _LINE.search(bare)
+    return None if found is None else found.span(1)

@@ -16,19 +16,18 @@ from itertools import pairwise
 from shadercache.front.dialects import host_of
 from shadercache.front.options import ReadOptions
 from shadercache.front.preprocess import preprocess_broken
-from shadercache.front.version import NO_VERSION, Version
+from shadercache.front.version import NO_VERSION, Version, version_line
 from shadercache.lang.words import PRECISIONS, type_names
 from shadercache.source import Source
 
 WEBGL = Version(100, "es")
 
-_VERSION = re.compile(r"^[ \t\ufeff]*#[ \t]*version\b", re.MULTILINE)
 _TELLING = re.compile(r"\b(?:highp|mediump|lowp)\b|#[ \t]*include\b")
 
 
 def names_version(text: str) -> bool:
     """Has the text a ``#version``?"""
-    return _VERSION.search(text) is not None
+    return version_line(text) is not None
 
 
 def is_webgl(source: Source, options: ReadOptions) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from shadercache.ast.nodes import BlockDecl, Expr, LayoutItem, Literal, Node, Qualifiers, VarDecl
+from shadercache.lang import unsupported
 from shadercache.lang.types import INT, UINT, Type
 from shadercache.sema.context import ERROR, NEVER, Context, did_you_mean
 from shadercache.sema.counters import Counters
@@ -36,7 +37,10 @@ class LayoutChecker:
             # Compilers do not tell small letters from capitals, in GLSL ES neither.
             word = item.name.lower()
             problem = word_problem(word, item.value is not None, place, self._context)
-            if problem is not None:
+            of_extension = unsupported.told(word) if word not in SINCE else None
+            if of_extension is not None:
+                self._context.error("SC111", of_extension[0], item, of_extension[1])
+            elif problem is not None:
                 hint = did_you_mean(word, SINCE) if word not in SINCE else None
                 self._context.error("SC223", problem, item, hint)
             number = None if item.value is None else self._number(item, word, item.value)

@@ -8,6 +8,7 @@ from shadercache.ast.nodes import FunctionDef, Name
 from shadercache.ast.walk import walk
 from shadercache.diagnostics import InputError
 from shadercache.emit.printer import print_module
+from shadercache.front.dialects import surrounded
 from shadercache.front.options import Dialect, ReadOptions
 from shadercache.front.parse import parse
 from shadercache.sema.check import check
@@ -123,3 +124,11 @@ def test_without_the_dialect_it_is_hinted_at() -> None:
 
 def test_a_version_of_the_user_stays() -> None:
     assert read("#version 420\n" + TOY).startswith("#version 420\n")
+
+
+def test_a_version_in_a_comment_is_none() -> None:
+    toy = "/*\n#version 100 */\nvoid mainImage(out vec4 c, in vec2 p) { c = p.xyxy; }\n"
+    text = surrounded(Source("toy.glsl", toy), "shadertoy")
+    assert text.startswith("#version 330\n") and text.count("#version 100 */") == 1
+    own = surrounded(Source("toy.glsl", f"#version 400\n{toy}"), "shadertoy")
+    assert own.startswith("#version 400\n") and "#version 330" not in own

@@ -111,3 +111,11 @@ def test_a_built_in_variable_is_not_declared_again(version: int, stage: str, lin
     assert found.hint is not None and found.hint.startswith("leave it out")
     block = version >= 150 and name in ("gl_Position", "gl_PointSize")
     assert ("out gl_PerVertex" in found.hint) == block
+
+
+@pytest.mark.parametrize("word", ["buffer_reference", "buffer_reference_align = 16"])
+def test_words_of_layouts(word: str) -> None:
+    text = f"#version 450\nlayout({word}, std430) buffer R {{ vec4 x; }};\nvoid main() {{}}\n"
+    name = word.partition(" ")[0]
+    wanted = f"'{name}' is of the extension GL_EXT_buffer_reference, which is not supported"
+    assert told(text) == ("SC111", wanted)

@@ -14,6 +14,7 @@ from shadercache.source import Source
 
 FOLDER = Path(__file__).parent / "webgl"
 WEBGL = ("by_macro", "chosen_precision", "o07_webgl_without_version", "varyings")
+WEBGL += ("version_in_comment",)
 DESKTOP = ("guarded_1_10", "names_1_10", "vertex_tells")
 PAIRS = ("varyings", "vertex_tells")
 
