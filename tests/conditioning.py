@@ -7,9 +7,10 @@ same driver: the payload is made larger and smaller by a few roundings, and the 
 varying by one; the picture may change by as much as these change it, by as much as the same
 liberties change the original, and by the roundings of a colour.
 
-Varyings, because Mesa moves ``v_normal * 3.0`` into the vertex shader from 24.1 on, where a program
-needs no more of the varying, and interpolates the product. What is interpolated is the sum of terms
-that cancel, far larger than itself where triangles are small, so other roundings show.
+Varyings, because Mesa 25.0 gives for ``v_normal * 3.0``, where a program needs no more of the
+varying, what interpolating the product would give. What is interpolated is the sum of terms that
+cancel, far larger than itself where triangles are small, so other roundings show. (The one ulp is a
+choice: docs/NUMERICS.md.)
 """
 
 from __future__ import annotations
