@@ -140,9 +140,9 @@ def _index(path: Path, raw: Mapping[str, NDArray[np.generic]], count: int) -> ND
     flat = stored.astype(np.int64).ravel()
     if "index" not in raw:
         flat = np.cumsum(flat)
-    if np.min(flat) < 0 or np.max(flat) >= count:
-        message = (
-            f"the mesh {path} has triangles of vertex {int(np.max(flat))}, but {count} vertices"
-        )
+    least, most = int(np.min(flat)), int(np.max(flat))
+    if least < 0 or most >= count:
+        wrong = least if least < 0 else most
+        message = f"the mesh {path} has triangles of vertex {wrong}, but {count} vertices"
         raise input_error("SC513", message)
     return np.ascontiguousarray(flat.reshape(-1, 3), np.uint32)

@@ -7,6 +7,7 @@ taken: a header of a hundred bytes may claim twelve billion numbers.
 from __future__ import annotations
 
 import math
+import tokenize
 import zipfile
 import zlib
 from pathlib import Path
@@ -29,6 +30,12 @@ _RATIO = 1_100
 """Deflated data are at most 1,032 times as long once they are inflated."""
 
 _ENDING = ".npy"
+
+_NO_HEADER = (
+    *(LookupError, MemoryError, OverflowError, RecursionError, SyntaxError, TypeError),
+    *(AttributeError, tokenize.TokenError),
+)
+"""What numpy raises beside ``ValueError``: it evaluates a header as Python."""
 
 
 class _UnusableError(Exception):
@@ -95,8 +102,8 @@ def _header(stream: IO[bytes]) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:
         raise ValueError
     try:
         return read(stream)
-    except (MemoryError, OverflowError, RecursionError, SyntaxError, TypeError):
-        raise ValueError from None  # The header is evaluated as Python.
+    except _NO_HEADER:
+        raise ValueError from None
 
 
 def _claims(item: zipfile.ZipInfo, what: str) -> _UnusableError:
