@@ -49,12 +49,14 @@ class _Walker:
         """Statements in a row; behind one with a jump that some fragments take, they are apart."""
         for stmt in stmts:
             self.statement(stmt, under, jumps)
-            under = under or (bool(self.table.of(stmt).does & jumps) and self.parts(stmt))
+            under = under or self.parts(stmt, jumps)
 
-    def parts(self, stmt: n.Stmt) -> bool:
-        """Is there anything in it that some fragments execute and others do not?"""
-        heads = (item for item in walk(stmt) for item in _heads(item))
-        return any(self.differs(head) for head in heads)
+    def parts(self, stmt: n.Stmt, jumps: Does) -> bool:
+        """Is there such a jump in it that some fragments take and others do not?"""
+        if not self.table.of(stmt).does & jumps:
+            return False
+        over = (item for item in walk(stmt) if self.table.of(item).does & jumps)
+        return any(self.differs(head) for item in over for head in _heads(item))
 
     def statement(self, stmt: n.Stmt, under: bool, jumps: Does) -> None:
         heads = list(_heads(stmt))
@@ -68,7 +70,7 @@ class _Walker:
             return
         inner = under or any(self.differs(head) for head in heads)
         if isinstance(stmt, LOOPS):
-            inner = inner or (bool(self.table.of(stmt.body).does & JUMPS) and self.parts(stmt.body))
+            inner = inner or self.parts(stmt.body, JUMPS)
         for part in children(stmt):
             if part in heads and not isinstance(stmt, LOOPS):
                 self.expression(part, under)
