@@ -20,6 +20,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Set
 from dataclasses import replace
+from typing import cast
 
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
@@ -133,7 +134,7 @@ class _Hider(Rewriter):
                 return _zero()
         # Not "-": what is taken from a zero becomes a negation, which turns the sign of a NaN.
         hidden = known.floating or node in self._floats
-        return n.Binary(NOWHERE, "+", node, _zero()) if hidden else node  # type: ignore[arg-type]
+        return n.Binary(NOWHERE, "+", cast("n.Expr", node), _zero()) if hidden else node
 
     def expression(self, node: n.Expr, original: n.Expr) -> n.Expr:
         match original, node:
