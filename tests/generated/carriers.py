@@ -164,7 +164,7 @@ class Carriers(Expressions):
             self.discards = True
             self.leave()
             return [f"if ({value} > {self.choose(('0.6', '0.3', '0.9'))}) discard;"], value
-        self.derives |= form != "cube level"
+        self.derives = True
         return [], self.sinks()[form].format(x=value, y=self.leaf("float"))
 
     def sinks(self) -> dict[str, str]:
@@ -179,8 +179,8 @@ class Carriers(Expressions):
             found["projected"] = f"{projected}(u_mipmapped, vec3({{x}}, {{y}}, 0.25)).z"
             if self.dialect.modern:
                 found["cube"] = "texture(u_cube, vec3({x}, {y}, 0.7)).x"
-        if self.dialect.modern:
-            found["cube level"] = "textureLod(u_cube, vec3(0.3, {x}, {y}), 0.0).x"
+                # llvmpipe rounds it by the neighbours' coordinates, also of those that have left.
+                found["cube level"] = "textureLod(u_cube, vec3(0.3, {x}, {y}), 0.0).x"
         if self.may_discard and self.flow.escapes:
             found["discard"] = ""
         return found

@@ -207,11 +207,11 @@ class Expressions(State):
             forms += [
                 ("textureOffset", "textureOffset({s}, {uv}, ivec2(1, -1))", "derives"),
                 ("cube map", "texture(u_cube, vec3({uv}, 0.7))", "derives"),
+                ("cube level", "textureLod(u_cube, vec3({uv}, 0.7), 0.0)", "derives"),
             ]
         if self.dialect.modern:
             forms += [
                 ("textureLod", "textureLod({s}, {uv}, abs({l}))", ""),
-                ("cube level", "textureLod(u_cube, vec3({uv}, 0.7), 0.0)", ""),
                 ("texelFetch", "texelFetch({s}, ivec2(15.0 * fract({uv})), 1)", ""),
             ]
         if not forms:
