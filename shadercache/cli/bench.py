@@ -98,6 +98,7 @@ def command(
     """
     from shadercache.analysis.groups import one_of_each
     from shadercache.harness.context import open_context
+    from shadercache.harness.home import at_home
     from shadercache.harness.measure import measure
     from shadercache.harness.measurement import MeasureOptions
     from shadercache.harness.mesh import replacement_mesh
@@ -132,7 +133,7 @@ def command(
     ]
     replacement = replacement_mesh(scene, mesh)
     reports: list[dict[str, Any]] = []
-    with open_context() as gpu:
+    with open_context() as gpu, at_home(analysis):
         where = environment(gpu)
         for every, edge in choices:
             how = MeasureOptions(extent, frames, period=every, block=edge, weigh=weigh)

@@ -94,6 +94,7 @@ def command(
     """
     from shadercache.emit.depth_range import depth_warnings
     from shadercache.harness.context import open_context
+    from shadercache.harness.home import at_home
     from shadercache.harness.measure import measure
     from shadercache.harness.measurement import MeasureOptions
     from shadercache.harness.mesh import replacement_mesh
@@ -117,7 +118,7 @@ def command(
         extent, frame + 1, period=every, block=edge, picture_frame=frame, weigh=weigh
     )
     replacement = replacement_mesh(scene, mesh)
-    with open_context() as gpu, step_progress(f"running {label}") as tell:
+    with open_context() as gpu, at_home(analysis), step_progress(f"running {label}") as tell:
         found = measure(gpu, scene, [entry], how, tell, replacement)
     print(f"mapping: {analysis.mapping}")
     print(f"{summary(found)}\n\n{result_table(found, lambda item: item.label)}\n")

@@ -38,6 +38,24 @@ def test_the_users_file_is_named(name: str, capsys: pytest.CaptureFixture[str]) 
     assert "original." not in told
 
 
+@pytest.mark.parametrize("name", ["binding", "location", "version"])
+def test_run_and_bench_name_it_too(
+    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = FOLDER / f"{name}.frag"
+    source = Source(str(path), path.read_text(encoding="utf-8"))
+    node = next(node.id for node in analyse(source, mapping="screen").nodes if node.legal)
+    common = [str(path), "--mapping", "screen", "--size", "32", "-o", str(tmp_path)]
+    for line in (
+        ["run", *common, "--node", node, "--unprofitable", "--frame", "2"],
+        ["bench", *common, "--nodes", node],
+    ):
+        assert main(line) == 1
+        told = capsys.readouterr().err
+        assert f"{path}{REFUSED[name]}" in told
+        assert "original." not in told
+
+
 @pytest.mark.parametrize("name", ["o11_driver_message_file", "unnamed"])
 def test_parameters_without_names_are_given_some(
     name: str, capsys: pytest.CaptureFixture[str]
