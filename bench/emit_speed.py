@@ -32,8 +32,8 @@ from bench.nodes_speed import listing, listing_table, listing_targets
 from shadercache.ast.large import allow_deep_trees
 from shadercache.cli.tables import format_table
 from shadercache.compiler import Analysis, analyse, rewrite
-from shadercache.harness.context import open_context
-from shadercache.harness.results import environment, machine_name, write_json
+from shadercache.gpu.context import open_context
+from shadercache.measure.result_files import environment, machine_name, write_json
 from shadercache.options import Mode, Options
 from shadercache.source import Source
 

@@ -11,16 +11,17 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from shadercache.cli.scenes import cache_options
-from shadercache.harness.context import open_context
-from shadercache.harness.curves import outcome_curve
-from shadercache.harness.files import write_bytes
-from shadercache.harness.measurement import Curve, MeasureOptions
-from shadercache.harness.plots import plot_curves
-from shadercache.harness.shaders import open_scene
-from shadercache.harness.stage import Stage
-from shadercache.harness.sweep import make_entry
+from shadercache.files import write_bytes
+from shadercache.gpu.context import open_context
+from shadercache.linking.object_programs import ObjectPrograms
+from shadercache.linking.scene_shaders import open_scene
+from shadercache.measure.entries import make_entry
+from shadercache.measure.hit_curves import outcome_curve
+from shadercache.measure.measurement import Curve, MeasureOptions
 from shadercache.options import Options
 from shadercache.paths import data_path
+from shadercache.render.render_scene import RenderScene
+from shadercache.report.plots import plot_curves
 
 SCENES = ("heroine", "colonnade")
 CHOICES = ("ids=on", "ids=on,filter=bilinear", "ids=on,filter=bilinear,fallback=on", "ids=off")
@@ -42,11 +43,12 @@ def curves_of(name: str, asked: Asked) -> dict[str, Curve]:
     frames = min(scene.motion.frames, asked.frames or scene.motion.frames)
     how = MeasureOptions((asked.size, asked.size), frames, period=asked.period)
     found: dict[str, Curve] = {}
-    with open_context() as gpu, Stage(gpu, scene, how.size) as stage:
+    programs = ObjectPrograms()
+    with open_context() as gpu, RenderScene(gpu, scene, how.size, programs=programs) as world:
         for choice in CHOICES:
             options = Options(cache=cache_options(scene, [choice]))
             entry = make_entry(analysis, choice, analysis.node(node), options, (2,))
-            curve = outcome_curve(stage, entry, how)
+            curve = outcome_curve(world, entry, how)
             assert curve is not None
             found[choice] = curve
     return found

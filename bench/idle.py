@@ -10,16 +10,16 @@ import argparse
 from dataclasses import replace
 from functools import partial
 
-from shadercache.harness.clock import no_collection, pick_clock
-from shadercache.harness.context import open_context
-from shadercache.harness.idle import Idle
-from shadercache.harness.runner import RunOptions, VariantRunner
-from shadercache.harness.shaders import open_scene
-from shadercache.harness.stage import Stage
-from shadercache.harness.stats import paired_ratio
-from shadercache.harness.sweep import make_entry
+from shadercache.gpu.clock import no_collection, pick_clock
+from shadercache.gpu.context import open_context
+from shadercache.linking.scene_shaders import open_scene
+from shadercache.measure.entries import make_entry
+from shadercache.measure.statistics import paired_ratio
 from shadercache.options import Options, read_cache_options
 from shadercache.paths import data_path
+from shadercache.render.empty_passes import EmptyPasses
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import RunOptions, VariantRunner
 
 FRAMES, SETTLED = 28, 4
 
@@ -35,15 +35,15 @@ def main() -> None:
     options = Options(cache=read_cache_options(["refresh=none"]))
     entry = make_entry(analysis, given.node, analysis.node(scene.nodes[given.node]), options)
     still = replace(scene, motion=replace(scene.motion, degrees_per_frame=0.0))
-    with open_context() as gpu, Stage(gpu, still, (given.size, given.size)) as stage:
+    with open_context() as gpu, RenderScene(gpu, still, (given.size, given.size)) as world:
         clock = pick_clock(gpu)
         for algorithm in entry.chosen:
             run = RunOptions(moving=False)
             with (
-                VariantRunner(stage, entry.bundle, algorithm, run) as idle,
-                VariantRunner(stage, entry.bundle, algorithm, run) as busy,
+                VariantRunner(world, entry.bundle, algorithm, run) as idle,
+                VariantRunner(world, entry.bundle, algorithm, run) as busy,
             ):
-                busy._idle = Idle({}, stage.sample_counter)  # one that leaves nothing out
+                busy._idle = EmptyPasses({}, world.sample_counter)  # one that leaves nothing out
                 times: tuple[list[float], list[float]] = ([], [])
                 with no_collection():
                     for frame in range(FRAMES):

@@ -14,22 +14,27 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu, open_context
-from shadercache.harness.engine import Engine
-from shadercache.harness.runner import CoverageRunner, OriginalRunner, RunOptions, VariantRunner
-from shadercache.harness.scene import Scene
-from shadercache.harness.shaders import open_scene
-from shadercache.harness.stage import Stage
-from shadercache.harness.sweep import make_entry
+from shadercache.gpu.context import Gpu, open_context
+from shadercache.linking.scene_shaders import open_scene
+from shadercache.measure.entries import make_entry
 from shadercache.options import DEFAULT_EPSILON, Options, read_cache_options
 from shadercache.paths import data_path
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import (
+    CoverageRunner,
+    OriginalRunner,
+    RunOptions,
+    VariantRunner,
+)
+from shadercache.scene.description import Scene
+from shadercache.scene.graphics_state import GraphicsState
 
 PLACES = 8
 CASES = {
-    "no jitter": Engine(),
-    "jitter, told": Engine(jitter=PLACES),
-    "jitter, not told": Engine(jitter=PLACES, told=False),
+    "no jitter": GraphicsState(),
+    "jitter, told": GraphicsState(jitter=PLACES),
+    "jitter, not told": GraphicsState(jitter=PLACES, told=False),
 }
 
 Image = NDArray[np.float64]
@@ -53,16 +58,18 @@ def fine(image: Image) -> Image:
     return found
 
 
-def run(gpu: Gpu, scene: Scene, bundle: Bundle, size: int, engine: Engine, period: int) -> Found:
+def run(
+    gpu: Gpu, scene: Scene, bundle: Bundle, size: int, engine: GraphicsState, period: int
+) -> Found:
     """Draw until the age of payloads has settled, then over all places of the jitter."""
     frames = range(2 * period, 2 * period + PLACES)
     hits: list[float] = []
     pairs: list[tuple[Image, Image]] = []
     with (
-        Stage(gpu, replace(scene, engine=engine), (size, size), "rgba32f") as stage,
-        OriginalRunner(stage, bundle) as original,
-        CoverageRunner(stage, bundle) as cover,
-        VariantRunner(stage, bundle, "2-pass", RunOptions(period)) as runner,
+        RenderScene(gpu, replace(scene, engine=engine), (size, size), "rgba32f") as world,
+        OriginalRunner(world, bundle) as original,
+        CoverageRunner(world, bundle) as cover,
+        VariantRunner(world, bundle, "2-pass", RunOptions(period)) as runner,
     ):
         covered = cover.coverage(0)
         for frame in range(frames.stop):

@@ -12,12 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.compiler import rewrite
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.runner import RunOptions, VariantRunner
-from shadercache.harness.shaders import open_scene
-from shadercache.harness.stage import Stage
+from shadercache.gpu.context import Gpu
+from shadercache.linking.scene_shaders import open_scene
 from shadercache.options import CacheOptions, Options
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import RunOptions, VariantRunner
 
 SHADER = Path(__file__).parent / "shaders" / "pan.frag"
 NODE = "vec3(u_frame, gl_FragCoord.xy) * 1.0"
@@ -52,8 +52,8 @@ def pan(
     found = rewrite(analysis, node, options, (2,), unprofitable=True)
     bundle = Bundle(found.manifest, found.files)
     with (
-        Stage(gpu, scene, size, "rgba32f") as stage,
-        VariantRunner(stage, bundle, "2-pass", how) as runner,
+        RenderScene(gpu, scene, size, "rgba32f") as world,
+        VariantRunner(world, bundle, "2-pass", how) as runner,
     ):
         yield runner
 

@@ -28,9 +28,9 @@ from shadercache.ast.large import allow_deep_trees
 from shadercache.cli.tables import format_table
 from shadercache.front import grammar
 from shadercache.front.parse import parse
-from shadercache.harness.context import open_context
-from shadercache.harness.results import environment, machine_name, write_json
-from shadercache.sema.check import check
+from shadercache.gpu.context import open_context
+from shadercache.measure.result_files import environment, machine_name, write_json
+from shadercache.sema.checker import check
 from shadercache.sema.facts import Stage
 from shadercache.source import Source
 
@@ -55,7 +55,7 @@ class File:
 
     name: str
     text: str
-    stage: Stage = "fragment"
+    world: Stage = "fragment"
 
 
 def made_file(kilobytes: int) -> File:
@@ -101,19 +101,19 @@ def _parse(file: File) -> None:
 
 def _parse_and_check(file: File) -> None:
     source = Source(file.name, file.text)
-    check(parse(source), source, file.stage)
+    check(parse(source), source, file.world)
 
 
 def _crosstl(file: File) -> None:
     from crosstl.backend.GLSL.OpenglLexer import GLSLLexer
     from crosstl.backend.GLSL.OpenglParser import GLSLParser
 
-    GLSLParser(GLSLLexer(file.text).tokenize(), file.stage).parse()
+    GLSLParser(GLSLLexer(file.text).tokenize(), file.world).parse()
 
 
 def _glslang(file: File) -> None:
     """Many times in one process, for its start-up takes longer than most files."""
-    with tempfile.NamedTemporaryFile("w", suffix=f".{file.stage[:4]}") as copy:
+    with tempfile.NamedTemporaryFile("w", suffix=f".{file.world[:4]}") as copy:
         copy.write(file.text)
         copy.flush()
         command = ["glslangValidator", *[copy.name] * COPIES]

@@ -16,15 +16,15 @@ import numpy as np
 from bench.pan import ages, pan
 from shadercache.cli.tables import format_table
 from shadercache.compiler import rewrite
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.clock import no_collection
-from shadercache.harness.context import Gpu, open_context
-from shadercache.harness.runner import OriginalRunner, RunOptions, VariantRunner
-from shadercache.harness.scene import load_scene
-from shadercache.harness.shaders import analyse_scene
-from shadercache.harness.stage import Stage
+from shadercache.gpu.clock import no_collection
+from shadercache.gpu.context import Gpu, open_context
+from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.options import CacheOptions, Options, RefreshSchedule
 from shadercache.paths import data_path
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import OriginalRunner, RunOptions, VariantRunner
+from shadercache.scene.description import load_scene
 
 SCHEDULES: tuple[RefreshSchedule, ...] = ("stratified", "random", "tiled", "surface", "none")
 ON_SCREEN: tuple[RefreshSchedule, ...] = ("stratified", "random", "tiled")
@@ -87,13 +87,13 @@ def on_scenes(gpu: Gpu, size: int, frames: int) -> Iterator[tuple[str, ...]]:
         node = analysis.nodes_of(scene.nodes.get(label, label))
         chosen = [CacheOptions(refresh=s) for s in SCHEDULES]
         chosen += [CacheOptions(refresh=s, age=True) for s in ("stratified", "random", "none")]
-        with Stage(gpu, scene, (size, size)) as stage:
+        with RenderScene(gpu, scene, (size, size)) as world:
             bundles = []
             for cache in chosen:
                 found = rewrite(analysis, node, Options(cache=cache), (2,), unprofitable=True)
                 bundles.append(Bundle(found.manifest, found.files))
-            runs = [VariantRunner(stage, bundle, "2-pass", RunOptions(32)) for bundle in bundles]
-            with OriginalRunner(stage, bundles[0]) as original:
+            runs = [VariantRunner(world, bundle, "2-pass", RunOptions(32)) for bundle in bundles]
+            with OriginalRunner(world, bundles[0]) as original:
                 table = _drawn(gpu, runs, original, frames)
             for runner in runs:
                 runner.release()
@@ -121,7 +121,7 @@ def _drawn(
                     shares[place].append(float(np.isin(mask[mask > 0], due).mean()))
                     hits[place].append(float((mask[mask > 0] == values["hit"]).mean()))
                 times[place].append(_processor_time(gpu, partial(runner.draw, frame)))
-                off = runner.stage.targets.image()[..., :3] - image
+                off = runner.world.targets.image()[..., :3] - image
                 errors[place].append(float((off[covered] ** 2).mean()))
     base = np.array(times[SCHEDULES.index("random")][2:])
     return [

@@ -13,10 +13,10 @@ if TYPE_CHECKING:
     from shadercache.compiler import analyse, rewrite
     from shadercache.diagnostics import Diagnostic, DiagnosticError
     from shadercache.front.parse import parse
-    from shadercache.harness.measure import measure
-    from shadercache.harness.parallel import verify_in_parallel as verify
+    from shadercache.measure.measure import measure
     from shadercache.options import Options
     from shadercache.source import Source
+    from shadercache.verify.parallel import verify_in_parallel as verify
 
 __version__ = "0.1.0"
 
@@ -39,10 +39,10 @@ _HOME = {
     "Options": "shadercache.options:Options",
     "Source": "shadercache.source:Source",
     "analyse": "shadercache.compiler:analyse",
-    "measure": "shadercache.harness.measure:measure",
+    "measure": "shadercache.measure.measure:measure",
     "parse": "shadercache.front.parse:parse",
     "rewrite": "shadercache.compiler:rewrite",
-    "verify": "shadercache.harness.parallel:verify_in_parallel",
+    "verify": "shadercache.verify.parallel:verify_in_parallel",
 }
 """Public name: the module it lives in, and its name there."""
 

@@ -13,14 +13,14 @@ from shadercache.analysis.candidates import (
     varyings,
 )
 from shadercache.analysis.cost import CostTable
-from shadercache.analysis.definitions import Definitions
 from shadercache.analysis.effects import EffectTable
-from shadercache.analysis.groups import Group, find_groups
-from shadercache.analysis.inputs import input_kinds
-from shadercache.analysis.overlap import OverlapTable, Parts
+from shadercache.analysis.input_reads import input_kinds
+from shadercache.analysis.payload_sets import check_needed, check_set, companion, note_on_overlap
 from shadercache.analysis.refusals import Code
-from shadercache.analysis.sets import check_needed, check_set, companion, note_on_overlap
+from shadercache.analysis.shared_work import OverlapTable, Parts
 from shadercache.analysis.stages import Links, StageSide, match_stages
+from shadercache.analysis.use_def import Definitions
+from shadercache.analysis.value_numbering import Group, find_groups
 from shadercache.ast import nodes as n
 from shadercache.diagnostics import Diagnostic, InputError, UsageError, input_error, usage_error
 from shadercache.emit.builder import FragmentProgram
@@ -31,10 +31,10 @@ from shadercache.emit.printer import print_node
 from shadercache.emit.reflection import Input, inputs_of
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.front.dialects import surrounded
-from shadercache.front.options import ReadOptions
+from shadercache.front.read_options import ReadOptions
 from shadercache.front.webgl import WEBGL, names_version
 from shadercache.options import MappingKind
-from shadercache.sema.check import check
+from shadercache.sema.checker import check
 from shadercache.sema.facts import Facts, Stage
 from shadercache.source import Source
 from shadercache.transform.raise_version import Raised
@@ -224,7 +224,7 @@ class Analysis:
 
     @cached_property
     def input_kinds(self) -> dict[str, str]:
-        """What the inputs of nodes are, by their names: see :mod:`analysis.inputs`."""
+        """What the inputs of nodes are, by their names: see :mod:`analysis.input_reads`."""
         return input_kinds(self.program.module, self.program.facts)
 
     @cached_property

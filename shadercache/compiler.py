@@ -3,16 +3,16 @@
 The passes, in order (each in its own file):
 
 1.  :mod:`front.parse`              text to tree
-2.  :mod:`sema.check`               names and types; every error of the user is found here
+2.  :mod:`sema.checker`               names and types; every error of the user is found here
 3.  :mod:`transform.raise_version`  older versions, in words of the first that has what it takes;
     :mod:`transform.name_parameters`  and names for parameters without
 4.  :mod:`transform.unique_names`   every identifier means one thing, so the rest works by name
 5.  :mod:`transform.split`          one declarator to a declaration
 6.  :mod:`transform.spell_lists`    ``{a, b}`` is ``vec2(a, b)``, which may stand anywhere
 7.  :mod:`transform.unroll`         loops of few trips are taken apart, on request; then 4 to 6
-8.  :mod:`transform.compound`       ``c += x`` is ``c = c + x``, a value as well
-9.  :mod:`transform.lower_choices`  costly choices inside expressions become conditionals
-10. :mod:`sema.check`               types of the tree that the rest works on
+8.  :mod:`transform.expand_compound_assignments`       ``c += x`` is ``c = c + x``, a value as well
+9.  :mod:`transform.lower_ternaries`  costly choices inside expressions become conditionals
+10. :mod:`sema.checker`               types of the tree that the rest works on
 11. :mod:`analysis.candidates`      every node, offered or refused
 
 and for one node or a set of them, for each pass of each algorithm:
@@ -22,8 +22,8 @@ and for one node or a set of them, for each pass of each algorithm:
 14. :mod:`transform.remove_dead`    keep what the pass's outputs need, in turns with
 15. :mod:`transform.drop_results`
 16. :mod:`transform.drop_parameters`, :mod:`transform.move_arguments`
-17. :mod:`transform.compound`       ``c += x`` again where nothing was cut out
-18. :mod:`transform.hide_arguments`, :mod:`transform.write_out_matrices` and
+17. :mod:`transform.expand_compound_assignments`       ``c += x`` again where nothing was cut out
+18. :mod:`transform.opaque_arguments`, :mod:`transform.write_out_matrices` and
     :mod:`transform.make_precise`   in proof mode only
 19. :mod:`emit.printer`             tree to text
 """
@@ -42,10 +42,10 @@ from shadercache.analysis.candidates import (
     varyings,
 )
 from shadercache.analysis.effects import EffectTable
+from shadercache.analysis.payload_sets import notes_on
 from shadercache.analysis.restrictions import check_depth, check_size, find_color
 from shadercache.analysis.screen_inputs import Marks, screen_marks
 from shadercache.analysis.screen_varyings import ScreenVaryings, screen_varyings
-from shadercache.analysis.sets import notes_on
 from shadercache.analysis.stages import Pairs, StageSide, aligned, links_of, match_stages
 from shadercache.analysis.user_mapping import check_user_mapping
 from shadercache.analysis.vertex_checks import POSITION, check_position, check_vertex
@@ -58,17 +58,17 @@ from shadercache.emit.builder import FragmentProgram
 from shadercache.emit.depth_range import depth_warnings
 from shadercache.emit.layout import Layout, extras_of
 from shadercache.emit.printer import print_node
-from shadercache.front.options import ReadOptions
+from shadercache.front.read_options import ReadOptions
 from shadercache.front.webgl import is_webgl
 from shadercache.manifest import Setting, build_manifest, needed_manifest, original_manifest
 from shadercache.options import ALGORITHMS, CacheOptions, MappingKind, Mode, Options, marks_depths
-from shadercache.sema.check import check
+from shadercache.sema.checker import check
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.read import read
 from shadercache.source import Source
 from shadercache.transform.builtin_block import plain_builtin_block
-from shadercache.transform.compound import spell_out
-from shadercache.transform.lower_choices import lower_choices
+from shadercache.transform.expand_compound_assignments import spell_out
+from shadercache.transform.lower_ternaries import lower_choices
 from shadercache.transform.make_precise import precise_version
 from shadercache.transform.name_parameters import name_parameters
 from shadercache.transform.names import fresh_prefix

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from shadercache.compiler import Emission
-    from shadercache.harness.context import Gpu
+    from shadercache.gpu.context import Gpu
 
 Pair = tuple[str, str]
 

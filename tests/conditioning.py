@@ -23,10 +23,10 @@ from shadercache.analysis.candidates import Candidate
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 from shadercache.front.parse import parse
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.verify import Difference, Verdict, Verifier, difference
 from shadercache.lang.types import builtin_type
+from shadercache.render.bundle import Bundle
 from shadercache.source import Source
+from shadercache.verify.verifier import Difference, Verdict, Verifier, difference
 
 COLOUR = 1e-5
 """84 ulps of a colour of the order of 1; what comes behind the payload is rearranged as well."""

@@ -14,7 +14,7 @@ import pytest
 from tests.crashes import pytest_xdist_make_scheduler  # noqa: F401 # a hook of pytest-xdist
 
 if TYPE_CHECKING:
-    from shadercache.harness.context import Gpu
+    from shadercache.gpu.context import Gpu
 
 ROOT = Path(__file__).resolve().parent.parent
 UPDATE, SHUFFLE = "--update-goldens", "--shuffle"
@@ -96,7 +96,7 @@ _open: list[Gpu] = []
 @pytest.fixture(scope="session")
 def gpu() -> Iterator[Gpu]:
     """The OpenGL context of this process; every test that draws shares it."""
-    from shadercache.harness.context import open_context
+    from shadercache.gpu.context import open_context
 
     with open_context() as context:
         _open.append(context)

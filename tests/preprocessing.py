@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from shadercache.diagnostics import Diagnostic, InputError
-from shadercache.front.options import DEFAULTS, ReadOptions
 from shadercache.front.preprocess import Preprocessed, preprocess
+from shadercache.front.read_options import DEFAULTS, ReadOptions
 from shadercache.source import Source
 
 

@@ -22,21 +22,21 @@ from typing import Any
 
 import shadercache
 from shadercache.analysis.candidates import Candidate
-from shadercache.analysis.groups import one_of_each
+from shadercache.analysis.value_numbering import one_of_each
 from shadercache.cli.progress import progress
 from shadercache.cli.scenes import cache_options
 from shadercache.compiler import Analysis
 from shadercache.diagnostics import DiagnosticError
-from shadercache.harness.animation import Rows
-from shadercache.harness.context import open_context
-from shadercache.harness.files import write_bytes
-from shadercache.harness.parallel import verify_in_parallel
-from shadercache.harness.results import environment, machine_name
-from shadercache.harness.scene import Scene, load_scene
-from shadercache.harness.shaders import analyse_scene
-from shadercache.harness.verify import MAX_TIES, Difference, Verdict, Verifier
+from shadercache.files import write_bytes
+from shadercache.gpu.context import open_context
+from shadercache.linking.scene_shaders import analyse_scene
+from shadercache.measure.result_files import environment, machine_name
 from shadercache.options import DEFAULT_CACHE, CacheOptions
 from shadercache.paths import data_path
+from shadercache.scene.animation import Rows
+from shadercache.scene.description import Scene, load_scene
+from shadercache.verify.parallel import verify_in_parallel
+from shadercache.verify.verifier import MAX_TIES, Difference, Verdict, Verifier
 
 SCHEMA_VERSION = 1
 WHOLE = ("dragon", "trashcan")

@@ -17,13 +17,13 @@ from shadercache.analysis.effects import EffectTable
 from shadercache.ast import nodes as n
 from shadercache.compiler import Analysis, Emission, analyse, rewrite
 from shadercache.front.parse import parse
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.runner import RunOptions, VariantRunner
-from shadercache.harness.scene import Scene, load_scene
-from shadercache.harness.shaders import with_aliases
-from shadercache.harness.stage import Stage
+from shadercache.gpu.context import Gpu
+from shadercache.linking.scene_shaders import with_aliases
 from shadercache.options import Options
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import RunOptions, VariantRunner
+from shadercache.scene.description import Scene, load_scene
 from shadercache.source import Source
 from tests.cases.scenery import ring
 
@@ -91,8 +91,8 @@ def hit_rate(gpu: Gpu, scene: Scene, analysis: Analysis, text: str) -> float:
     emission = rewrite(analysis, node, Options(cache_format="rgba32f"))
     bundle = Bundle(emission.manifest, emission.files)
     with (
-        Stage(gpu, scene, SIZE, "rgba32f") as stage,
-        VariantRunner(stage, bundle, "2-pass", RunOptions(NEVER)) as runner,
+        RenderScene(gpu, scene, SIZE, "rgba32f") as world,
+        VariantRunner(world, bundle, "2-pass", RunOptions(NEVER)) as runner,
     ):
         runner.draw(0)
         mask = runner.hit_mask(1)

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bench.public_shaders.plain_vertex import POSITION
-from shadercache.harness.context import open_context
+from shadercache.gpu.context import open_context
 
 SIZE = (32, 32)
 TARGETS = 8

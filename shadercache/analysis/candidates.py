@@ -10,19 +10,19 @@ import re
 from dataclasses import dataclass
 from hashlib import blake2b
 
+from shadercache.analysis.call_paths import Instance, Place, Use, find_instances, path_to
 from shadercache.analysis.cost import FETCH, CostTable
-from shadercache.analysis.effects import Does, EffectTable
-from shadercache.analysis.instances import Instance, Place, Use, find_instances, path_to
-from shadercache.analysis.neighbours import (
+from shadercache.analysis.derivative_uses import (
     Dependents,
     SharedUses,
     cube_lookups,
     derivatives,
     discards,
 )
+from shadercache.analysis.effects import Does, EffectTable
+from shadercache.analysis.reaching_definitions import written_anywhere
 from shadercache.analysis.refusals import Code, Refusal
 from shadercache.analysis.slices import DERIVATIVE, Slice, SliceTable
-from shadercache.analysis.spine import written_anywhere
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import expressions
 from shadercache.diagnostics import shortened

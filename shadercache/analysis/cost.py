@@ -2,7 +2,7 @@
 
 One unit is one multiplication or addition of floats in one lane. The weights are rough figures for
 current GPUs; they rank nodes and tell the hopeless ones from the rest. Costs that matter are
-measured (:mod:`shadercache.harness.measure`), never taken from here.
+measured (:mod:`shadercache.measure.measure`), never taken from here.
 """
 
 from __future__ import annotations

@@ -14,7 +14,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from enum import Flag, auto
 
-from shadercache.analysis.exposure import exposed_in, overwritten_in
+from shadercache.analysis.liveness import exposed_in, overwritten_in
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.walk import children, walk

@@ -1,9 +1,9 @@
 """What a node costs or leaves, found out once for all the paths on which it is the same.
 
 A function is walked backward with one cut in it, a node or the call that leads to one
-(:mod:`analysis.overlap`). What comes of that depends on the function, the cut, what is live where
-the function ends, and for a call on what is needed inside: never on the path that leads there. So
-sixty thousand nodes on hundreds of paths take some thousand walks.
+(:mod:`analysis.shared_work`). What comes of that depends on the function, the cut, what is live
+where the function ends, and for a call on what is needed inside: never on the path that leads
+there. So sixty thousand nodes on hundreds of paths take some thousand walks.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from collections.abc import Callable, Hashable
 from dataclasses import dataclass, replace
 from typing import TypeAlias
 
-from shadercache.analysis.instances import Instance
+from shadercache.analysis.call_paths import Instance
 from shadercache.ast import nodes as n
 
 Names: TypeAlias = frozenset[str]

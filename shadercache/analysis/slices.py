@@ -15,11 +15,11 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import compress
 
+from shadercache.analysis.call_paths import Instance, Place
+from shadercache.analysis.control_dependence import Flow, Inside
 from shadercache.analysis.cost import CostTable
 from shadercache.analysis.effects import Does, EffectTable
-from shadercache.analysis.inside import Flow, Inside
-from shadercache.analysis.instances import Instance, Place
-from shadercache.analysis.spine import written_anywhere
+from shadercache.analysis.reaching_definitions import written_anywhere
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from shadercache.analysis.effects import Does, EffectTable
-from shadercache.analysis.spine import written_anywhere
+from shadercache.analysis.reaching_definitions import written_anywhere
 from shadercache.ast import nodes as n
 from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.options import CURRENT_CLIP, PREVIOUS_CLIP

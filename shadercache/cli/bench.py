@@ -34,12 +34,12 @@ from shadercache.cli.reading import (
 )
 from shadercache.cli.scenes import cache_options, choose_nodes, find_scene, split_list
 from shadercache.cli.tables import shorten
-from shadercache.front.options import MAX_TOKENS
+from shadercache.front.read_options import MAX_TOKENS
 from shadercache.options import DEFAULT_EPSILON, CacheFormat, Options
 
 if TYPE_CHECKING:
     from shadercache.analysis.candidates import Candidate
-    from shadercache.harness.measurement import Measurement, NodeResult
+    from shadercache.measure.measurement import Measurement, NodeResult
 
 
 def command(
@@ -96,15 +96,15 @@ def command(
     Writes JSON (with raw samples), CSV and plots for each period and block into DIR; of few nodes
     also the hit rate of every frame.
     """
-    from shadercache.analysis.groups import one_of_each
-    from shadercache.harness.context import open_context
-    from shadercache.harness.home import at_home
-    from shadercache.harness.measure import measure
-    from shadercache.harness.measurement import MeasureOptions
-    from shadercache.harness.mesh import replacement_mesh
-    from shadercache.harness.results import environment, to_json
-    from shadercache.harness.shaders import open_scene
-    from shadercache.harness.sweep import make_entry
+    from shadercache.analysis.value_numbering import one_of_each
+    from shadercache.gpu.context import open_context
+    from shadercache.linking.scene_shaders import open_scene
+    from shadercache.linking.user_places import at_home
+    from shadercache.measure.entries import make_entry
+    from shadercache.measure.measure import measure
+    from shadercache.measure.measurement import MeasureOptions
+    from shadercache.measure.result_files import environment, to_json
+    from shadercache.scene.mesh import replacement_mesh
 
     algorithms, extent = parse_passes(passes), parse_size(size)
     choices = [(n, k) for n in parse_periods(period) for k in parse_blocks(block)]
@@ -157,9 +157,9 @@ def _label(node: NodeResult) -> str:
 
 
 def _store(out: Path, found: Measurement, report: dict[str, Any]) -> None:
-    from shadercache.harness.files import write_bytes
-    from shadercache.harness.plots import plot_error, plot_hits, plot_time
-    from shadercache.harness.results import to_csv, write_json
+    from shadercache.files import write_bytes
+    from shadercache.measure.result_files import to_csv, write_json
+    from shadercache.report.plots import plot_error, plot_hits, plot_time
 
     options = found.options
     stem = f"{found.scene}-n{options.period}-k{options.block}"

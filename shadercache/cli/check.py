@@ -21,7 +21,7 @@ from shadercache.cli.reading import (
     read_options,
 )
 from shadercache.diagnostics import Diagnostic, InputError, Severity
-from shadercache.front.options import MAX_TOKENS, ReadOptions
+from shadercache.front.read_options import MAX_TOKENS, ReadOptions
 
 VERTEX_SUFFIXES = frozenset((".vert", ".vs", ".vsh"))
 """Files of every other name are fragment shaders: .frag, .fs, .fsh, .glsl, stdin."""

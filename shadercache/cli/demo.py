@@ -10,16 +10,16 @@ import typer
 
 from shadercache.cli.io import folder
 from shadercache.cli.measuring import parse_size, result_table, step_progress, summary
-from shadercache.cli.pictures import write_pictures
 from shadercache.cli.scenes import choose_nodes, find_scene
+from shadercache.cli.write_pictures import write_pictures
 from shadercache.diagnostics import input_error
 from shadercache.options import CacheFormat, Options
 
 if TYPE_CHECKING:
-    from shadercache.harness.context import Gpu
-    from shadercache.harness.measurement import Measurement, NodeResult, Shot
-    from shadercache.harness.scene import Scene
-    from shadercache.harness.sheet import SheetRow
+    from shadercache.gpu.context import Gpu
+    from shadercache.measure.measurement import Measurement, NodeResult, Shot
+    from shadercache.report.contact_sheet import SheetRow
+    from shadercache.scene.description import Scene
 
 SCENES = ("dragon", "trashcan")
 
@@ -42,9 +42,9 @@ def command(
 
     Prints the table and writes, for each scene, the pictures, a contact sheet and the raw numbers.
     """
-    from shadercache.harness.context import open_context
-    from shadercache.harness.results import environment, to_json, write_json
-    from shadercache.harness.scene import load_scene
+    from shadercache.gpu.context import open_context
+    from shadercache.measure.result_files import environment, to_json, write_json
+    from shadercache.scene.description import load_scene
 
     extent = parse_size(size)
     with open_context() as gpu:
@@ -68,11 +68,11 @@ def _measure(
     cache_format: CacheFormat,
     mesh: Path | None,
 ) -> Measurement:
-    from shadercache.harness.measure import measure
-    from shadercache.harness.measurement import MeasureOptions
-    from shadercache.harness.mesh import load_mesh
-    from shadercache.harness.shaders import analyse_scene
-    from shadercache.harness.sweep import make_entry
+    from shadercache.linking.scene_shaders import analyse_scene
+    from shadercache.measure.entries import make_entry
+    from shadercache.measure.measure import measure
+    from shadercache.measure.measurement import MeasureOptions
+    from shadercache.scene.mesh import load_mesh
 
     demo = scene.demo
     if demo is None:
@@ -97,8 +97,8 @@ def _measure(
 
 def _write_pictures(out: Path, scene: Scene, found: Measurement) -> None:
     """All pictures of all variants, and a sheet with the fastest variant of each node."""
-    from shadercache.harness.pictures import write_png
-    from shadercache.harness.sheet import contact_sheet
+    from shadercache.report.contact_sheet import contact_sheet
+    from shadercache.report.images import write_png
 
     for shot in found.shots:
         write_pictures(out / scene.name, shot, ["all"])
@@ -108,7 +108,7 @@ def _write_pictures(out: Path, scene: Scene, found: Measurement) -> None:
 
 
 def _sheet_row(node: NodeResult, shots: dict[tuple[str, str], Shot]) -> SheetRow:
-    from shadercache.harness.sheet import SheetRow
+    from shadercache.report.contact_sheet import SheetRow
 
     best = max(node.variants, key=lambda variant: variant.speedup.median)
     caption = (

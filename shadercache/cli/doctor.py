@@ -46,8 +46,8 @@ def command(
 
 
 def _opengl() -> dict[str, Any]:
-    from shadercache.harness.clock import pick_clock
-    from shadercache.harness.context import open_context
+    from shadercache.gpu.clock import pick_clock
+    from shadercache.gpu.context import open_context
 
     with open_context() as gpu:
         limits = {name: gpu.ctx.info[name] for name in LIMITS if name in gpu.ctx.info}
@@ -56,7 +56,7 @@ def _opengl() -> dict[str, Any]:
 
 def _advice(report: dict[str, Any]) -> list[str]:
     """What to install, in whole sentences."""
-    from shadercache.harness.context import APT_LINE
+    from shadercache.gpu.context import APT_LINE
 
     advice = []
     if report["opengl"] is None:

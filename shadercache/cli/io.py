@@ -12,7 +12,7 @@ from errno import EISDIR, ENOTDIR
 from pathlib import Path
 
 from shadercache.diagnostics import Diagnostic, InputError, UsageError, usage_error
-from shadercache.harness.foreign import MAX_SHADER, read_bytes, read_stream
+from shadercache.foreign_files import MAX_SHADER, read_bytes, read_stream
 from shadercache.source import Source, Span
 
 MANIFEST = "manifest.json"

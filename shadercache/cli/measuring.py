@@ -13,7 +13,7 @@ from shadercache.cli.tables import format_table
 from shadercache.diagnostics import usage_error
 
 if TYPE_CHECKING:
-    from shadercache.harness.measurement import Gain, Measurement, NodeResult, VariantResult
+    from shadercache.measure.measurement import CachingGain, Measurement, NodeResult, VariantResult
 
 WeighOption = Annotated[
     bool,
@@ -78,7 +78,7 @@ def parse_blocks(text: str) -> list[int]:
 
 @contextmanager
 def step_progress(label: str) -> Iterator[Callable[[int, int, str], None]]:
-    """A callback for :func:`shadercache.harness.measure.measure` that shows its progress.
+    """A callback for :func:`shadercache.measure.measure.measure` that shows its progress.
 
     The number of steps is learnt with the first call.
     """
@@ -133,7 +133,7 @@ def summary(measurement: Measurement) -> str:
     return "\n".join(lines)
 
 
-def _worth(gain: Gain) -> str:
+def _worth(gain: CachingGain) -> str:
     drawn = "cached" if gain.pays else "nothing gained, so drawn by the original"
     names = f"{len(gain.objects)} objects" if len(gain.objects) > 1 else gain.objects[0]
     ratio = gain.ratio

@@ -22,7 +22,7 @@ from shadercache.cli.reading import (
 )
 from shadercache.cli.scenes import find_scene
 from shadercache.cli.tables import format_table, shorten, terminal_width
-from shadercache.front.options import MAX_TOKENS
+from shadercache.front.read_options import MAX_TOKENS
 from shadercache.options import PREVIOUS_CLIP
 
 if TYPE_CHECKING:
@@ -77,7 +77,7 @@ def command(
     the GLSL to compute "on_cpu".
     """
     from shadercache.compiler import analyse
-    from shadercache.harness.scene import load_scene
+    from shadercache.scene.description import load_scene
 
     options = read_options(define, undefine, include, dialect, max_tokens, unroll)
     source = read_source(fragment)

@@ -109,7 +109,7 @@ class _Writer:
         }
 
     def _inputs(self, node: Candidate) -> dict[str, Any]:
-        from shadercache.analysis.inputs import by_kind
+        from shadercache.analysis.input_reads import by_kind
 
         unchanged = self._analysis.unchanged_for(node)
         return {

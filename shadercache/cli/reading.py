@@ -10,7 +10,7 @@ from typing import Annotated, Literal, TypeAlias
 import typer
 
 from shadercache.diagnostics import usage_error
-from shadercache.front.options import MAX_TOKENS, Dialect, ReadOptions
+from shadercache.front.read_options import MAX_TOKENS, Dialect, ReadOptions
 from shadercache.options import FetchForm, MappingKind, cache_choices
 
 _NAME = re.compile(r"[A-Za-z_]\w*(\([^()]*\))?", re.ASCII)

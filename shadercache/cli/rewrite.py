@@ -22,7 +22,7 @@ from shadercache.cli.reading import (
     read_options,
 )
 from shadercache.diagnostics import usage_error
-from shadercache.front.options import MAX_TOKENS
+from shadercache.front.read_options import MAX_TOKENS
 from shadercache.options import ALGORITHMS, CacheFormat, Mode, Options, read_cache_options
 
 if TYPE_CHECKING:

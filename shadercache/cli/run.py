@@ -17,7 +17,6 @@ from shadercache.cli.measuring import (
     step_progress,
     summary,
 )
-from shadercache.cli.pictures import write_pictures
 from shadercache.cli.reading import (
     CacheOption,
     DefineOption,
@@ -31,7 +30,8 @@ from shadercache.cli.reading import (
     read_options,
 )
 from shadercache.cli.scenes import cache_options, choose_nodes, find_scene
-from shadercache.front.options import MAX_TOKENS
+from shadercache.cli.write_pictures import write_pictures
+from shadercache.front.read_options import MAX_TOKENS
 from shadercache.options import DEFAULT_EPSILON, CacheFormat, Options
 
 
@@ -93,13 +93,13 @@ def command(
     The hit map, and each further --view, shows in false colours what became of each pixel.
     """
     from shadercache.emit.depth_range import depth_warnings
-    from shadercache.harness.context import open_context
-    from shadercache.harness.home import at_home
-    from shadercache.harness.measure import measure
-    from shadercache.harness.measurement import MeasureOptions
-    from shadercache.harness.mesh import replacement_mesh
-    from shadercache.harness.shaders import open_scene
-    from shadercache.harness.sweep import make_entry
+    from shadercache.gpu.context import open_context
+    from shadercache.linking.scene_shaders import open_scene
+    from shadercache.linking.user_places import at_home
+    from shadercache.measure.entries import make_entry
+    from shadercache.measure.measure import measure
+    from shadercache.measure.measurement import MeasureOptions
+    from shadercache.scene.mesh import replacement_mesh
 
     extent = parse_size(size)
     every, edge = parse_periods(str(period))[0], parse_blocks(str(block))[0]

@@ -14,7 +14,7 @@ from shadercache.paths import data_path
 if TYPE_CHECKING:
     from shadercache.analysis.candidates import Candidate
     from shadercache.compiler import Analysis
-    from shadercache.harness.scene import Scene
+    from shadercache.scene.description import Scene
 
 SCENE_FILE = "scene.toml"
 
@@ -43,7 +43,7 @@ def find_scene(target: str) -> Path:
 
 def _names(scene: Path, fragment: Path) -> bool:
     """Is it the scene of this fragment shader?"""
-    from shadercache.harness.scene import load_scene
+    from shadercache.scene.description import load_scene
 
     return load_scene(scene).fragment.samefile(fragment)
 

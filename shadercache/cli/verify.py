@@ -24,10 +24,10 @@ from shadercache.cli.reading import (
 )
 from shadercache.cli.scenes import cache_options, choose_nodes, find_scene
 from shadercache.cli.tables import format_table, shorten, terminal_width
-from shadercache.front.options import MAX_TOKENS
+from shadercache.front.read_options import MAX_TOKENS
 
 if TYPE_CHECKING:
-    from shadercache.harness.verify import Difference, Verdict
+    from shadercache.verify.verifier import Difference, Verdict
 
 HEADER = ("node", "path", "laws", "plain: largest", "p99.9", "changed", "text")
 
@@ -77,12 +77,12 @@ def command(
     Of nodes that have the same value one is checked; the others are counted, and --every-node
     checks them too.
     """
-    from shadercache.analysis.groups import one_of_each
-    from shadercache.harness.context import open_context
-    from shadercache.harness.parallel import verify_in_parallel
-    from shadercache.harness.results import environment, write_json
-    from shadercache.harness.shaders import open_scene
-    from shadercache.harness.verify import Verifier
+    from shadercache.analysis.value_numbering import one_of_each
+    from shadercache.gpu.context import open_context
+    from shadercache.linking.scene_shaders import open_scene
+    from shadercache.measure.result_files import environment, write_json
+    from shadercache.verify.parallel import verify_in_parallel
+    from shadercache.verify.verifier import Verifier
 
     equal = 0
     options = read_options(define, undefine, include, dialect, max_tokens, unroll)
@@ -155,7 +155,7 @@ def _law_1(round_trip: Difference | None) -> str:
 def _text(
     verdicts: Sequence[Verdict], round_trip: Difference | None, ties: float, equal: int
 ) -> str:
-    from shadercache.harness.verify import MAX_TIES, PERIOD
+    from shadercache.verify.verifier import MAX_TIES, PERIOD
 
     rows = [_row(verdict) for verdict in verdicts]
     right = "p99.9 changed"

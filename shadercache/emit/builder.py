@@ -8,9 +8,9 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from shadercache.analysis.candidates import Candidate, Candidates
+from shadercache.analysis.derivative_uses import SharedUse, evaluation_order
 from shadercache.analysis.effects import Does, EffectTable
 from shadercache.analysis.loops import decided_loops
-from shadercache.analysis.neighbours import SharedUse, evaluation_order
 from shadercache.analysis.precision import PrecisionTable
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
@@ -19,11 +19,11 @@ from shadercache.emit.layout import Layout, extras_of
 from shadercache.emit.runtime import Located, load_part, runtime_names
 from shadercache.options import CURRENT_CLIP, DEFAULT_CACHE, CacheOptions, FetchForm, MappingKind
 from shadercache.sema.facts import Facts
-from shadercache.transform.compound import contract
 from shadercache.transform.drop_parameters import drop_parameters
 from shadercache.transform.drop_results import drop_results
-from shadercache.transform.fetch_ahead import form_of
+from shadercache.transform.expand_compound_assignments import contract
 from shadercache.transform.guard_loops import guard_loops
+from shadercache.transform.hoist_fetches import form_of
 from shadercache.transform.names import FreshNames
 from shadercache.transform.remove_dead import remove_dead
 from shadercache.transform.specialise import Clones, Cut, CutKind, insert_clones, specialise

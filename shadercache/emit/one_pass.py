@@ -5,16 +5,16 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import partial
 
+from shadercache.analysis.call_paths import Use
+from shadercache.analysis.derivative_uses import SharedUse
 from shadercache.analysis.effects import Does, EffectTable
-from shadercache.analysis.instances import Use
-from shadercache.analysis.neighbours import SharedUse
 from shadercache.ast import nodes as n
 from shadercache.emit.assemble import Shader, call_all, variable
 from shadercache.emit.builder import PassBuilder
 from shadercache.emit.keep_globals import call_keeping
 from shadercache.options import FetchForm
 from shadercache.sema.facts import Symbol
-from shadercache.transform.fetch_ahead import variables_of
+from shadercache.transform.hoist_fetches import variables_of
 from shadercache.transform.reachable import names_in
 from shadercache.transform.rename import rename
 from shadercache.transform.specialise import Clones, Cut

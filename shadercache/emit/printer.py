@@ -41,13 +41,13 @@ from shadercache.ast.nodes import (
     While,
 )
 from shadercache.ast.walk import EXPRESSIONS
-from shadercache.emit.comments import Comments
-from shadercache.emit.expressions import (
+from shadercache.emit.make_expressions import (
     print_dims,
     print_expression,
     print_layout_item,
     print_qualifiers,
 )
+from shadercache.emit.variant_comments import Comments
 from shadercache.lang.words import ASSIGN
 
 _INDENT = "    "

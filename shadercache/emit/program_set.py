@@ -17,9 +17,9 @@ from shadercache.emit.printer import print_module
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.options import Options
 from shadercache.sema.facts import Stage
-from shadercache.transform.hide_arguments import hide_arguments
 from shadercache.transform.make_precise import make_precise
-from shadercache.transform.precisions import with_precisions
+from shadercache.transform.opaque_arguments import hide_arguments
+from shadercache.transform.state_precisions import with_precisions
 from shadercache.transform.write_out_matrices import write_out_matrices
 
 COLOR, CACHE, MASK = "color", "cache", "mask"

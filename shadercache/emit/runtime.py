@@ -17,8 +17,8 @@ from shadercache.emit.layout import MOST_OF_HALF, Layout
 from shadercache.front.parse import parse
 from shadercache.options import DEFAULT_CACHE, DEFAULT_EPSILON, CacheOptions, MappingKind
 from shadercache.source import Source
-from shadercache.transform.forget_places import without_places
 from shadercache.transform.names import PREFIX
+from shadercache.transform.strip_spans import without_places
 
 OUTCOMES = {
     **{"hit": 1, "refresh": 2, "outside": 3, "depth": 4},

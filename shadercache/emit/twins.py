@@ -13,7 +13,7 @@ from shadercache.ast import nodes as n
 from shadercache.emit.packing import with_layouts
 from shadercache.lang.builtins import variable
 from shadercache.lang.types import builtin_type
-from shadercache.sema.context import enabled_extensions
+from shadercache.sema.check_context import enabled_extensions
 from shadercache.sema.redeclared import MOST_ELEMENTS
 from shadercache.source import NOWHERE
 from shadercache.transform.builtin_block import BUILTIN_BLOCK

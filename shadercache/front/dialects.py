@@ -18,8 +18,8 @@ from functools import cache
 from pathlib import Path
 
 from shadercache.diagnostics import Diagnostic, InputError
-from shadercache.front.lexis import Lexemes, clean, joins_comments, spellings
-from shadercache.front.options import Dialect
+from shadercache.front.read_options import Dialect
+from shadercache.front.scanner import Lexemes, clean, joins_comments, spellings
 from shadercache.front.version import Version, read_version, version_line
 from shadercache.source import Source, Span
 

@@ -16,10 +16,10 @@ from typing import TYPE_CHECKING
 from shadercache.ast.nodes import Directive
 from shadercache.front import include
 from shadercache.front.conditions import evaluate
+from shadercache.front.directive_errors import MistakeError, RunawayError
 from shadercache.front.extensions import INCLUDES, read_extension
-from shadercache.front.lexis import is_word, spellings
 from shadercache.front.macros import define
-from shadercache.front.mistakes import MistakeError, RunawayError
+from shadercache.front.scanner import is_word, spellings
 from shadercache.source import Span
 
 if TYPE_CHECKING:

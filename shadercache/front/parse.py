@@ -10,12 +10,12 @@ from shadercache.ast.large import without_collector
 from shadercache.ast.nodes import Module
 from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.front.attributes import without_attributes
-from shadercache.front.beginnings import beginnings
-from shadercache.front.comments import find_comments
+from shadercache.front.comment_text import find_comments
 from shadercache.front.dialects import Host, check_version, host_of
-from shadercache.front.lexis import Lexemes
-from shadercache.front.options import DEFAULTS, ReadOptions
 from shadercache.front.preprocess import Preprocessed, preprocess, preprocess_broken
+from shadercache.front.read_options import DEFAULTS, ReadOptions
+from shadercache.front.recovery import beginnings
+from shadercache.front.scanner import Lexemes
 from shadercache.front.version import NO_VERSION, Version
 from shadercache.front.webgl import WEBGL, is_webgl
 from shadercache.source import Source, Span

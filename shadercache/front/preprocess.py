@@ -27,14 +27,14 @@ from pathlib import Path
 from shadercache.ast.nodes import Directive
 from shadercache.diagnostics import Diagnostic, InputError, shortened
 from shadercache.front import include
+from shadercache.front.conditional_groups import Groups
 from shadercache.front.conditions import evaluate, replace_defined
+from shadercache.front.directive_errors import LIMIT_HINT, MistakeError, RunawayError, StopReading
 from shadercache.front.directives import CONDITIONALS, HANDLERS, Line
 from shadercache.front.extensions import extension_macros
-from shadercache.front.groups import Groups
-from shadercache.front.lexis import CleanText, Lexemes, clean, joins_comments, spellings
 from shadercache.front.macros import Expander, Macro, define
-from shadercache.front.mistakes import LIMIT_HINT, MistakeError, RunawayError, StopReading
-from shadercache.front.options import DEFAULTS, ReadOptions
+from shadercache.front.read_options import DEFAULTS, ReadOptions
+from shadercache.front.scanner import CleanText, Lexemes, clean, joins_comments, spellings
 from shadercache.front.version import NO_VERSION, Version, check_place, read_version
 from shadercache.source import Source, Span
 

@@ -11,16 +11,16 @@ from typing import Any
 
 from shadercache import __version__
 from shadercache.analysis.candidates import Candidate
-from shadercache.analysis.sets import is_skipped
+from shadercache.analysis.payload_sets import is_skipped
 from shadercache.emit.dependencies import Dependency
 from shadercache.emit.layout import Layout, extras_of
 from shadercache.emit.program_set import Pass, ProgramSet
 from shadercache.emit.runtime import outcomes
 from shadercache.emit.uniforms import added_uniforms
-from shadercache.manifest.inputs import described_inputs
 from shadercache.manifest.relies import relies_on
 from shadercache.manifest.sentences import frame_sentences, reset_sentences
 from shadercache.manifest.setting import Setting
+from shadercache.manifest.shader_inputs import described_inputs
 from shadercache.manifest.state import state_of
 from shadercache.options import (
     CacheOptions,

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from shadercache.ast.nodes import BlockDecl, Qualifiers
 from shadercache.lang.types import Type, struct_type
-from shadercache.sema.context import ERROR, Context
+from shadercache.sema.check_context import ERROR, Context
 from shadercache.sema.facts import Kind, Symbol
 from shadercache.sema.qualifiers import STORAGE
 from shadercache.sema.typespecs import TypeResolver

@@ -8,8 +8,8 @@ from shadercache.ast.nodes import Call, Expr
 from shadercache.lang.builtins import Signature
 from shadercache.lang.types import Type
 from shadercache.lang.words import qualifier_words
+from shadercache.sema.check_context import ERROR, Context
 from shadercache.sema.constants import Constants
-from shadercache.sema.context import ERROR, Context
 from shadercache.sema.lvalues import why_not_writable
 from shadercache.sema.memory import check_memory
 from shadercache.sema.overloads import Candidate, convertible, exact_match, parameters

@@ -7,7 +7,7 @@ from math import prod
 
 from shadercache.ast.nodes import Node
 from shadercache.lang.types import Type
-from shadercache.sema.context import Context
+from shadercache.sema.check_context import Context
 
 _SIZE = 4
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from shadercache.ast.nodes import Node
 from shadercache.lang.types import Type
-from shadercache.sema.context import Context
+from shadercache.sema.check_context import Context
 from shadercache.sema.layout_words import Place
 
 _WIDE = ("double", "int64_t", "uint64_t")

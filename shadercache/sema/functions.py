@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from shadercache.ast.nodes import Call, FunctionDef, FunctionProto, Param
 from shadercache.lang.types import VOID, Type
-from shadercache.sema.context import ERROR, Context
+from shadercache.sema.check_context import ERROR, Context
 from shadercache.sema.facts import Symbol
 from shadercache.sema.qualifiers import MEMORY
 from shadercache.sema.scopes import FunctionSet, Overload

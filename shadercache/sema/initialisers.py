@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from shadercache.ast.nodes import Expr, InitList
 from shadercache.lang.types import VOID, Type, array_of
-from shadercache.sema.context import ERROR, Context
-from shadercache.sema.expressions import ExpressionChecker
+from shadercache.sema.check_context import ERROR, Context
+from shadercache.sema.expression_types import ExpressionChecker
 
 
 class InitialiserChecker:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from shadercache.ast.nodes import Call, ExprStmt, FunctionDef, Return, Stmt
 from shadercache.ast.walk import walk
-from shadercache.sema.context import Context
+from shadercache.sema.check_context import Context
 
 _BEGIN, _END = "beginInvocationInterlock", "endInvocationInterlock"
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from shadercache.lang.types import Type
-from shadercache.sema.context import NEVER, Context
+from shadercache.sema.check_context import NEVER, Context
 
 _PACKINGS = ("shared", "packed", "std140", "std430")
 _ORDERS = ("row_major", "column_major")

@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from shadercache.ast.nodes import BlockDecl, Expr, LayoutItem, Literal, Node, Qualifiers, VarDecl
 from shadercache.lang import unsupported
 from shadercache.lang.types import INT, UINT, Type
-from shadercache.sema.context import ERROR, NEVER, Context, did_you_mean
+from shadercache.sema.check_context import ERROR, NEVER, Context, did_you_mean
 from shadercache.sema.counters import Counters
-from shadercache.sema.expressions import ExpressionChecker
+from shadercache.sema.expression_types import ExpressionChecker
 from shadercache.sema.feedback import Feedback
 from shadercache.sema.layout_words import SINCE, Place, word_problem
 from shadercache.sema.locations import Locations, of_one_vertex

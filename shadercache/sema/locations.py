@@ -7,7 +7,7 @@ from math import prod
 
 from shadercache.ast.nodes import BlockDecl, Node, Qualifiers
 from shadercache.lang.types import StructType, Type
-from shadercache.sema.context import ERROR, Context
+from shadercache.sema.check_context import ERROR, Context
 
 # First version of a location: (stage, storage) -> version; what is missing needs 4.10.
 _LOCATION_SINCE = {("vertex", "in"): 330, ("fragment", "out"): 330}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from shadercache.ast.nodes import Expr, Index, Member, Name
-from shadercache.sema.context import Context
+from shadercache.sema.check_context import Context
 from shadercache.sema.facts import Symbol
 
 _READ_ONLY = {

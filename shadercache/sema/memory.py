@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from shadercache.ast.nodes import Call, Expr, Index, Member, Name
 from shadercache.lang.builtins import Signature
-from shadercache.sema.context import Context
+from shadercache.sema.check_context import Context
 from shadercache.sema.facts import Symbol
 from shadercache.sema.scopes import Overload
 

@@ -7,7 +7,7 @@ from math import prod
 
 from shadercache.ast.nodes import BlockDecl
 from shadercache.lang.types import Type
-from shadercache.sema.context import ERROR, Context
+from shadercache.sema.check_context import ERROR, Context
 
 _ALIGNED = ("std140", "std430")
 _VEC4 = 16

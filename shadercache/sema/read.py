@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from shadercache.ast.nodes import Module
 from shadercache.diagnostics import Diagnostic, InputError, Severity
-from shadercache.front.options import DEFAULTS, ReadOptions
 from shadercache.front.parse import parse, parse_before
-from shadercache.sema.check import check
+from shadercache.front.read_options import DEFAULTS, ReadOptions
+from shadercache.sema.checker import check
 from shadercache.sema.facts import Facts, Stage
 from shadercache.source import Source
 

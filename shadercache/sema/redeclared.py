@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from shadercache.ast.nodes import Node
-from shadercache.sema.context import ERROR, NEVER, Context
+from shadercache.sema.check_context import ERROR, NEVER, Context
 from shadercache.sema.facts import Symbol
 
 _IO_BLOCKS = ("EXT_shader_io_blocks", "OES_shader_io_blocks", "ANDROID_extension_pack_es31a")

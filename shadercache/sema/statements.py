@@ -31,7 +31,7 @@ from shadercache.ast.nodes import (
     While,
 )
 from shadercache.lang.types import BOOL, INT, UINT, VOID, Type
-from shadercache.sema.context import ERROR, Context
+from shadercache.sema.check_context import ERROR, Context
 from shadercache.sema.functions import FunctionChecker
 from shadercache.sema.typespecs import TypeResolver
 from shadercache.sema.variables import VariableChecker

@@ -5,9 +5,9 @@ from __future__ import annotations
 from shadercache.ast.nodes import Dims, Expr, Node, Qualifiers, StructDef, TypeSpec, VarDecl
 from shadercache.lang.builtins import struct
 from shadercache.lang.types import INT, UINT, VOID, Type, array_of, builtin_type, struct_type
-from shadercache.sema.context import ERROR, Context
-from shadercache.sema.expressions import ExpressionChecker
-from shadercache.sema.precisions import Precisions
+from shadercache.sema.check_context import ERROR, Context
+from shadercache.sema.default_precisions import Precisions
+from shadercache.sema.expression_types import ExpressionChecker
 
 _FIELD_WORDS = frozenset(("highp", "mediump", "lowp"))
 

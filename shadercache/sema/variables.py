@@ -12,7 +12,7 @@ from shadercache.ast.nodes import (
 )
 from shadercache.lang import builtins
 from shadercache.lang.types import BOOL, VOID, Type
-from shadercache.sema.context import ERROR, NEVER, Context
+from shadercache.sema.check_context import ERROR, NEVER, Context
 from shadercache.sema.facts import Kind, Symbol
 from shadercache.sema.initialisers import InitialiserChecker
 from shadercache.sema.layout_words import IMAGE_FORMATS

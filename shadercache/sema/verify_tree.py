@@ -12,8 +12,8 @@ from typing import TypeVar
 
 from shadercache.ast.nodes import Module, Name
 from shadercache.diagnostics import InputError
-from shadercache.sema.check import check_in
-from shadercache.sema.context import Context
+from shadercache.sema.check_context import Context
+from shadercache.sema.checker import check_in
 from shadercache.sema.facts import Facts, Stage
 from shadercache.source import Source
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from shadercache.ast import nodes as n
-from shadercache.ast.rewrite import Rewriter
+from shadercache.ast.rewriter import Rewriter
 from shadercache.sema.facts import Facts
 
 BUILTIN_BLOCK = "gl_PerVertex"

@@ -18,7 +18,7 @@ from dataclasses import replace
 from shadercache.analysis.effects import EffectTable
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
-from shadercache.ast.rewrite import Rewriter
+from shadercache.ast.rewriter import Rewriter
 from shadercache.ast.walk import walk
 from shadercache.source import NOWHERE
 

@@ -16,7 +16,7 @@ from dataclasses import replace
 
 from shadercache.analysis.loops import LOOPS
 from shadercache.ast import nodes as n
-from shadercache.ast.rewrite import Rewriter
+from shadercache.ast.rewriter import Rewriter
 from shadercache.source import NOWHERE
 
 

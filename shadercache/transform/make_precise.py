@@ -29,8 +29,8 @@ from shadercache.ast.walk import children
 from shadercache.lang.types import builtin_type
 from shadercache.sema.facts import Stage
 from shadercache.source import NOWHERE
-from shadercache.transform.precisions import all_highp
 from shadercache.transform.replace import replace_expressions
+from shadercache.transform.state_precisions import all_highp
 from shadercache.transform.write_out_matrices import Types, types_for_matrices
 
 _DESKTOP, _ES = 400, 320

@@ -17,7 +17,7 @@ from typing import TypeAlias, cast
 
 from shadercache.analysis.effects import NO_EFFECTS, Does, Effects, EffectTable, union
 from shadercache.ast import nodes as n
-from shadercache.ast.rewrite import Rewriter
+from shadercache.ast.rewriter import Rewriter
 from shadercache.ast.walk import children, walk
 
 _Movers = n.ExprStmt | n.DeclStmt | n.Return | n.If | n.Switch

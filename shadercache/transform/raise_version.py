@@ -23,13 +23,13 @@ from dataclasses import dataclass, replace
 from typing import TypeVar
 
 from shadercache.ast import nodes as n
-from shadercache.ast.rewrite import Rewriter
+from shadercache.ast.rewriter import Rewriter
 from shadercache.ast.walk import walk
 from shadercache.diagnostics import Diagnostic, InputError, Severity
 from shadercache.lang.builtins import functions
 from shadercache.lang.words import keywords, reserved_words
-from shadercache.sema.check import check
-from shadercache.sema.context import enabled_extensions
+from shadercache.sema.check_context import enabled_extensions
+from shadercache.sema.checker import check
 from shadercache.sema.facts import Facts, Stage
 from shadercache.source import Source
 from shadercache.transform.builtin_block import BUILTIN_BLOCK

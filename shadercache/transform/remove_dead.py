@@ -29,7 +29,7 @@ from shadercache.analysis.effects import (
     out_arguments,
     root_variable,
 )
-from shadercache.analysis.exposure import overwritten_by, reads_of
+from shadercache.analysis.liveness import overwritten_by, reads_of
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.walk import EXPRESSIONS, children, walk

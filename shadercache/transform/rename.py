@@ -11,7 +11,7 @@ from dataclasses import replace
 from typing import TypeVar
 
 from shadercache.ast import nodes as n
-from shadercache.ast.rewrite import Rewriter
+from shadercache.ast.rewriter import Rewriter
 
 N = TypeVar("N", bound=n.Node)
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TypeVar
 
 from shadercache.ast.nodes import Expr, Node
-from shadercache.ast.rewrite import Rewriter
+from shadercache.ast.rewriter import Rewriter
 
 N = TypeVar("N", bound=Node)
 

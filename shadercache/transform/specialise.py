@@ -37,7 +37,7 @@ from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 from shadercache.options import FetchForm
 from shadercache.source import NOWHERE
-from shadercache.transform.fetch_ahead import done_ahead, left_over
+from shadercache.transform.hoist_fetches import done_ahead, left_over
 from shadercache.transform.names import FreshNames
 from shadercache.transform.replace import replace_expressions
 
@@ -49,7 +49,7 @@ class Cut:
     """One expression to replace: the calls from ``main`` to its function, itself, the variable.
 
     ``flag`` is the variable that says whether there is a value, for the kinds that set it.
-    ``form``: what of a texture fetch goes to the variable (:mod:`transform.fetch_ahead`).
+    ``form``: what of a texture fetch goes to the variable (:mod:`transform.hoist_fetches`).
     """
 
     path: tuple[n.Call, ...]

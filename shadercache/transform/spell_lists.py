@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections import Counter
 
 from shadercache.ast import nodes as n
-from shadercache.ast.rewrite import Rewriter
+from shadercache.ast.rewriter import Rewriter
 from shadercache.ast.walk import walk
 from shadercache.lang.types import Type
 from shadercache.sema.facts import Facts

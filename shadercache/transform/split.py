@@ -16,7 +16,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from shadercache.ast import nodes as n
-from shadercache.ast.rewrite import Rewriter
+from shadercache.ast.rewriter import Rewriter
 from shadercache.ast.walk import walk
 
 

@@ -25,13 +25,13 @@ from typing import TypeVar
 
 from shadercache.analysis.effects import EffectTable
 from shadercache.ast import nodes as n
-from shadercache.ast.rewrite import Rewriter
+from shadercache.ast.rewriter import Rewriter
 from shadercache.ast.walk import EXPRESSIONS, children, walk
 from shadercache.diagnostics import Diagnostic, Severity
 from shadercache.sema.facts import Facts, Scalar
 from shadercache.sema.fold import convert
 from shadercache.source import NOWHERE, Source, Span
-from shadercache.transform.trips import Counters, TripCounter, UncountableError
+from shadercache.transform.trip_count import Counters, TripCounter, UncountableError
 
 MAX_TRIPS = 64
 """Trips of a loop, those of loops inside it multiplied."""

@@ -23,9 +23,9 @@ from typing import TypeAlias, cast
 from shadercache.analysis.effects import EffectTable, Linked
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
-from shadercache.ast.rewrite import Rewriter
+from shadercache.ast.rewriter import Rewriter
 from shadercache.lang.types import Type
-from shadercache.sema.check import check
+from shadercache.sema.checker import check
 from shadercache.sema.facts import Stage
 from shadercache.source import NOWHERE, Source
 from shadercache.transform.reachable import kept_names

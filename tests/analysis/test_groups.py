@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from shaders import analysed, find
 
-from shadercache.analysis.groups import one_of_each
+from shadercache.analysis.value_numbering import one_of_each
 from shadercache.compiler import Analysis
 
 WAVE = "float wave(vec3 p) { return sin(p.x * 3.0) * cos(p.y) + sin(p.z); }"

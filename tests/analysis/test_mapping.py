@@ -9,7 +9,7 @@ import pytest
 from shadercache.analysis.candidates import OF_PIXEL, Candidate
 from shadercache.compiler import Analysis, analyse, rewrite
 from shadercache.diagnostics import InputError
-from shadercache.front.options import ReadOptions
+from shadercache.front.read_options import ReadOptions
 from shadercache.options import MappingKind, Mode, Options
 from shadercache.source import Source
 

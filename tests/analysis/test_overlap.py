@@ -11,7 +11,7 @@ from shaders import find
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.cost import FETCH, CostTable
-from shadercache.analysis.groups import one_of_each
+from shadercache.analysis.value_numbering import one_of_each
 from shadercache.ast import nodes as n
 from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import InputError
@@ -20,9 +20,9 @@ from shadercache.emit.fragment import FragmentEmitter
 from shadercache.emit.printer import print_module
 from shadercache.front.parse import parse
 from shadercache.options import CacheOptions
-from shadercache.sema.check import check
+from shadercache.sema.checker import check
 from shadercache.source import Source
-from shadercache.transform.precisions import with_precisions
+from shadercache.transform.state_precisions import with_precisions
 from tests.cases.cases import analysed
 from tests.cases.test_cases import CACHEABLE
 

@@ -8,10 +8,10 @@ import pytest
 
 from shadercache.analysis.cost import CostTable
 from shadercache.analysis.effects import EffectTable
-from shadercache.analysis.overlap import OverlapTable
+from shadercache.analysis.shared_work import OverlapTable
 from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import InputError
-from shadercache.front.options import ReadOptions
+from shadercache.front.read_options import ReadOptions
 from shadercache.source import Source
 from tests.cases.cases import sources
 from tests.cases.test_cases import CACHEABLE

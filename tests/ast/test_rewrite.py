@@ -31,7 +31,7 @@ from shadercache.ast.nodes import (
     Unary,
     VarDecl,
 )
-from shadercache.ast.rewrite import Rewriter, map_expressions, map_expressions_keyed
+from shadercache.ast.rewriter import Rewriter, map_expressions, map_expressions_keyed
 from shadercache.ast.walk import expressions, walk
 from shadercache.emit.printer import print_module, print_node
 from shadercache.front.parse import parse

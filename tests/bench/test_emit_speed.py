@@ -8,8 +8,8 @@ import pytest
 
 from bench.emit_speed import HERE, VERIFIED, growth, made_shader, shaders, targets, targets_table
 from shadercache.compiler import analyse
-from shadercache.harness.scene import load_scene
-from shadercache.harness.shaders import analyse_scene
+from shadercache.linking.scene_shaders import analyse_scene
+from shadercache.scene.description import load_scene
 
 
 def _emission(plain: float, proof: float) -> list[dict[str, Any]]:

@@ -13,7 +13,7 @@ from pathlib import Path
 from shadercache.analysis.candidates import Candidate
 from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import shortened
-from shadercache.front.options import ReadOptions
+from shadercache.front.read_options import ReadOptions
 from shadercache.source import Source
 
 FOLDER = Path(__file__).parent

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from shadercache.harness.scene import Scene, load_scene
-from shadercache.harness.shaders import with_aliases
+from shadercache.linking.scene_shaders import with_aliases
+from shadercache.scene.description import Scene, load_scene
 
 from .cases import FOLDER, analysed, vertex
 

@@ -16,9 +16,9 @@ from laws.slices import VARIABLE, amount, day_slice, seed
 from shadercache.analysis.candidates import Candidate
 from shadercache.compiler import emit_original, rewrite
 from shadercache.diagnostics import InputError
-from shadercache.harness.context import Gpu
-from shadercache.harness.verify import Verifier
+from shadercache.gpu.context import Gpu
 from shadercache.options import Mode, Options
+from shadercache.verify.verifier import Verifier
 from tests.conditioning import all_too_far
 from tests.conftest import Golden
 

@@ -8,14 +8,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from shadercache.analysis.groups import Group
+from shadercache.analysis.value_numbering import Group
 from shadercache.compiler import rewrite
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.runner import CoverageRunner, RunOptions, VariantRunner
-from shadercache.harness.scene import load_scene
-from shadercache.harness.stage import Stage
+from shadercache.gpu.context import Gpu
 from shadercache.options import Options
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import CoverageRunner, RunOptions, VariantRunner
+from shadercache.scene.description import load_scene
 
 from .cases import analysed
 
@@ -36,16 +36,16 @@ def payloads(name: str, gpu: Gpu, folder: Path) -> dict[Group, list[np.ndarray]]
     """The payload of some nodes of each group, as all fragments computed it."""
     scene = replace(load_scene(folder), fragment=folder / f"{name}.frag")
     found: dict[Group, list[np.ndarray]] = {}
-    with Stage(gpu, scene, SIZE, color="rgba32f") as stage:
+    with RenderScene(gpu, scene, SIZE, color="rgba32f") as world:
         for group in groups_of(name):
             nodes = [node for node in group.nodes if node.legal]
             for node in nodes[:: max(1, len(nodes) // MEMBERS)]:
                 options = Options("proof", cache_format="rgba32f")
                 emission = rewrite(analysed(name), node, options, unprofitable=True)
                 bundle = Bundle(emission.manifest, emission.files)
-                with CoverageRunner(stage, bundle) as coverage:
+                with CoverageRunner(world, bundle) as coverage:
                     covered = coverage.coverage(0)
-                with VariantRunner(stage, bundle, "3-pass", RunOptions(period=1)) as runner:
+                with VariantRunner(world, bundle, "3-pass", RunOptions(period=1)) as runner:
                     runner.image(0)
                     found.setdefault(group, []).append(runner.cache()[covered].view(np.uint32))
     return found

@@ -9,8 +9,8 @@ import pytest
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.emit import builder
-from shadercache.harness.context import Gpu
-from shadercache.harness.verify import Verdict, Verifier
+from shadercache.gpu.context import Gpu
+from shadercache.verify.verifier import Verdict, Verifier
 
 from .cases import analysed
 from .scenery import scene_of

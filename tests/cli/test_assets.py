@@ -14,7 +14,7 @@ import pytest
 
 from shadercache.cli import stanford_dragon
 from shadercache.diagnostics import InputError, UsageError
-from shadercache.harness.mesh import load_mesh
+from shadercache.scene.mesh import load_mesh
 
 from .conftest import Shell
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from shadercache.cli.reading import read_options
-from shadercache.front.options import ReadOptions
+from shadercache.front.read_options import ReadOptions
 
 
 def test_without_options() -> None:

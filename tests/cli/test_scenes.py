@@ -7,9 +7,9 @@ import pytest
 from shadercache.cli.scenes import choose_nodes
 from shadercache.compiler import Analysis
 from shadercache.diagnostics import UsageError
-from shadercache.harness.scene import Scene, load_scene
-from shadercache.harness.shaders import analyse_scene
+from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.paths import data_path
+from shadercache.scene.description import Scene, load_scene
 
 
 @pytest.fixture(scope="module")

@@ -9,7 +9,7 @@ from types import ModuleType
 
 import pytest
 
-from shadercache.harness.mesh import Mesh, load_mesh
+from shadercache.scene.mesh import Mesh, load_mesh
 
 CORPUS = Path(__file__).resolve().parent.parent.parent / "corpus"
 

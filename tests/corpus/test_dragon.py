@@ -10,7 +10,7 @@ import pytest
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from shadercache.harness.mesh import Mesh, load_mesh
+from shadercache.scene.mesh import Mesh, load_mesh
 
 FOLDER = Path(__file__).resolve().parent.parent.parent / "corpus" / "dragon"
 

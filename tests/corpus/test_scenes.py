@@ -12,12 +12,12 @@ import pytest
 from PIL import Image
 
 from shadercache.compiler import Analysis, analyse, rewrite
-from shadercache.harness.bundle import Bundle, load_bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.mesh import load_mesh
-from shadercache.harness.runner import CoverageRunner
-from shadercache.harness.scene import Scene, load_scene
-from shadercache.harness.stage import Stage
+from shadercache.gpu.context import Gpu
+from shadercache.render.bundle import Bundle, load_bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import CoverageRunner
+from shadercache.scene.description import Scene, load_scene
+from shadercache.scene.mesh import load_mesh
 from shadercache.source import Source
 
 CORPUS = Path(__file__).resolve().parent.parent.parent / "corpus"
@@ -88,8 +88,8 @@ def test_telling_nodes_are_offered(analysis: Analysis) -> None:
 
 def test_coverage(gpu: Gpu, scene: Scene, bundle: Bundle) -> None:
     # What is seen at 256 x 256 is what is seen at 1024 x 1024, to a tenth of a per cent.
-    with Stage(gpu, scene, (256, 256)) as stage:
-        runner = CoverageRunner(stage, bundle)
+    with RenderScene(gpu, scene, (256, 256)) as world:
+        runner = CoverageRunner(world, bundle)
         for frame in (0, 16, 32, 48, 63):
             covered = runner.coverage(frame)
             assert 0.40 <= covered.mean() <= 0.65

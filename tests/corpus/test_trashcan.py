@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from shadercache.harness.mesh import Mesh
+from shadercache.scene.mesh import Mesh
 
 FOLDER = Path(__file__).resolve().parent.parent.parent / "corpus" / "trashcan"
 

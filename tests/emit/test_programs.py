@@ -21,7 +21,7 @@ from shadercache.diagnostics import InputError
 from shadercache.front.parse import parse
 from shadercache.options import CacheOptions, Mode, Options
 from shadercache.paths import data_path
-from shadercache.sema.check import check
+from shadercache.sema.checker import check
 from shadercache.source import Source
 from shadercache.transform.reachable import declared_names, names_in
 

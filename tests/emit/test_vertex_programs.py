@@ -7,7 +7,7 @@ from shaders import analysed, find
 
 from shadercache.compiler import Analysis, analyse, rewrite
 from shadercache.front.parse import parse
-from shadercache.sema.check import check
+from shadercache.sema.checker import check
 from shadercache.source import Source
 
 PAYLOAD = "sin(v_position * 12.9) * cos(v_position)"

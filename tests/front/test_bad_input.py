@@ -13,8 +13,8 @@ from shadercache.ast.nodes import Module
 from shadercache.ast.walk import walk
 from shadercache.diagnostics import InputError
 from shadercache.emit.printer import print_module
-from shadercache.front.lexis import spellings
 from shadercache.front.parse import parse
+from shadercache.front.scanner import spellings
 from shadercache.source import Source
 
 LANGUAGE = (Path(__file__).parent / "shaders" / "language.frag").read_text()

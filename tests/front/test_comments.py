@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 
 from shadercache.ast.nodes import FunctionDef, Module, Stmt
-from shadercache.ast.rewrite import Rewriter
+from shadercache.ast.rewriter import Rewriter
 from shadercache.emit.printer import print_module
-from shadercache.front.options import ReadOptions
 from shadercache.front.parse import parse
+from shadercache.front.read_options import ReadOptions
 from shadercache.source import Source
 
 

@@ -9,9 +9,9 @@ from shadercache.ast.walk import walk
 from shadercache.diagnostics import InputError
 from shadercache.emit.printer import print_module
 from shadercache.front.dialects import surrounded
-from shadercache.front.options import Dialect, ReadOptions
 from shadercache.front.parse import parse
-from shadercache.sema.check import check
+from shadercache.front.read_options import Dialect, ReadOptions
+from shadercache.sema.checker import check
 from shadercache.source import Source
 
 TOY = """\

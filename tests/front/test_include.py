@@ -8,9 +8,9 @@ import pytest
 from preprocessing import rejected, run
 
 from shadercache.diagnostics import InputError
-from shadercache.front.options import ReadOptions
 from shadercache.front.parse import parse
 from shadercache.front.preprocess import preprocess
+from shadercache.front.read_options import ReadOptions
 from shadercache.source import Source
 
 

@@ -10,7 +10,7 @@ import re
 import pytest
 from preprocessing import errors, problem, rejected, words
 
-from shadercache.front.options import ReadOptions
+from shadercache.front.read_options import ReadOptions
 
 
 def test_a_macro_is_replaced_from_its_line_on() -> None:

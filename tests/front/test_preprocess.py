@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 from preprocessing import errors, problem, rejected, run, words
 
-from shadercache.front.options import ReadOptions
 from shadercache.front.parse import parse
+from shadercache.front.read_options import ReadOptions
 from shadercache.source import Source
 
 # --- kept directives ------------------------------------------------------------------------------

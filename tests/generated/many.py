@@ -9,8 +9,8 @@ from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
 
-from shadercache.harness.context import open_context
-from shadercache.harness.files import write_bytes
+from shadercache.files import write_bytes
+from shadercache.gpu.context import open_context
 
 from .dialects import DIALECTS
 from .suite import OUTPUT, BrokenError, Coverage, check_shaders

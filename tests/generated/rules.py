@@ -13,13 +13,13 @@ from typing import Any
 import pytest
 
 from shadercache.analysis import candidates
-from shadercache.analysis.instances import Instance
+from shadercache.analysis.call_paths import Instance
 from shadercache.analysis.refusals import Code, Refusal
 from shadercache.analysis.slices import NOTHING, SliceTable
 from shadercache.ast.walk import walk
 from shadercache.compiler import analyse
 from shadercache.emit import one_pass
-from shadercache.harness.context import Gpu
+from shadercache.gpu.context import Gpu
 from shadercache.source import Source
 
 from .dialects import Dialect

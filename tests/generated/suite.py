@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.ast.large import allow_deep_trees
-from shadercache.harness.context import Gpu
+from shadercache.gpu.context import Gpu
 
 from .dialects import DIALECTS, Dialect
 from .trial import Chooser, Report, try_shader

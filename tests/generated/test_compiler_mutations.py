@@ -21,14 +21,20 @@ import pytest
 from laws.slices import NIGHTLY
 
 from shadercache import compiler
-from shadercache.analysis import candidates, effects, inside, neighbours, slices
+from shadercache.analysis import (
+    candidates,
+    control_dependence,
+    derivative_uses,
+    effects,
+    slices,
+)
 from shadercache.ast import nodes as n
 from shadercache.emit import fragment, one_pass, program_set, runtime
-from shadercache.harness.context import Gpu
+from shadercache.gpu.context import Gpu
 from shadercache.transform import (
     drop_parameters,
     fixed_function,
-    lower_choices,
+    lower_ternaries,
     raise_version,
     remove_dead,
     specialise,
@@ -128,16 +134,16 @@ def test_a_broken_pass_is_noticed(
 
 
 def choices_are_swapped(patch: pytest.MonkeyPatch) -> None:
-    chosen = lower_choices._Lowerer._chosen
+    chosen = lower_ternaries._Lowerer._chosen
 
-    def swapped(self: lower_choices._Lowerer, choice: n.Expr, name: str) -> Iterator[n.Stmt]:
+    def swapped(self: lower_ternaries._Lowerer, choice: n.Expr, name: str) -> Iterator[n.Stmt]:
         for stmt in chosen(self, choice, name):
             if isinstance(stmt, n.If) and stmt.other is not None:
                 yield replace(stmt, then=stmt.other, other=stmt.then)
             else:
                 yield stmt
 
-    patch.setattr(lower_choices._Lowerer, "_chosen", swapped)
+    patch.setattr(lower_ternaries._Lowerer, "_chosen", swapped)
 
 
 def nothing_is_stored(patch: pytest.MonkeyPatch) -> None:
@@ -181,7 +187,7 @@ def calls_are_dead(patch: pytest.MonkeyPatch) -> None:
 
 def fetches_stay(patch: pytest.MonkeyPatch) -> None:
     """And nobody asks whether that is allowed."""
-    patch.setattr(neighbours.SharedUses, "inside", lambda *_: [])
+    patch.setattr(derivative_uses.SharedUses, "inside", lambda *_: [])
     patch.setattr(fragment.FragmentEmitter, "unfit", lambda self, passes: None)
 
 
@@ -251,12 +257,14 @@ TOLD: dict[str, tuple[str, Break]] = {
     "inside: nothing flows": (
         "implicit_lod_conditional",
         lambda patch: patch.setattr(
-            inside.Inside, "_closure", lambda *_: inside.Flow(frozenset(), ())
+            control_dependence.Inside,
+            "_closure",
+            lambda *_: control_dependence.Flow(frozenset(), ()),
         ),
     ),
     "neighbours: feeds nothing": (
         "derivative_of_value",
-        lambda patch: patch.setattr(neighbours.Dependents, "fed_by", lambda *_: False),
+        lambda patch: patch.setattr(derivative_uses.Dependents, "fed_by", lambda *_: False),
     ),
     "effects: functions write nothing": (
         "writes_globals",

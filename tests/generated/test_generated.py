@@ -10,7 +10,7 @@ import os
 import pytest
 from laws.slices import NIGHTLY, VARIABLE, amount, seed
 
-from shadercache.harness.context import Gpu
+from shadercache.gpu.context import Gpu
 
 from .dialects import DIALECTS
 from .suite import REGRESSIONS, Coverage, check_shaders

@@ -21,22 +21,22 @@ from numpy.typing import NDArray
 from shadercache.analysis.candidates import Candidate
 from shadercache.compiler import Analysis, Emission, analyse, rewrite
 from shadercache.diagnostics import InputError
-from shadercache.front.options import ReadOptions
-from shadercache.harness import verify
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.runner import RunOptions, VariantRunner
-from shadercache.harness.verify import Difference, Image, Verdict, Verifier
+from shadercache.front.read_options import ReadOptions
+from shadercache.gpu.context import Gpu
 from shadercache.options import Options
+from shadercache.render.bundle import Bundle
+from shadercache.render.variant_runner import RunOptions, VariantRunner
 from shadercache.sema.facts import Stage
 from shadercache.sema.read import read
 from shadercache.source import Source
 from shadercache.transform.unique_names import make_names_unique
+from shadercache.verify import verifier as verify
+from shadercache.verify.verifier import Difference, Image, Verdict, Verifier
 
 from .dialects import Dialect
 from .law8 import apart_derivatives
 from .reach import near
-from .stage import SIZE, ring, scene
+from .world import SIZE, ring, scene
 
 Nodes = tuple[Candidate, ...]
 """What is cached together."""

@@ -9,10 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from shadercache.harness.bundle import Bundle, load_bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.scene import Scene, load_scene
-from shadercache.harness.stage import Stage
+from shadercache.gpu.context import Gpu
+from shadercache.render.bundle import Bundle, load_bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.scene.description import Scene, load_scene
 
 FIXTURES = Path(__file__).parent / "fixtures"
 
@@ -68,7 +68,7 @@ def bundle() -> Bundle:
 
 
 @pytest.fixture(scope="session")
-def stage(gpu: Gpu, scene: Scene) -> Iterator[Stage]:
+def world(gpu: Gpu, scene: Scene) -> Iterator[RenderScene]:
     """The torus at 96 x 64 with float colours, as proofs want it."""
-    with Stage(gpu, scene, (96, 64), "rgba32f") as made:
+    with RenderScene(gpu, scene, (96, 64), "rgba32f") as made:
         yield made

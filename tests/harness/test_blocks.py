@@ -10,16 +10,16 @@ import pytest
 
 from shadercache.compiler import rewrite
 from shadercache.diagnostics import InputError
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.programs import Programs
-from shadercache.harness.runner import VariantRunner
-from shadercache.harness.scene import load_scene
-from shadercache.harness.shaders import analyse_scene
-from shadercache.harness.stage import Stage
-from shadercache.harness.verify import Verifier
+from shadercache.gpu.context import Gpu
+from shadercache.gpu.programs import Programs
+from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.options import Options
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import VariantRunner
+from shadercache.scene.description import load_scene
 from shadercache.source import Source
+from shadercache.verify.verifier import Verifier
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -234,8 +234,8 @@ def run_of(gpu: Gpu, path: Path) -> tuple[bytes, bytes, float]:
     node = next(node for node in analysis.nodes if node.offered and "cos" in node.text)
     emission = rewrite(analysis, node, Options(mode="proof", cache_format="rgba32f"))
     with (
-        Stage(gpu, scene, (96, 96), "rgba32f") as stage,
-        VariantRunner(stage, Bundle(emission.manifest, emission.files), "2-pass") as runner,
+        RenderScene(gpu, scene, (96, 96), "rgba32f") as world,
+        VariantRunner(world, Bundle(emission.manifest, emission.files), "2-pass") as runner,
     ):
         for frame in range(5):
             runner.draw(frame)

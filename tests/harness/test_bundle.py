@@ -13,7 +13,7 @@ from jsonschema import Draft202012Validator
 
 import shadercache
 from shadercache.diagnostics import InputError, UsageError
-from shadercache.harness.bundle import Bundle, load_bundle
+from shadercache.render.bundle import Bundle, load_bundle
 
 FOLDER = Path(__file__).parent / "fixtures" / "emission"
 SCHEMA = Path(shadercache.__file__).parent / "manifest.schema.json"

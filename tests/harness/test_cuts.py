@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from shadercache.harness.cuts import CutWatch
+from shadercache.render.cut_detector import CutDetector
 
 
 def turned(degrees: float) -> NDArray[np.float64]:
@@ -21,7 +21,7 @@ def turned(degrees: float) -> NDArray[np.float64]:
 
 def watched(angles: list[float]) -> list[int]:
     """The frames that look like cuts as a matrix turns."""
-    watch = CutWatch()
+    watch = CutDetector()
     for frame, (before, now) in enumerate(pairwise(angles), start=1):
         watch.moved(frame, {"u_model": turned(before)}, {"u_model": turned(now)}, ["u_model"])
     return [suspicion.frame for suspicion in watch.suspicions]
@@ -35,7 +35,7 @@ def test_a_leap_is_a_cut_and_steady_motion_is_none(step: float) -> None:
 
 
 def test_counters_and_clocks_may_leap() -> None:
-    watch = CutWatch()
+    watch = CutDetector()
     for frame in range(5):
         before, now = ({"u_time": np.array([10.0**n])} for n in (frame, frame + 1))
         watch.moved(frame, before, now, ["u_time"])
@@ -43,7 +43,7 @@ def test_counters_and_clocks_may_leap() -> None:
 
 
 def test_a_collapse_of_hits_is_told_with_its_numbers() -> None:
-    watch = CutWatch()
+    watch = CutDetector()
     for frame, rate in enumerate([0.0, 0.93, 0.95, 0.92, 0.7, 0.95, 0.03, 0.94]):
         watch.hit(frame, rate)
     assert [suspicion.frame for suspicion in watch.suspicions] == [6]
@@ -51,7 +51,7 @@ def test_a_collapse_of_hits_is_told_with_its_numbers() -> None:
 
 
 def test_one_frame_is_named_once() -> None:
-    watch = CutWatch()
+    watch = CutDetector()
     watch.hit(1, 0.9)
     watch.moved(2, {"m": turned(0.0)}, {"m": turned(0.1)}, ["m"])
     watch.hit(3, 0.0)
@@ -61,7 +61,7 @@ def test_one_frame_is_named_once() -> None:
 
 
 def test_what_was_before_a_reset_is_no_measure() -> None:
-    watch = CutWatch()
+    watch = CutDetector()
     watch.hit(1, 0.9)
     watch.reset()
     watch.hit(2, 0.0)

@@ -7,16 +7,16 @@ import pytest
 
 from shadercache.diagnostics import UsageError
 from shadercache.emit.runtime import OUTCOMES
-from shadercache.harness.debug_views import (
+from shadercache.measure.probe import Probe
+from shadercache.report.debug_views import (
     AGED,
     TOO_OLD,
     YOUNG,
-    Probe,
     chosen_views,
     view_names,
     view_picture,
 )
-from shadercache.harness.pictures import OUTCOME_COLORS, OUTCOME_WORDS, outcome_color
+from shadercache.report.images import OUTCOME_COLORS, OUTCOME_WORDS, outcome_color
 
 WIDTH = 400
 

@@ -9,19 +9,19 @@ import numpy as np
 import pytest
 
 from shadercache.diagnostics import InputError
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.engine import FUNCTIONS, PLAIN, Engine
-from shadercache.harness.runner import (
+from shadercache.gpu.context import Gpu
+from shadercache.manifest import DEPTH_FUNCTIONS
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import (
     CoverageRunner,
     RunOptions,
     VariantRunner,
     render_original,
     render_variant,
 )
-from shadercache.harness.scene import Scene, load_scene
-from shadercache.harness.stage import Stage
-from shadercache.manifest import DEPTH_FUNCTIONS
+from shadercache.scene.description import Scene, load_scene
+from shadercache.scene.graphics_state import FUNCTIONS, PLAIN, GraphicsState
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -29,31 +29,31 @@ SIZE = (96, 64)
 EXACT = "rgba32f"
 ALGORITHMS = ("1-pass", "2-pass", "3-pass")
 ENGINES = {
-    "lequal": Engine("lequal"),
-    "z-prepass": Engine("equal"),
-    "reversed": Engine("greater"),
-    "reversed, zero to one": Engine("gequal", clip="zero-to-one"),
-    "zero to one": Engine(clip="zero-to-one"),
-    "polygon offset": Engine(offset=(1.5, 40.0)),
-    "jitter": Engine(jitter=8),
-    "jitter, untold": Engine(jitter=8, told=False),
-    "all": Engine("greater", (-1.0, -8.0), "zero-to-one", 5),
+    "lequal": GraphicsState("lequal"),
+    "z-prepass": GraphicsState("equal"),
+    "reversed": GraphicsState("greater"),
+    "reversed, zero to one": GraphicsState("gequal", clip="zero-to-one"),
+    "zero to one": GraphicsState(clip="zero-to-one"),
+    "polygon offset": GraphicsState(offset=(1.5, 40.0)),
+    "jitter": GraphicsState(jitter=8),
+    "jitter, untold": GraphicsState(jitter=8, told=False),
+    "all": GraphicsState("greater", (-1.0, -8.0), "zero-to-one", 5),
 }
 
 
 @pytest.fixture(params=ENGINES.values(), ids=ENGINES.keys())
-def engine(request: pytest.FixtureRequest) -> Engine:
-    found: Engine = request.param
+def engine(request: pytest.FixtureRequest) -> GraphicsState:
+    found: GraphicsState = request.param
     return found
 
 
-def drawn(gpu: Gpu, scene: Scene, bundle: Bundle, engine: Engine) -> list[np.ndarray]:
-    with Stage(gpu, replace(scene, engine=engine), SIZE, "rgba32f") as stage:
-        return render_original(stage, bundle, range(3))
+def drawn(gpu: Gpu, scene: Scene, bundle: Bundle, engine: GraphicsState) -> list[np.ndarray]:
+    with RenderScene(gpu, replace(scene, engine=engine), SIZE, "rgba32f") as world:
+        return render_original(world, bundle, range(3))
 
 
 def test_the_picture_is_that_of_a_plain_application(
-    gpu: Gpu, scene: Scene, bundle: Bundle, engine: Engine
+    gpu: Gpu, scene: Scene, bundle: Bundle, engine: GraphicsState
 ) -> None:
     plain = drawn(gpu, scene, bundle, PLAIN)
     found = drawn(gpu, scene, bundle, engine)
@@ -66,28 +66,28 @@ def test_the_picture_is_that_of_a_plain_application(
 
 @pytest.mark.parametrize("algorithm", ALGORITHMS)
 def test_laws_2_and_3(
-    gpu: Gpu, scene: Scene, bundle: Bundle, engine: Engine, algorithm: str
+    gpu: Gpu, scene: Scene, bundle: Bundle, engine: GraphicsState, algorithm: str
 ) -> None:
-    with Stage(gpu, replace(scene, engine=engine), SIZE, "rgba32f") as stage:
-        with CoverageRunner(stage, bundle) as cover:
+    with RenderScene(gpu, replace(scene, engine=engine), SIZE, "rgba32f") as world:
+        with CoverageRunner(world, bundle) as cover:
             apart = [~cover.ties(frame) for frame in range(4)]
-        original = render_original(stage, bundle, range(4))
+        original = render_original(world, bundle, range(4))
         always = RunOptions(1, cache_format=EXACT)
-        for frame, image in enumerate(render_variant(stage, bundle, algorithm, range(4), always)):
+        for frame, image in enumerate(render_variant(world, bundle, algorithm, range(4), always)):
             assert same(image, original[frame], apart[frame]), frame
         if not engine.jitter:
             resting = RunOptions(4, cache_format=EXACT, moving=False)
-            for image in render_variant(stage, bundle, algorithm, range(6), resting):
+            for image in render_variant(world, bundle, algorithm, range(6), resting):
                 assert same(image, original[0], apart[0])
 
 
-def test_law_4(gpu: Gpu, scene: Scene, bundle: Bundle, engine: Engine) -> None:
-    with Stage(gpu, replace(scene, engine=engine), SIZE, "rgba32f") as stage:
+def test_law_4(gpu: Gpu, scene: Scene, bundle: Bundle, engine: GraphicsState) -> None:
+    with RenderScene(gpu, replace(scene, engine=engine), SIZE, "rgba32f") as world:
         options = RunOptions(5, cache_format=EXACT)
-        with CoverageRunner(stage, bundle) as cover:
+        with CoverageRunner(world, bundle) as cover:
             apart = [~cover.ties(frame) for frame in range(5)]
-        runs = [render_variant(stage, bundle, name, range(5), options) for name in ALGORITHMS]
-        original = render_original(stage, bundle, range(5))
+        runs = [render_variant(world, bundle, name, range(5), options) for name in ALGORITHMS]
+        original = render_original(world, bundle, range(5))
     for one, two, three, kept in zip(*runs, apart, strict=True):
         assert same(one, two, kept) and same(one, three, kept)
     assert not same(runs[0][4], original[4], apart[4]), "values must be reused in motion"
@@ -98,15 +98,15 @@ def same(one: np.ndarray, other: np.ndarray, kept: np.ndarray) -> bool:
 
 
 def test_as_much_is_reused_as_in_a_plain_application(
-    gpu: Gpu, scene: Scene, bundle: Bundle, engine: Engine
+    gpu: Gpu, scene: Scene, bundle: Bundle, engine: GraphicsState
 ) -> None:
     # A point lies up to a pixel beside the one that a jittered texel holds (docs/MEASUREMENT.md).
     options = RunOptions(65535, epsilon=8e-3 if engine.jitter else None)
     rates = []
     for made in (PLAIN, engine):
         with (
-            Stage(gpu, replace(scene, engine=made), SIZE, "rgba32f") as stage,
-            VariantRunner(stage, bundle, "2-pass", options) as runner,
+            RenderScene(gpu, replace(scene, engine=made), SIZE, "rgba32f") as world,
+            VariantRunner(world, bundle, "2-pass", options) as runner,
         ):
             runner.draw(0)
             mask = runner.hit_mask(1)
@@ -116,8 +116,8 @@ def test_as_much_is_reused_as_in_a_plain_application(
 
 def test_what_is_hidden_stays_hidden(gpu: Gpu, scene: Scene, bundle: Bundle) -> None:
     """Cleared to the wrong depth, or compared the wrong way, a reversed depth shows the inside."""
-    plain, reverse = (drawn(gpu, scene, bundle, made) for made in (PLAIN, Engine("greater")))
-    wrong = drawn(gpu, scene, bundle, Engine("greater"))
+    plain, reverse = (drawn(gpu, scene, bundle, made) for made in (PLAIN, GraphicsState("greater")))
+    wrong = drawn(gpu, scene, bundle, GraphicsState("greater"))
     assert same(reverse[0], wrong[0], np.ones(reverse[0].shape[:2], bool))
     assert (plain[0] != reverse[0]).any(-1).mean() < 0.003
     assert (plain[0][..., 3] > 0).mean() > 0.1
@@ -128,10 +128,10 @@ def test_jitter_is_no_motion_where_it_is_told(gpu: Gpu, scene: Scene, bundle: Bu
     still = replace(scene, motion=replace(scene.motion, degrees_per_frame=0.0))
     changes = {}
     for told in (True, False):
-        engine = Engine(jitter=8, told=told)
+        engine = GraphicsState(jitter=8, told=told)
         with (
-            Stage(gpu, replace(still, engine=engine), SIZE, "rgba32f") as stage,
-            VariantRunner(stage, bundle, "2-pass", RunOptions(65535, cache_format=EXACT)) as runner,
+            RenderScene(gpu, replace(still, engine=engine), SIZE, "rgba32f") as world,
+            VariantRunner(world, bundle, "2-pass", RunOptions(65535, cache_format=EXACT)) as runner,
         ):
             runner.draw(0)
             first = runner.cache().copy()
@@ -146,7 +146,7 @@ def test_jitter_is_no_motion_where_it_is_told(gpu: Gpu, scene: Scene, bundle: Bu
 
 
 def test_a_jitter_covers_the_pixel() -> None:
-    places = np.array([Engine(jitter=16).shift(frame) for frame in range(32)])
+    places = np.array([GraphicsState(jitter=16).shift(frame) for frame in range(32)])
     assert np.array_equal(places[:16], places[16:])
     assert (np.abs(places) <= 0.5).all() and (np.abs(places.mean(axis=0)) < 0.06).all()
     assert len({tuple(place) for place in places[:16]}) == 16
@@ -160,14 +160,14 @@ def test_it_is_read_from_a_scene_file(scene_folder: Path) -> None:
     )
     path = scene_folder / "engine.toml"
     path.write_text(text.replace("[nodes]", f"{table}[nodes]", 1))
-    assert load_scene(path).engine == Engine("gequal", (1.0, 4.0), "zero-to-one", 8)
+    assert load_scene(path).engine == GraphicsState("gequal", (1.0, 4.0), "zero-to-one", 8)
     for old, new in (("gequal", "always"), ("[1.0, 4]", "3"), ("jitter = 8", "jitter = -1")):
         path.write_text(text.replace("[nodes]", f"{table.replace(old, new)}[nodes]", 1))
         with pytest.raises(InputError, match="SC505"):
             load_scene(path)
 
 
-def test_the_manifest_says_what_is_done_here(engine: Engine) -> None:
+def test_the_manifest_says_what_is_done_here(engine: GraphicsState) -> None:
     said = DEPTH_FUNCTIONS[engine.depth]
     words = {"less": "<", "lequal": "<=", "greater": ">", "gequal": ">="}
     assert engine.function("<") == words[said["less"]]

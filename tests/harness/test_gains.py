@@ -7,18 +7,19 @@ from itertools import cycle
 
 import pytest
 
-from shadercache.harness import measure as measuring
-from shadercache.harness.context import Gpu
-from shadercache.harness.measure import measure
-from shadercache.harness.measurement import Entry, MeasureOptions
-from shadercache.harness.results import to_json
-from shadercache.harness.runner import VariantRunner
-from shadercache.harness.scene import Scene, load_scene
-from shadercache.harness.shaders import analyse_scene
-from shadercache.harness.stage import Stage
-from shadercache.harness.sweep import make_entry
+from shadercache.gpu.context import Gpu
+from shadercache.linking.object_programs import ObjectPrograms
+from shadercache.linking.scene_shaders import analyse_scene
+from shadercache.measure import measure as measuring
+from shadercache.measure.entries import make_entry
+from shadercache.measure.measure import measure
+from shadercache.measure.measurement import Entry, MeasureOptions
+from shadercache.measure.result_files import to_json
 from shadercache.options import CacheOptions, Options
 from shadercache.paths import data_path
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import VariantRunner
+from shadercache.scene.description import Scene, load_scene
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -91,9 +92,9 @@ def test_nothing_is_weighed_unasked(
 
 def test_what_is_left_out_stores_nothing(gpu: Gpu, heroine: tuple[Scene, Entry]) -> None:
     scene, entry = heroine
-    with Stage(gpu, scene, SIZE) as stage:
+    with RenderScene(gpu, scene, SIZE, programs=ObjectPrograms()) as world:
         kept = []
-        for on in (stage, stage.without_caching(["ground"])):
+        for on in (world, world.without_caching(["ground"])):
             with VariantRunner(on, entry.bundle, "2-pass") as runner:
                 runner.draw(0)
                 runner.draw(1)

@@ -8,14 +8,15 @@ from pathlib import Path
 import pytest
 
 from shadercache.compiler import Analysis, rewrite
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.idle import Idle
-from shadercache.harness.runner import RunOptions, VariantRunner, render_original
-from shadercache.harness.scene import Engine, Motion, Scene
-from shadercache.harness.shaders import open_scene
-from shadercache.harness.stage import Stage
+from shadercache.gpu.context import Gpu
+from shadercache.linking.scene_shaders import open_scene
 from shadercache.options import Options, read_cache_options
+from shadercache.render.bundle import Bundle
+from shadercache.render.empty_passes import EmptyPasses
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import RunOptions, VariantRunner, render_original
+from shadercache.scene.description import Motion, Scene
+from shadercache.scene.graphics_state import GraphicsState
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -64,9 +65,9 @@ def test_passes_that_compute_rest_while_nothing_moves(
     scene, analysis = opened
     bundle = bundle_of(analysis, "refresh=none,ids=on")
     counts = []
-    with Stage(gpu, scene, SIZE, "rgba32f") as stage:
-        original = render_original(stage, bundle, range(10))
-        with VariantRunner(stage, bundle, algorithm) as runner:
+    with RenderScene(gpu, scene, SIZE, "rgba32f") as world:
+        original = render_original(world, bundle, range(10))
+        with VariantRunner(world, bundle, algorithm) as runner:
             for frame in range(10):
                 before = runner.skipped
                 image = runner.image(frame)
@@ -88,10 +89,10 @@ def test_with_it_or_without_the_images_are_the_same(
     runs = []
     for skips in (True, False):
         if not skips:
-            monkeypatch.setattr(Idle, "skips", lambda self, bound: False)
+            monkeypatch.setattr(EmptyPasses, "skips", lambda self, bound: False)
         with (
-            Stage(gpu, scene, SIZE, "rgba32f") as stage,
-            VariantRunner(stage, bundle, "3-pass") as runner,
+            RenderScene(gpu, scene, SIZE, "rgba32f") as world,
+            VariantRunner(world, bundle, "3-pass") as runner,
         ):
             runs.append([runner.image(frame).tobytes() for frame in range(10)])
     assert runs[0] == runs[1]
@@ -105,13 +106,13 @@ def test_nothing_is_left_out_where_something_may_be_due(
     scene, analysis = opened
     bundle = bundle_of(analysis, "refresh=none" if jitter else "refresh=random")
     items = tuple(
-        replace(item, scene=replace(item.scene, engine=Engine(jitter=jitter)))
+        replace(item, scene=replace(item.scene, engine=GraphicsState(jitter=jitter)))
         for item in scene.objects
     )
-    made = replace(scene, engine=Engine(jitter=jitter), objects=items)
+    made = replace(scene, engine=GraphicsState(jitter=jitter), objects=items)
     with (
-        Stage(gpu, made, SIZE, "rgba32f") as stage,
-        VariantRunner(stage, bundle, "2-pass", RunOptions(4)) as runner,
+        RenderScene(gpu, made, SIZE, "rgba32f") as world,
+        VariantRunner(world, bundle, "2-pass", RunOptions(4)) as runner,
     ):
         for frame in range(5):
             runner.draw(frame)

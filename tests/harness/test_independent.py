@@ -14,17 +14,18 @@ from runner.canvas import Canvas
 from runner.independent_runner import IndependentRunner, Turn, draw_together
 
 from shadercache.compiler import Emission, analyse, rewrite
-from shadercache.harness.bundle import Bundle, load_bundle
-from shadercache.harness.camera import Values
-from shadercache.harness.context import Gpu
-from shadercache.harness.mesh import load_mesh
-from shadercache.harness.prop import Prop
-from shadercache.harness.runner import RunOptions, VariantRunner
-from shadercache.harness.scene import load_scene
-from shadercache.harness.shaders import open_scene
-from shadercache.harness.stage import Stage
+from shadercache.gpu.context import Gpu
+from shadercache.linking.object_programs import ObjectPrograms
+from shadercache.linking.scene_shaders import open_scene
 from shadercache.options import Options, read_cache_options
 from shadercache.paths import data_path
+from shadercache.render.bundle import Bundle, load_bundle
+from shadercache.render.drawable import Drawable
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import RunOptions, VariantRunner
+from shadercache.scene.camera import Values
+from shadercache.scene.description import load_scene
+from shadercache.scene.mesh import load_mesh
 from shadercache.source import Source
 
 pytestmark = pytest.mark.xdist_group("gl")
@@ -38,23 +39,25 @@ def test_it_imports_nothing_of_shadercache() -> None:
         assert len(text.splitlines()) < 150
 
 
-def agree(stage: Stage, bundle: Bundle, folder: Path, algorithm: str, form: str | None) -> bool:
+def agree(
+    world: RenderScene, bundle: Bundle, folder: Path, algorithm: str, form: str | None
+) -> bool:
     """Whether both runners draw the same six frames."""
-    scene, mesh = stage.scene, stage.mesh
+    scene, mesh = world.scene, world.mesh
     other = IndependentRunner(
-        stage.gpu.ctx,
+        world.gpu.ctx,
         folder,
         algorithm,
-        stage.size,
+        world.size,
         {name: mesh.arrays[array] for name, array in scene.attributes.items()},
         mesh.index,
-        {name: stage.texture(name) for name in scene.textures},
+        {name: world.texture(name) for name in scene.textures},
         form,
         scene.cull,
     )
-    with VariantRunner(stage, bundle, algorithm, RunOptions(5, 4, cache_format=form)) as runner:
+    with VariantRunner(world, bundle, algorithm, RunOptions(5, 4, cache_format=form)) as runner:
         for frame in range(6):
-            values = values_of(stage.values(frame))
+            values = values_of(world.values(frame))
             expected = runner.image(frame)
             assert expected.any(), "an empty picture proves nothing"
             if other.draw(frame, values, 5, 4).tobytes() != expected.tobytes():
@@ -65,10 +68,10 @@ def agree(stage: Stage, bundle: Bundle, folder: Path, algorithm: str, form: str 
 @pytest.mark.parametrize("algorithm", ["1-pass", "2-pass", "3-pass"])
 @pytest.mark.parametrize("form", ["rgba16f", "rgba32f"])
 def test_same_bits_for_a_manifest_by_hand(
-    stage: Stage, bundle: Bundle, algorithm: str, form: str
+    world: RenderScene, bundle: Bundle, algorithm: str, form: str
 ) -> None:
     folder = Path(__file__).parent / "fixtures" / "emission"
-    assert agree(stage, bundle, folder, algorithm, form)
+    assert agree(world, bundle, folder, algorithm, form)
 
 
 @pytest.mark.parametrize("name", ["orbit", "scroll"])
@@ -82,9 +85,9 @@ def test_same_bits_full_screen(gpu: Gpu, tmp_path: Path, name: str) -> None:
         folder.mkdir()
         write(rewrite(analysis, nodes[1]), folder)
         bundle = load_bundle(folder)
-        with Stage(gpu, scene, (96, 64), "rgba32f") as stage:
+        with RenderScene(gpu, scene, (96, 64), "rgba32f", programs=ObjectPrograms()) as world:
             for algorithm in bundle.algorithms:
-                assert agree(stage, bundle, folder, algorithm, None), (mapping, algorithm)
+                assert agree(world, bundle, folder, algorithm, None), (mapping, algorithm)
 
 
 def write(emission: Emission, folder: Path) -> None:
@@ -108,7 +111,7 @@ def test_same_bits_for_what_the_compiler_writes(gpu: Gpu, tmp_path: Path, name: 
     # The seed picks the nodes, so that in time all are seen; a failure names its node.
     chosen = random.Random(seed()).sample(offered, amount(1, 3))
     mesh = load_mesh(scene.verify_mesh or scene.mesh)
-    with Stage(gpu, scene, (96, 96), "rgba32f", mesh) as stage:
+    with RenderScene(gpu, scene, (96, 96), "rgba32f", mesh, programs=ObjectPrograms()) as world:
         for number, node in enumerate(chosen):
             emission = rewrite(analysis, node)
             folder = tmp_path / str(number)
@@ -116,7 +119,7 @@ def test_same_bits_for_what_the_compiler_writes(gpu: Gpu, tmp_path: Path, name: 
             write(emission, folder)
             bundle = load_bundle(folder)
             for algorithm in bundle.algorithms:
-                assert agree(stage, bundle, folder, algorithm, None), (node.id, algorithm)
+                assert agree(world, bundle, folder, algorithm, None), (node.id, algorithm)
 
 
 @pytest.mark.parametrize(
@@ -127,9 +130,9 @@ def test_same_bits_for_other_ways_to_refresh(gpu: Gpu, tmp_path: Path, settings:
     node = next(node for node in analysis.nodes if node.offered)
     write(rewrite(analysis, node, Options(cache=read_cache_options([settings]))), tmp_path)
     bundle = load_bundle(tmp_path)
-    with Stage(gpu, scene, (64, 64), "rgba32f") as stage:
+    with RenderScene(gpu, scene, (64, 64), "rgba32f", programs=ObjectPrograms()) as world:
         for algorithm in bundle.algorithms:
-            assert agree(stage, bundle, tmp_path, algorithm, None), algorithm
+            assert agree(world, bundle, tmp_path, algorithm, None), algorithm
 
 
 @pytest.mark.parametrize("algorithm", ["1-pass", "2-pass", "3-pass"])
@@ -145,38 +148,39 @@ def test_same_bits_for_several_objects(
     emission = rewrite(analysis, node, options, unprofitable=True)
     bundle = Bundle(emission.manifest, emission.files)
     with (
-        Stage(gpu, scene, (96, 80), "rgba32f") as stage,
-        VariantRunner(stage, bundle, algorithm, RunOptions(5, 4)) as runner,
+        RenderScene(gpu, scene, (96, 80), "rgba32f", programs=ObjectPrograms()) as world,
+        VariantRunner(world, bundle, algorithm, RunOptions(5, 4)) as runner,
     ):
-        canvas = Canvas(gpu.ctx, stage.size, bundle.manifest["cache"])
-        others: list[tuple[Prop, Any]] = []
-        for prop in stage.props:
-            own = stage.cast.bundle(prop.item, bundle)
-            folder = tmp_path / prop.item.name
+        canvas = Canvas(gpu.ctx, world.size, bundle.manifest["cache"])
+        others: list[tuple[Drawable, Any]] = []
+        for drawable in world.drawables:
+            own = world.object_programs.bundle(drawable.item, bundle)
+            folder = tmp_path / drawable.item.name
             folder.mkdir()
             write(Emission(dict(own.files), dict(own.manifest)), folder)
             attributes = {
-                name: prop.mesh.arrays[array] for name, array in prop.scene.attributes.items()
+                name: drawable.mesh.arrays[array]
+                for name, array in drawable.scene.attributes.items()
             }
             assert own.cache == bundle.cache
-            how = algorithm if prop.item.cached else "original"
+            how = algorithm if drawable.item.cached else "original"
             made = IndependentRunner(
-                *(gpu.ctx, folder, how, stage.size, attributes, prop.mesh.index, {}),
-                cull=prop.scene.cull,
+                *(gpu.ctx, folder, how, world.size, attributes, drawable.mesh.index, {}),
+                cull=drawable.scene.cull,
                 canvas=canvas,
-                number=prop.number,
+                number=drawable.number,
             )
-            others.append((prop, made))
+            others.append((drawable, made))
         for frame in range(8):
             expected = runner.image(frame).copy()
             turns = [
                 Turn(
                     other,
-                    values_of(prop.values(frame)) if prop.is_there(frame) else None,
-                    min(prop.item.period or 5, 5),
-                    prop.item.block or 4,
+                    values_of(drawable.values(frame)) if drawable.is_there(frame) else None,
+                    min(drawable.item.period or 5, 5),
+                    drawable.item.block or 4,
                 )
-                for prop, other in others
+                for drawable, other in others
             ]
             assert expected.any(), "an empty picture proves nothing"
             assert draw_together(frame, turns).tobytes() == expected.tobytes(), frame

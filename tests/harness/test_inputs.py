@@ -13,14 +13,14 @@ import pytest
 from PIL import Image
 
 from shadercache.diagnostics import GraphicsError, InputError
-from shadercache.harness.bundle import PassSpec
-from shadercache.harness.context import APT_LINE, Gpu, open_context
-from shadercache.harness.mesh import load_mesh
-from shadercache.harness.runner import PassRunner
-from shadercache.harness.scene import Scene, TextureSpec
-from shadercache.harness.stage import Stage
-from shadercache.harness.targets import Targets
-from shadercache.harness.textures import load_pixels
+from shadercache.gpu.context import APT_LINE, Gpu, open_context
+from shadercache.gpu.targets import Targets
+from shadercache.gpu.textures import load_pixels
+from shadercache.render.bundle import PassSpec
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import PassRunner
+from shadercache.scene.description import Scene, TextureSpec
+from shadercache.scene.mesh import load_mesh
 from shadercache.source import Source
 
 pytestmark = pytest.mark.xdist_group("gl")
@@ -37,16 +37,16 @@ def spec(fragment: str, vertex: str = VERTEX) -> PassSpec:
     return PassSpec("test", *sources, ("color",), "<", True, False)
 
 
-def codes(stage: Stage, fragment: str, vertex: str = VERTEX) -> tuple[list[str], str]:
+def codes(world: RenderScene, fragment: str, vertex: str = VERTEX) -> tuple[list[str], str]:
     with pytest.raises(InputError) as caught:
-        PassRunner(stage, spec(fragment, vertex))
-    assert stage.programs.used == 0, "a program that cannot be used is given back"
+        PassRunner(world, spec(fragment, vertex))
+    assert world.programs.used == 0, "a program that cannot be used is given back"
     return [item.code for item in caught.value.diagnostics], str(caught.value)
 
 
 @pytest.fixture
-def textured(gpu: Gpu, scene: Scene, tmp_path: Path) -> Iterator[Stage]:
-    """A stage with a two-colour picture and a cube map whose faces are 0 to 5."""
+def textured(gpu: Gpu, scene: Scene, tmp_path: Path) -> Iterator[RenderScene]:
+    """A world with a two-colour picture and a cube map whose faces are 0 to 5."""
     pixels = np.zeros((2, 1, 4), np.uint8)
     pixels[0], pixels[1] = (255, 0, 0, 255), (0, 255, 0, 255)
     Image.fromarray(pixels).save(tmp_path / "p.png")
@@ -60,37 +60,37 @@ def textured(gpu: Gpu, scene: Scene, tmp_path: Path) -> Iterator[Stage]:
         "u_gone": TextureSpec(tmp_path / "none.npz", "linear", False, "clamp", 1.0),
     }
     changed = replace(scene, textures=MappingProxyType(textures))
-    with Stage(gpu, changed, (32, 32), "rgba32f") as stage:
-        yield stage
+    with RenderScene(gpu, changed, (32, 32), "rgba32f") as world:
+        yield world
 
 
-def test_what_the_scene_lacks(stage: Stage) -> None:
+def test_what_the_scene_lacks(world: RenderScene) -> None:
     out = "out vec4 o; void main() { "
-    found, words = codes(stage, "uniform float u_a; " + out + "o = vec4(u_a); }")
+    found, words = codes(world, "uniform float u_a; " + out + "o = vec4(u_a); }")
     assert found == ["SC520"] and "u_a" in words and "scene.toml" in words
     found, _ = codes(
-        stage, f"uniform float u_a; uniform vec2 u_b; {out} o = vec4(u_a, u_b, 1.0); }}"
+        world, f"uniform float u_a; uniform vec2 u_b; {out} o = vec4(u_a, u_b, 1.0); }}"
     )
     assert found == ["SC520", "SC520"]
-    found, words = codes(stage, "uniform vec4 u_light; " + out + "o = u_light; }")
+    found, words = codes(world, "uniform vec4 u_light; " + out + "o = u_light; }")
     assert found == ["SC523"] and "takes 4 numbers" in words
     found, words = codes(
-        stage, "uniform sampler2D u_t; " + out + "o = texelFetch(u_t, ivec2(0), 0); }"
+        world, "uniform sampler2D u_t; " + out + "o = texelFetch(u_t, ivec2(0), 0); }"
     )
     assert found == ["SC522"] and "[textures.u_t]" in words
     vertex = VERTEX.replace("in vec3 a_position;", "in vec3 a_position; in vec2 a_uv;")
     vertex = vertex.replace("1.0)", "a_uv.x)")
-    found, words = codes(stage, out + "o = vec4(1.0); }", vertex)
+    found, words = codes(world, out + "o = vec4(1.0); }", vertex)
     assert found == ["SC521"] and "a_uv" in words
 
 
-def test_a_uniform_that_brings_its_own_value(stage: Stage) -> None:
+def test_a_uniform_that_brings_its_own_value(world: RenderScene) -> None:
     fragment = "uniform float u_gain = 0.75; out vec4 o; void main() { o = vec4(u_gain); }"
-    with PassRunner(stage, spec(fragment)) as runner:
+    with PassRunner(world, spec(fragment)) as runner:
         assert runner.image(0).max() == 0.75
 
 
-def test_what_the_harness_cannot_give(stage: Stage) -> None:
+def test_what_the_harness_cannot_give(world: RenderScene) -> None:
     out = "out vec4 o; void main() { "
     for fragment in (
         "uniform sampler3D u_t; " + out + "o = texture(u_t, vec3(0.0)); }",
@@ -98,18 +98,18 @@ def test_what_the_harness_cannot_give(stage: Stage) -> None:
         "uniform sampler2D u_t[2]; " + out + "o = texture(u_t[0], vec2(0)) * texture(u_t[1], "
         "vec2(0)); }",
     ):
-        assert codes(stage, fragment)[0] == ["SC524"]
+        assert codes(world, fragment)[0] == ["SC524"]
     vertex = VERTEX.replace("in vec3 a_position;", "in ivec3 a_position;")
-    assert codes(stage, out + "o = vec4(1.0); }", vertex)[0] == ["SC524"]
+    assert codes(world, out + "o = vec4(1.0); }", vertex)[0] == ["SC524"]
 
 
-def test_the_drivers_words_at_their_line(stage: Stage) -> None:
-    found, words = codes(stage, "out vec4 o;\nvoid main() { o = vec4(nothing); }")
+def test_the_drivers_words_at_their_line(world: RenderScene) -> None:
+    found, words = codes(world, "out vec4 o;\nvoid main() { o = vec4(nothing); }")
     assert set(found) == {"SC602"}
     assert "test.frag:3:" in words and "nothing" in words
-    found, words = codes(stage, "out vec4 o; void main() { o = vec4(1); }", "\n\n" + VERTEX + "x")
+    found, words = codes(world, "out vec4 o; void main() { o = vec4(1); }", "\n\n" + VERTEX + "x")
     assert "test.vert:7:" in words
-    found, words = codes(stage, "out vec4 o; float f(); void main() { o = vec4(f()); }")
+    found, words = codes(world, "out vec4 o; float f(); void main() { o = vec4(f()); }")
     assert found == ["SC602"] and "test.vert + test.frag" in words
 
 
@@ -117,12 +117,12 @@ def test_a_mesh_without_normals(gpu: Gpu, scene: Scene) -> None:
     mesh = load_mesh(scene.mesh)
     bare = replace(mesh, arrays={"position": mesh.arrays["position"]})
     with pytest.raises(InputError, match="SC511") as caught:
-        Stage(gpu, scene, (8, 8), mesh=bare)
+        RenderScene(gpu, scene, (8, 8), mesh=bare)
     words = str(caught.value)
     assert "attributes.a_normal" in words and "scene.toml" in words and "position" in words
 
 
-def test_textures_reach_the_shader(textured: Stage) -> None:
+def test_textures_reach_the_shader(textured: RenderScene) -> None:
     flat = (
         "uniform sampler2D u_flat; uniform samplerCube u_sky; out vec4 o; void main() { o = vec4("
         "textureLod(u_flat, vec2(0.5, 0.25), 0.0).r, textureLod(u_flat, vec2(0.5, 0.75), 0.0).g, "
@@ -134,7 +134,7 @@ def test_textures_reach_the_shader(textured: Stage) -> None:
     assert image.reshape(-1, 4).max(axis=0).tolist() == [1.0, 1.0, 5.0, 0.0]
 
 
-def test_sampling_state(textured: Stage) -> None:
+def test_sampling_state(textured: RenderScene) -> None:
     flat, sharp = textured.texture("u_flat"), textured.texture("u_sharp")
     assert isinstance(flat, moderngl.Texture) and isinstance(sharp, moderngl.Texture)
     assert flat.filter == (moderngl.NEAREST_MIPMAP_NEAREST, moderngl.NEAREST)
@@ -144,7 +144,7 @@ def test_sampling_state(textured: Stage) -> None:
     assert textured.texture("u_flat") is flat and textured.texture("u_none") is None
 
 
-def test_wrong_textures(textured: Stage, tmp_path: Path) -> None:
+def test_wrong_textures(textured: RenderScene, tmp_path: Path) -> None:
     out = "out vec4 o; void main() { "
     found, words = codes(
         textured, "uniform samplerCube u_flat; " + out + "o = texture(u_flat, vec3(1)); }"

@@ -10,10 +10,11 @@ import moderngl
 import numpy as np
 import pytest
 
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.programs import MOST_IDLE
-from shadercache.harness.runner import (
+from shadercache.gpu.context import Gpu
+from shadercache.gpu.programs import MOST_IDLE
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import (
     CoverageRunner,
     PassRunner,
     RunOptions,
@@ -21,8 +22,7 @@ from shadercache.harness.runner import (
     render_original,
     render_variant,
 )
-from shadercache.harness.scene import Scene
-from shadercache.harness.stage import Stage
+from shadercache.scene.description import Scene
 from shadercache.source import Source
 
 pytestmark = pytest.mark.xdist_group("gl")
@@ -36,40 +36,42 @@ def same_bits(one: np.ndarray, other: np.ndarray) -> bool:
 
 
 @pytest.mark.parametrize("algorithm", ALGORITHMS)
-def test_a_period_of_one_is_the_original(stage: Stage, bundle: Bundle, algorithm: str) -> None:
+def test_a_period_of_one_is_the_original(
+    world: RenderScene, bundle: Bundle, algorithm: str
+) -> None:
     options = RunOptions(period=1, cache_format=EXACT)
-    original = render_original(stage, bundle, range(4))
-    variant = render_variant(stage, bundle, algorithm, range(4), options)
+    original = render_original(world, bundle, range(4))
+    variant = render_variant(world, bundle, algorithm, range(4), options)
     assert all(map(same_bits, original, variant))
     assert not same_bits(original[0], original[1]), "the scene must move"
 
 
 @pytest.mark.parametrize("algorithm", ALGORITHMS)
-def test_at_rest_nothing_drifts(stage: Stage, bundle: Bundle, algorithm: str) -> None:
+def test_at_rest_nothing_drifts(world: RenderScene, bundle: Bundle, algorithm: str) -> None:
     options = RunOptions(period=8, cache_format=EXACT, moving=False)
-    original = render_original(stage, bundle, range(12), moving=False)
-    variant = render_variant(stage, bundle, algorithm, range(12), options)
+    original = render_original(world, bundle, range(12), moving=False)
+    variant = render_variant(world, bundle, algorithm, range(12), options)
     assert all(map(same_bits, original, variant))
 
 
-def test_the_algorithms_agree(stage: Stage, bundle: Bundle) -> None:
+def test_the_algorithms_agree(world: RenderScene, bundle: Bundle) -> None:
     options = RunOptions(period=6, cache_format=EXACT)
-    runs = [render_variant(stage, bundle, name, range(7), options) for name in ALGORITHMS]
-    original = render_original(stage, bundle, range(7))
+    runs = [render_variant(world, bundle, name, range(7), options) for name in ALGORITHMS]
+    original = render_original(world, bundle, range(7))
     for first, second, third in zip(*runs, strict=True):
         assert same_bits(first, second)
         assert same_bits(first, third)
     assert not same_bits(runs[0][6], original[6]), "values must be reused in motion"
 
 
-def test_programs_that_differ_in_the_heading_are_one(stage: Stage, bundle: Bundle) -> None:
+def test_programs_that_differ_in_the_heading_are_one(world: RenderScene, bundle: Bundle) -> None:
     spec = bundle.original
     version, rest = spec.fragment.text.split("\n", 1)
 
     def program(comment: str) -> object:
         text = f"{version}\n{comment}\n// drawn\n{rest}"
-        made = stage.programs.acquire(spec.vertex, Source(spec.fragment.name, text))
-        stage.programs.release(made)
+        made = world.programs.acquire(spec.vertex, Source(spec.fragment.name, text))
+        world.programs.release(made)
         return made
 
     first = program("// shadercache: 1-pass, node main.3-0123abcd")
@@ -78,24 +80,24 @@ def test_programs_that_differ_in_the_heading_are_one(stage: Stage, bundle: Bundl
     assert program("// shadercache: 1-pass, node main.3-0123abcd \\") is not first
 
 
-def test_half_floats_stay_near(stage: Stage, bundle: Bundle) -> None:
-    original = render_original(stage, bundle, range(6))
+def test_half_floats_stay_near(world: RenderScene, bundle: Bundle) -> None:
+    original = render_original(world, bundle, range(6))
     covered = original[5][..., 3] > 0
     for name in ALGORITHMS:
-        found = render_variant(stage, bundle, name, range(6), RunOptions(period=6))
+        found = render_variant(world, bundle, name, range(6), RunOptions(period=6))
         exact = render_variant(
-            stage, bundle, name, range(6), RunOptions(period=6, cache_format=EXACT)
+            world, bundle, name, range(6), RunOptions(period=6, cache_format=EXACT)
         )
         assert not same_bits(found[5], exact[5])
         # A rounded depth turns the odd hit into a miss, so a single pixel may be farther off.
         assert np.sqrt(np.square(found[5] - exact[5])[covered].mean()) < 1e-3
 
 
-def test_without_motion_hits_are_what_is_not_due(stage: Stage, bundle: Bundle) -> None:
+def test_without_motion_hits_are_what_is_not_due(world: RenderScene, bundle: Bundle) -> None:
     options = RunOptions(period=4, cache_format=EXACT, moving=False)
     values = bundle.mask_values
-    refreshed = np.zeros(stage.size[::-1], int)
-    with VariantRunner(stage, bundle, "2-pass", options) as runner:
+    refreshed = np.zeros(world.size[::-1], int)
+    with VariantRunner(world, bundle, "2-pass", options) as runner:
         runner.draw(0)
         for frame in range(1, 5):
             mask = runner.hit_mask(frame)
@@ -106,10 +108,10 @@ def test_without_motion_hits_are_what_is_not_due(stage: Stage, bundle: Bundle) -
     assert (refreshed[mask == 0] == 0).all()
 
 
-def test_in_motion_most_are_hits(stage: Stage, bundle: Bundle) -> None:
+def test_in_motion_most_are_hits(world: RenderScene, bundle: Bundle) -> None:
     with (
-        VariantRunner(stage, bundle, "2-pass", RunOptions(period=64)) as runner,
-        CoverageRunner(stage, bundle) as coverage,
+        VariantRunner(world, bundle, "2-pass", RunOptions(period=64)) as runner,
+        CoverageRunner(world, bundle) as coverage,
     ):
         for frame in range(3):
             runner.draw(frame)
@@ -119,10 +121,10 @@ def test_in_motion_most_are_hits(stage: Stage, bundle: Bundle) -> None:
     assert 0.7 < (mask == bundle.mask_values["hit"]).sum() / covered.sum() < 0.99
 
 
-def test_a_reset_forgets_everything(stage: Stage, bundle: Bundle) -> None:
+def test_a_reset_forgets_everything(world: RenderScene, bundle: Bundle) -> None:
     options = RunOptions(period=64, cache_format=EXACT)
-    original = render_original(stage, bundle, [5])[0]
-    with VariantRunner(stage, bundle, "3-pass", options) as runner:
+    original = render_original(world, bundle, [5])[0]
+    with VariantRunner(world, bundle, "3-pass", options) as runner:
         for frame in range(5):
             runner.draw(frame)
         runner.reset()
@@ -131,32 +133,32 @@ def test_a_reset_forgets_everything(stage: Stage, bundle: Bundle) -> None:
         assert same_bits(runner.image(5), original)
 
 
-def test_looking_ahead_changes_nothing(stage: Stage, bundle: Bundle) -> None:
-    plain = render_variant(stage, bundle, "2-pass", range(5), RunOptions(period=5))
-    with VariantRunner(stage, bundle, "2-pass", RunOptions(period=5)) as runner:
+def test_looking_ahead_changes_nothing(world: RenderScene, bundle: Bundle) -> None:
+    plain = render_variant(world, bundle, "2-pass", range(5), RunOptions(period=5))
+    with VariantRunner(world, bundle, "2-pass", RunOptions(period=5)) as runner:
         for frame in range(5):
             runner.hit_mask(frame)
             runner.work(frame)
             assert same_bits(runner.image(frame), plain[frame])
 
 
-def test_twins_hold_the_last_frames_values(stage: Stage, bundle: Bundle) -> None:
+def test_twins_hold_the_last_frames_values(world: RenderScene, bundle: Bundle) -> None:
     """With the twin fed from the current frame, moving surfaces are looked up in wrong places."""
     vertex = bundle.files["reprojected.vert"].replace(
         "sc_previous_u_modelViewProjection * vec4", "u_modelViewProjection * vec4"
     )
     broken = Bundle(bundle.manifest, {**bundle.files, "reprojected.vert": vertex})
     options = RunOptions(period=64, cache_format=EXACT)
-    original = render_original(stage, bundle, range(6))[5]
-    good = render_variant(stage, bundle, "1-pass", range(6), options)[5]
-    bad = render_variant(stage, broken, "1-pass", range(6), options)[5]
+    original = render_original(world, bundle, range(6))[5]
+    good = render_variant(world, bundle, "1-pass", range(6), options)[5]
+    bad = render_variant(world, broken, "1-pass", range(6), options)[5]
     assert np.square(bad - original).mean() > 4 * np.square(good - original).mean()
 
 
-def test_work_counts_fragments(stage: Stage, bundle: Bundle) -> None:
+def test_work_counts_fragments(world: RenderScene, bundle: Bundle) -> None:
     masks, work = {}, {}
     for name in ALGORITHMS:
-        with VariantRunner(stage, bundle, name, RunOptions(period=8)) as runner:
+        with VariantRunner(world, bundle, name, RunOptions(period=8)) as runner:
             runner.draw(0)
             masks[name] = runner.hit_mask(1)
             work[name] = runner.work(1)
@@ -169,47 +171,47 @@ def test_work_counts_fragments(stage: Stage, bundle: Bundle) -> None:
     assert covered <= work["3-pass"]["shade"] <= work["1-pass"]["all"]
 
 
-def test_a_run_can_be_taken_up_from_a_cache(stage: Stage, bundle: Bundle) -> None:
+def test_a_run_can_be_taken_up_from_a_cache(world: RenderScene, bundle: Bundle) -> None:
     options = RunOptions(period=8, cache_format=EXACT)
-    with VariantRunner(stage, bundle, "2-pass", options) as runner:
+    with VariantRunner(world, bundle, "2-pass", options) as runner:
         for frame in range(3):
             runner.draw(frame)
         cache = runner.cache()
         image = runner.image(3)
         after = runner.cache()
-    with VariantRunner(stage, bundle, "3-pass", options) as runner:
+    with VariantRunner(world, bundle, "3-pass", options) as runner:
         runner.restore(cache, 2)
         assert same_bits(runner.image(3), image)
         assert same_bits(runner.cache(), after)
 
 
-def test_no_depth_ties_on_a_torus(stage: Stage, bundle: Bundle) -> None:
-    with CoverageRunner(stage, bundle) as runner:
+def test_no_depth_ties_on_a_torus(world: RenderScene, bundle: Bundle) -> None:
+    with CoverageRunner(world, bundle) as runner:
         assert runner.coverage(0).mean() > 0.2
         assert not runner.ties(0).any()
 
 
-def test_programs_are_shared_and_given_back(stage: Stage, bundle: Bundle) -> None:
-    assert stage.programs.used == 0
+def test_programs_are_shared_and_given_back(world: RenderScene, bundle: Bundle) -> None:
+    assert world.programs.used == 0
     with (
-        VariantRunner(stage, bundle, "2-pass") as first,
-        VariantRunner(stage, bundle, "2-pass") as second,
+        VariantRunner(world, bundle, "2-pass") as first,
+        VariantRunner(world, bundle, "2-pass") as second,
     ):
-        assert stage.programs.used == 2, "equal programs are shared"
+        assert world.programs.used == 2, "equal programs are shared"
         first.draw(0)
         second.draw(0)
     second.release()
-    assert stage.programs.used == 0
+    assert world.programs.used == 0
 
 
-def test_unused_programs_are_kept_up_to_a_limit(stage: Stage, bundle: Bundle) -> None:
+def test_unused_programs_are_kept_up_to_a_limit(world: RenderScene, bundle: Bundle) -> None:
     original = bundle.original
     for number in range(MOST_IDLE + 5):
         fragment = Source("f", f"{original.fragment.text}\n// {number}\n")
-        with PassRunner(stage, replace(original, fragment=fragment)) as runner:
+        with PassRunner(world, replace(original, fragment=fragment)) as runner:
             runner.draw(0)
-    assert stage.programs.idle == MOST_IDLE
-    assert stage.programs.used == 0
+    assert world.programs.idle == MOST_IDLE
+    assert world.programs.used == 0
 
 
 def test_nothing_stays_on_the_gpu(
@@ -228,10 +230,13 @@ def test_nothing_stays_on_the_gpu(
     for kind in kinds:
         make = getattr(moderngl.Context, kind)
         monkeypatch.setattr(moderngl.Context, kind, recorded(make))
-    with Stage(gpu, scene, (16, 16)) as stage, CoverageRunner(stage, bundle) as coverage:
+    with (
+        RenderScene(gpu, scene, (16, 16)) as world,
+        CoverageRunner(world, bundle) as coverage,
+    ):
         coverage.ties(0)
         for name in ALGORITHMS:
-            with VariantRunner(stage, bundle, name) as runner:
+            with VariantRunner(world, bundle, name) as runner:
                 runner.draw(0)
                 runner.hit_mask(1)
                 runner.work(1)

@@ -9,14 +9,14 @@ import pytest
 
 from shadercache.compiler import analyse, emit_original
 from shadercache.diagnostics import InputError, UsageError
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.camera import scene_values
-from shadercache.harness.context import Gpu
-from shadercache.harness.made_scene import START, made_scene
-from shadercache.harness.runner import render_original
-from shadercache.harness.scene import load_scene
-from shadercache.harness.shaders import analyse_scene, open_scene
-from shadercache.harness.stage import Stage
+from shadercache.gpu.context import Gpu
+from shadercache.linking.made_scene import START, made_scene
+from shadercache.linking.scene_shaders import analyse_scene, open_scene
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import render_original
+from shadercache.scene.camera import scene_values
+from shadercache.scene.description import load_scene
 from shadercache.source import Source
 
 INPUTS = """#version 330
@@ -77,8 +77,8 @@ def test_everything_can_be_drawn(gpu: Gpu) -> None:
     analysis = analyse(Source("toy.frag", INPUTS))
     emission = emit_original(analysis)
     bundle = Bundle(emission.manifest, emission.files)
-    with Stage(gpu, made_scene(Path("toy.frag"), analysis), (16, 12), "rgba32f") as stage:
-        first, later = render_original(stage, bundle, (0, 6))
+    with RenderScene(gpu, made_scene(Path("toy.frag"), analysis), (16, 12), "rgba32f") as world:
+        first, later = render_original(world, bundle, (0, 6))
     assert np.isfinite(first[..., 2]).all() and len(np.unique(first[..., 2])) > 50
     assert (later[..., 2] > first[..., 2]).all(), "three clocks go on"
 
@@ -93,8 +93,8 @@ def test_members_of_blocks_have_values_as_uniforms_do(gpu: Gpu, tmp_path: Path) 
     """)
     scene, analysis = open_scene(path)
     emission = emit_original(analysis)
-    with Stage(gpu, scene, (8, 8), "rgba32f") as stage:
-        [image] = render_original(stage, Bundle(emission.manifest, emission.files), (0,))
+    with RenderScene(gpu, scene, (8, 8), "rgba32f") as world:
+        [image] = render_original(world, Bundle(emission.manifest, emission.files), (0,))
     assert image[0, 0].tolist() == pytest.approx([0.8, 0.6, START / 8.0, 0.5])
 
 
@@ -107,8 +107,8 @@ def test_nothing_is_made_for_a_block_in_a_layout_of_the_drivers_own(
     )
     scene, analysis = open_scene(path)
     emission = emit_original(analysis)
-    with Stage(gpu, scene, (8, 8)) as stage, pytest.raises(InputError, match="SC524"):
-        render_original(stage, Bundle(emission.manifest, emission.files), (0,))
+    with RenderScene(gpu, scene, (8, 8)) as world, pytest.raises(InputError, match="SC524"):
+        render_original(world, Bundle(emission.manifest, emission.files), (0,))
 
 
 def test_a_shader_of_surfaces_needs_a_scene(tmp_path: Path) -> None:
@@ -140,8 +140,8 @@ def test_a_vertex_shader_beside_it_is_drawn(gpu: Gpu, tmp_path: Path) -> None:
     scene, analysis = open_scene(path, mapping="screen")
     assert scene.attributes == {"a_corner": "position", "a_texCoord": "uv"}
     emission = emit_original(analysis)
-    with Stage(gpu, scene, (8, 4), "rgba32f") as stage:
-        (image,) = render_original(stage, Bundle(emission.manifest, emission.files), (0,))
+    with RenderScene(gpu, scene, (8, 4), "rgba32f") as world:
+        (image,) = render_original(world, Bundle(emission.manifest, emission.files), (0,))
     assert np.allclose(image[0, :, 0], (np.arange(8) + 0.5) / 8, atol=1e-6)
     assert np.allclose(image[:, 0, 1], (np.arange(4) + 0.5) / 4, atol=1e-6)
     with pytest.raises(UsageError, match="SC006"):

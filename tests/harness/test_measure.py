@@ -11,20 +11,11 @@ import pytest
 from PIL import Image
 
 from shadercache.diagnostics import InputError, UsageError
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.clock import QueryClock, WallClock, pick_clock
-from shadercache.harness.context import Gpu
-from shadercache.harness.measure import measure
-from shadercache.harness.measurement import Entry, Measurement, MeasureOptions
-from shadercache.harness.pictures import (
-    OUTCOME_COLORS,
-    difference_picture,
-    hit_picture,
-    picture,
-    write_png,
-)
-from shadercache.harness.plots import plot_error, plot_time
-from shadercache.harness.results import (
+from shadercache.gpu.clock import QueryClock, WallClock, pick_clock
+from shadercache.gpu.context import Gpu
+from shadercache.measure.measure import measure
+from shadercache.measure.measurement import Entry, Measurement, MeasureOptions
+from shadercache.measure.result_files import (
     COLUMNS,
     environment,
     read_json,
@@ -33,8 +24,17 @@ from shadercache.harness.results import (
     to_json,
     write_json,
 )
-from shadercache.harness.scene import Scene
-from shadercache.harness.sheet import SheetRow, contact_sheet
+from shadercache.render.bundle import Bundle
+from shadercache.report.contact_sheet import SheetRow, contact_sheet
+from shadercache.report.images import (
+    OUTCOME_COLORS,
+    difference_picture,
+    hit_picture,
+    picture,
+    write_png,
+)
+from shadercache.report.plots import plot_error, plot_time
+from shadercache.scene.description import Scene
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -139,13 +139,15 @@ def test_results_that_cannot_be_read_or_written(tmp_path: Path) -> None:
 def test_pictures(measurement: Measurement, bundle: Bundle, tmp_path: Path) -> None:
     assert len(measurement.shots) == 6
     shot = measurement.shots[1]
-    assert shot.original.shape == shot.cached.shape == shot.outcomes.shape == (96, 128, 3)
-    colors = {tuple(color) for color in shot.outcomes.reshape(-1, 3).tolist()}
+    original, cached = picture(shot.original), picture(shot.cached)
+    outcomes = hit_picture(shot.probe.mask, shot.probe.values)
+    assert original.shape == cached.shape == outcomes.shape == (96, 128, 3)
+    colors = {tuple(color) for color in outcomes.reshape(-1, 3).tolist()}
     assert {OUTCOME_COLORS["hit"], OUTCOME_COLORS["refresh"], (0, 0, 0)} <= colors
-    assert difference_picture(shot.original, shot.original).max() == 0
-    assert difference_picture(shot.original, shot.cached).max() > 0
-    write_png(tmp_path / "a.png", shot.original)
-    assert np.array_equal(np.asarray(Image.open(tmp_path / "a.png")), shot.original)
+    assert difference_picture(original, original).max() == 0
+    assert difference_picture(original, cached).max() > 0
+    write_png(tmp_path / "a.png", original)
+    assert np.array_equal(np.asarray(Image.open(tmp_path / "a.png")), original)
 
 
 def test_pictures_stand_upright() -> None:

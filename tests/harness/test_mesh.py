@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from shadercache.diagnostics import InputError
-from shadercache.harness.mesh import load_mesh
+from shadercache.scene.mesh import load_mesh
 
 POSITION = np.array([[0, 0, 0], [1, 0, 0], [0, 2, 0], [0, 0, -3]], np.float32)
 INDEX = np.array([[0, 1, 2], [0, 2, 3]], np.uint32)

@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 
 from shadercache.diagnostics import InputError
-from shadercache.harness.animation import Ramp, Rows
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.camera import camera_at, model_matrix, scene_values
-from shadercache.harness.context import Gpu
-from shadercache.harness.runner import RunOptions, VariantRunner, render_original
-from shadercache.harness.scene import CameraPath, Key, Motion, Scene
-from shadercache.harness.stage import Stage
+from shadercache.gpu.context import Gpu
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import RunOptions, VariantRunner, render_original
+from shadercache.scene.animation import Ramp, Rows
+from shadercache.scene.camera import camera_at, model_matrix, scene_values
+from shadercache.scene.description import CameraPath, Key, Motion, Scene
 
 
 def key(frame: int, x: float, fov: float = 40.0, cut: bool = False) -> Key:
@@ -83,8 +83,8 @@ def test_runners_are_told_of_a_cut(gpu: Gpu, scene: Scene, bundle: Bundle) -> No
     for told in (True, False):
         shots = tuple(replace(item, cut=item.cut and told) for item in keys)
         path = replace(scene, camera_path=CameraPath(keys=shots))
-        with Stage(gpu, path, (96, 64), "rgba32f") as stage:
-            original = render_original(stage, bundle, range(4))
-            with VariantRunner(stage, bundle, "2-pass", options) as runner:
+        with RenderScene(gpu, path, (96, 64), "rgba32f") as world:
+            original = render_original(world, bundle, range(4))
+            with VariantRunner(world, bundle, "2-pass", options) as runner:
                 cached = [runner.image(frame) for frame in range(4)]
         assert (original[3].tobytes() == cached[3].tobytes()) == told

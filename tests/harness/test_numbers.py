@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from shadercache.diagnostics import InputError
-from shadercache.harness.image import ErrorSum, compare
-from shadercache.harness.stats import paired_ratio, timing
+from shadercache.measure.image_error import ErrorSum, compare
+from shadercache.measure.statistics import paired_ratio, timing
 
 ALL = np.ones((4, 8), bool)
 

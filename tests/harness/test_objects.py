@@ -12,9 +12,13 @@ import pytest
 
 from shadercache.compiler import Analysis, rewrite
 from shadercache.diagnostics import InputError
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.runner import (
+from shadercache.gpu.context import Gpu
+from shadercache.linking.object_programs import ObjectPrograms
+from shadercache.linking.scene_shaders import open_scene
+from shadercache.options import Options
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import (
     CoverageRunner,
     OriginalRunner,
     RunOptions,
@@ -22,11 +26,8 @@ from shadercache.harness.runner import (
     render_original,
     render_variant,
 )
-from shadercache.harness.scene import Scene, load_scene
-from shadercache.harness.shaders import open_scene
-from shadercache.harness.stage import Stage
-from shadercache.harness.verify import Verifier
-from shadercache.options import Options
+from shadercache.scene.description import Scene, load_scene
+from shadercache.verify.verifier import Verifier
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -57,8 +58,8 @@ def rewritten(analysis: Analysis, mode: str = "proof") -> Bundle:
 
 
 @pytest.fixture(scope="module")
-def crowd(gpu: Gpu, opened: tuple[Scene, Analysis]) -> Iterator[Stage]:
-    with Stage(gpu, opened[0], SIZE, "rgba32f") as made:
+def crowd(gpu: Gpu, opened: tuple[Scene, Analysis]) -> Iterator[RenderScene]:
+    with RenderScene(gpu, opened[0], SIZE, "rgba32f", programs=ObjectPrograms()) as made:
         yield made
 
 
@@ -92,23 +93,28 @@ def test_the_laws_hold_for_all_objects_together(gpu: Gpu, opened: tuple[Scene, A
 
 
 @pytest.mark.parametrize("algorithm", ALGORITHMS)
-def test_every_object_reuses_something(crowd: Stage, proof: Bundle, algorithm: str) -> None:
+def test_every_object_reuses_something(crowd: RenderScene, proof: Bundle, algorithm: str) -> None:
     """Each alone differs from its original in motion, and only where it is cached."""
     for item in crowd.scene.objects:
         alone = replace(crowd.scene, objects=(item,))
-        with Stage(crowd.gpu, alone, SIZE, "rgba32f") as stage:
-            original = render_original(stage, proof, range(6))
-            cached = render_variant(stage, proof, algorithm, range(6), RunOptions(16))
+        with RenderScene(crowd.gpu, alone, SIZE, "rgba32f", programs=ObjectPrograms()) as world:
+            original = render_original(world, proof, range(6))
+            cached = render_variant(world, proof, algorithm, range(6), RunOptions(16))
         same = [same_bits(*pair) for pair in zip(original, cached, strict=True)]
         assert same[0], "the first frame is a reset"
         assert all(same) == (not item.cached), (item.name, same)
 
 
 @pytest.mark.parametrize("algorithm", ALGORITHMS)
-def test_the_order_of_objects_changes_nothing(crowd: Stage, proof: Bundle, algorithm: str) -> None:
+def test_the_order_of_objects_changes_nothing(
+    crowd: RenderScene, proof: Bundle, algorithm: str
+) -> None:
     """Also of cached and uncached objects, and of those by one shader and another."""
     turned = replace(crowd.scene, objects=crowd.scene.objects[::-1])
-    with Stage(crowd.gpu, turned, SIZE, "rgba32f") as other, CoverageRunner(crowd, proof) as cover:
+    with (
+        RenderScene(crowd.gpu, turned, SIZE, "rgba32f", programs=ObjectPrograms()) as other,
+        CoverageRunner(crowd, proof) as cover,
+    ):
         options = RunOptions(5)
         with (
             VariantRunner(crowd, proof, algorithm, options) as one,
@@ -120,7 +126,7 @@ def test_the_order_of_objects_changes_nothing(crowd: Stage, proof: Bundle, algor
                 assert same_bits(one.image(frame)[~ties], two.image(frame)[~ties]), frame
 
 
-def test_objects_that_are_not_there_are_not_drawn(crowd: Stage, proof: Bundle) -> None:
+def test_objects_that_are_not_there_are_not_drawn(crowd: RenderScene, proof: Bundle) -> None:
     assert [len(crowd.drawn(frame)) for frame in (0, 2, 3, 4, 5)] == [4, 4, 3, 3, 4]
     with VariantRunner(crowd, proof, "2-pass", RunOptions(16)) as runner:
         images = [runner.image(frame) for frame in range(5)]
@@ -130,7 +136,10 @@ def test_objects_that_are_not_there_are_not_drawn(crowd: Stage, proof: Bundle) -
     # What is back finds nothing of its own in the cache: its frame is the original's.
     (bent,) = (item for item in crowd.scene.objects if item.name == "bent")
     alone = replace(crowd.scene, objects=(bent,))
-    with Stage(crowd.gpu, alone, SIZE, "rgba32f") as stage, OriginalRunner(stage, proof) as shown:
+    with (
+        RenderScene(crowd.gpu, alone, SIZE, "rgba32f", programs=ObjectPrograms()) as world,
+        OriginalRunner(world, proof) as shown,
+    ):
         original = shown.image(5)
     seen = (image == original).all(-1) & (original[..., 3] > 0)
     assert seen.sum() > 150
@@ -138,7 +147,7 @@ def test_objects_that_are_not_there_are_not_drawn(crowd: Stage, proof: Bundle) -
 
 
 def test_objects_outside_of_the_picture_are_not_drawn(
-    gpu: Gpu, crowd: Stage, proof: Bundle
+    gpu: Gpu, crowd: RenderScene, proof: Bundle
 ) -> None:
     turning = crowd.scene.objects[0]
     camera = crowd.scene.camera
@@ -147,10 +156,10 @@ def test_objects_outside_of_the_picture_are_not_drawn(
         aimed = replace(camera, target=(float(x), 0.0, 0.0))
         item = replace(turning, scene=replace(turning.scene, camera=aimed))
         scene = replace(crowd.scene, camera=aimed, objects=(item,))
-        with Stage(gpu, scene, SIZE, "rgba32f") as stage:
-            drawn = bool(stage.drawn(0))
-            stage.culling = False
-            with CoverageRunner(stage, proof) as runner:
+        with RenderScene(gpu, scene, SIZE, "rgba32f", programs=ObjectPrograms()) as world:
+            drawn = bool(world.drawn(0))
+            world.culling = False
+            with CoverageRunner(world, proof) as runner:
                 covered = runner.coverage(0).any()
         assert drawn or not covered, x
         seen.append(drawn)
@@ -159,7 +168,7 @@ def test_objects_outside_of_the_picture_are_not_drawn(
 
 @pytest.mark.parametrize("algorithm", ALGORITHMS)
 def test_what_begins_anew_finds_nothing_in_the_cache_of_others(
-    crowd: Stage, proof: Bundle, algorithm: str
+    crowd: RenderScene, proof: Bundle, algorithm: str
 ) -> None:
     """A surface of the same depth was there, of an object with other values."""
     (whole,) = render_original(crowd, proof, [0], moving=False)[:1]
@@ -176,25 +185,25 @@ def test_what_begins_anew_finds_nothing_in_the_cache_of_others(
         assert same_bits(runner.image(1), whole)
 
 
-def test_uncached_objects_leave_the_cache_alone(crowd: Stage, proof: Bundle) -> None:
+def test_uncached_objects_leave_the_cache_alone(crowd: RenderScene, proof: Bundle) -> None:
     """Behind and in front of what is cached: what a texel holds is of a cached object, or empty."""
     plain = crowd.scene.objects[-1]
     alone = replace(crowd.scene, objects=(plain,))
     with (
-        Stage(crowd.gpu, alone, SIZE, "rgba32f") as stage,
-        VariantRunner(stage, proof, "2-pass") as runner,
+        RenderScene(crowd.gpu, alone, SIZE, "rgba32f", programs=ObjectPrograms()) as world,
+        VariantRunner(world, proof, "2-pass") as runner,
     ):
         assert runner.image(0).any()
         assert (runner.cache() == proof.cache.clear[0]).all()
         assert not runner.hit_mask(1).any()
 
 
-def test_one_cache_for_texels_that_are_alike(crowd: Stage, proof: Bundle) -> None:
+def test_one_cache_for_texels_that_are_alike(crowd: RenderScene, proof: Bundle) -> None:
     with VariantRunner(crowd, proof, "3-pass") as runner:
         assert len({id(role.caches) for role in runner._roles if role.caches}) == 1
 
 
-def test_the_bones_of_the_last_frame_are_the_twin(crowd: Stage, proof: Bundle) -> None:
+def test_the_bones_of_the_last_frame_are_the_twin(crowd: RenderScene, proof: Bundle) -> None:
     """With them the skinned ring hits nearly everywhere; without, its swinging half misses."""
     (bent,) = (item for item in crowd.scene.objects if item.name == "bent")
     still = replace(bent, scene=replace(bent.scene, motion=crowd.scene.motion), period=None)
@@ -202,8 +211,10 @@ def test_the_bones_of_the_last_frame_are_the_twin(crowd: Stage, proof: Bundle) -
     for swap in (False, True):
         scene = replace(crowd.scene, objects=(still,))
         with (
-            Stage(crowd.gpu, scene, (160, 160), "rgba32f") as stage,
-            VariantRunner(stage, proof, "2-pass", RunOptions(65535)) as runner,
+            RenderScene(
+                crowd.gpu, scene, (160, 160), "rgba32f", programs=ObjectPrograms()
+            ) as world,
+            VariantRunner(world, proof, "2-pass", RunOptions(65535)) as runner,
         ):
             bundle = runner._roles[0].bundle
             assert bundle.manifest["previous"]["u_bones"].endswith("previous_u_bones")

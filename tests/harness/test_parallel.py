@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from shadercache.diagnostics import GraphicsError
-from shadercache.harness import parallel
-from shadercache.harness.verify import Verdict
+from shadercache.verify import parallel
+from shadercache.verify.verifier import Verdict
 
 NODES = tuple("abcdefgh")
 POISON = "d"

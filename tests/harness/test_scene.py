@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from shadercache.diagnostics import InputError
-from shadercache.front.options import ReadOptions
-from shadercache.harness.camera import look_at, perspective, rotation, scene_values
-from shadercache.harness.scene import Motion, Scene, load_scene
-from shadercache.harness.shaders import analyse_scene
+from shadercache.front.read_options import ReadOptions
+from shadercache.linking.scene_shaders import analyse_scene
+from shadercache.scene.camera import look_at, perspective, rotation, scene_values
+from shadercache.scene.description import Motion, Scene, load_scene
 
 
 def broken(folder: Path, old: str, new: str) -> InputError:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from shadercache.harness.shaders import open_scene
+from shadercache.linking.scene_shaders import open_scene
 from shadercache.paths import data_path
 
 MOVES = "degrees_per_frame = 1.0"

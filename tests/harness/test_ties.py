@@ -7,12 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.mesh import load_mesh
-from shadercache.harness.runner import CoverageRunner
-from shadercache.harness.scene import Scene
-from shadercache.harness.stage import Stage
+from shadercache.gpu.context import Gpu
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import CoverageRunner
+from shadercache.scene.description import Scene
+from shadercache.scene.mesh import load_mesh
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -22,8 +22,8 @@ def test_every_triangle_twice(gpu: Gpu, scene: Scene, bundle: Bundle, color: str
     once = load_mesh(scene.mesh)
     mesh = replace(once, index=np.concatenate([once.index, once.index]))
     with (
-        Stage(gpu, scene, (48, 32), color, mesh) as stage,
-        CoverageRunner(stage, bundle) as runner,
+        RenderScene(gpu, scene, (48, 32), color, mesh) as world,
+        CoverageRunner(world, bundle) as runner,
     ):
         assert (runner.ties(0) == runner.coverage(0)).all()
         assert runner.ties(0).any()

@@ -10,20 +10,21 @@ import pytest
 
 from shadercache.compiler import Analysis, rewrite
 from shadercache.diagnostics import InputError
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.engine import WHOLE, Engine, Rectangle
-from shadercache.harness.runner import (
+from shadercache.gpu.context import Gpu
+from shadercache.linking.object_programs import ObjectPrograms
+from shadercache.linking.scene_shaders import open_scene
+from shadercache.options import Options, read_cache_options
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import (
     CoverageRunner,
     RunOptions,
     VariantRunner,
     render_original,
     render_variant,
 )
-from shadercache.harness.scene import Scene, load_scene
-from shadercache.harness.shaders import open_scene
-from shadercache.harness.stage import Stage
-from shadercache.options import Options, read_cache_options
+from shadercache.scene.description import Scene, load_scene
+from shadercache.scene.graphics_state import WHOLE, GraphicsState, Rectangle
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -45,7 +46,7 @@ def bundle_of(analysis: Analysis, *cached: str) -> Bundle:
     return Bundle(emission.manifest, emission.files)
 
 
-def within(scene: Scene, engine: Engine) -> Scene:
+def within(scene: Scene, engine: GraphicsState) -> Scene:
     items = (replace(item, scene=within(item.scene, engine)) for item in scene.objects)
     return replace(scene, engine=engine, objects=tuple(items))
 
@@ -58,20 +59,26 @@ def test_the_laws_hold(
     """Always refreshed it is the original; the algorithms agree; at rest nothing drifts."""
     scene, analysis = opened
     bundle = bundle_of(analysis, "viewport", filters)
-    with Stage(gpu, within(scene, Engine(viewports=viewports, hold=2)), SIZE, "rgba32f") as stage:
-        original = render_original(stage, bundle, range(7))
-        with CoverageRunner(stage, bundle) as cover:
+    with RenderScene(
+        gpu,
+        within(scene, GraphicsState(viewports=viewports, hold=2)),
+        SIZE,
+        "rgba32f",
+        programs=ObjectPrograms(),
+    ) as world:
+        original = render_original(world, bundle, range(7))
+        with CoverageRunner(world, bundle) as cover:
             apart = [~cover.ties(frame) for frame in range(7)]
         runs = []
         for algorithm in ALGORITHMS:
-            always = render_variant(stage, bundle, algorithm, range(7), RunOptions(1))
+            always = render_variant(world, bundle, algorithm, range(7), RunOptions(1))
             for frame, image in enumerate(always):
                 assert same(image, original[frame], apart[frame]), (algorithm, frame)
             resting = render_variant(
-                stage, bundle, algorithm, range(4), RunOptions(4, moving=False)
+                world, bundle, algorithm, range(4), RunOptions(4, moving=False)
             )
             assert all(same(image, original[0], apart[0]) for image in resting), algorithm
-            runs.append(render_variant(stage, bundle, algorithm, range(7), RunOptions(6)))
+            runs.append(render_variant(world, bundle, algorithm, range(7), RunOptions(6)))
     for frame, images in enumerate(zip(*runs, strict=True)):
         assert same(images[0], images[1], apart[frame]) and same(images[0], images[2], apart[frame])
     assert not same(runs[0][6], original[6], apart[6]), "values must be reused in motion"
@@ -87,11 +94,17 @@ def test_what_is_outside_of_the_viewport_is_left_alone(
     scene, analysis = opened
     bundle = bundle_of(analysis, "viewport")
     with (
-        Stage(gpu, within(scene, Engine(viewports=(CORNER,))), SIZE, "rgba32f") as stage,
-        VariantRunner(stage, bundle, "2-pass") as runner,
+        RenderScene(
+            gpu,
+            within(scene, GraphicsState(viewports=(CORNER,))),
+            SIZE,
+            "rgba32f",
+            programs=ObjectPrograms(),
+        ) as world,
+        VariantRunner(world, bundle, "2-pass") as runner,
     ):
         image = runner.image(0)
-        left, bottom, width, height = stage.viewport(0)
+        left, bottom, width, height = world.viewport(0)
         assert (left, bottom, width, height) == (32, 12, 96, 72)
         inside = np.zeros(image.shape[:2], bool)
         inside[bottom : bottom + height, left : left + width] = True
@@ -99,9 +112,9 @@ def test_what_is_outside_of_the_viewport_is_left_alone(
         assert (runner.cache()[~inside][:, 3] == bundle.cache.clear[0][3]).all()
 
 
-def hits(stage: Stage, bundle: Bundle, frames: int) -> list[float]:
+def hits(world: RenderScene, bundle: Bundle, frames: int) -> list[float]:
     found = []
-    with VariantRunner(stage, bundle, "2-pass", RunOptions(65535)) as runner:
+    with VariantRunner(world, bundle, "2-pass", RunOptions(65535)) as runner:
         for frame in range(frames):
             mask = runner.hit_mask(frame)
             found.append((mask == bundle.mask_values["hit"]).sum() / (mask > 0).sum())
@@ -115,11 +128,17 @@ def test_payloads_are_found_again_in_another_viewport(
     """Nearly as often as in the same; without the option only where the viewport is the target."""
     scene, analysis = opened
     told, untold = bundle_of(analysis, "viewport"), bundle_of(analysis)
-    with Stage(gpu, scene, SIZE, "rgba32f") as stage:
-        whole = hits(stage, told, 4)
-        assert whole == hits(stage, untold, 4)
-    with Stage(gpu, within(scene, Engine(viewports=CHANGING)), SIZE, "rgba32f") as stage:
-        changing, lost = hits(stage, told, 4), hits(stage, untold, 4)
+    with RenderScene(gpu, scene, SIZE, "rgba32f", programs=ObjectPrograms()) as world:
+        whole = hits(world, told, 4)
+        assert whole == hits(world, untold, 4)
+    with RenderScene(
+        gpu,
+        within(scene, GraphicsState(viewports=CHANGING)),
+        SIZE,
+        "rgba32f",
+        programs=ObjectPrograms(),
+    ) as world:
+        changing, lost = hits(world, told, 4), hits(world, untold, 4)
     assert min(changing) > 0.75 * min(whole) > 0.3
     assert max(lost) < 0.5 * min(changing)
 

@@ -6,11 +6,16 @@ from dataclasses import replace
 
 import pytest
 
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.runner import OriginalRunner, RunOptions, VariantRunner, render_variant
-from shadercache.harness.scene import CameraPath, Scene
-from shadercache.harness.stage import Stage
+from shadercache.gpu.context import Gpu
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import (
+    OriginalRunner,
+    RunOptions,
+    VariantRunner,
+    render_variant,
+)
+from shadercache.scene.description import CameraPath, Scene
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -24,19 +29,22 @@ def test_views_that_take_turns_draw_what_they_draw_alone(
 ) -> None:
     other = replace(scene.camera, eye=(1.8, -0.6, 1.9), fov_degrees=50.0)
     path = CameraPath(degrees_per_frame=2.0)
-    with Stage(gpu, scene, (96, 64), "rgba32f") as stage, stage.seen_from(other, path) as view:
-        alone = [render_variant(item, bundle, algorithm, FRAMES, OPTIONS) for item in (stage, view)]
+    with (
+        RenderScene(gpu, scene, (96, 64), "rgba32f") as world,
+        world.seen_from(other, path) as view,
+    ):
+        alone = [render_variant(item, bundle, algorithm, FRAMES, OPTIONS) for item in (world, view)]
         with (
-            VariantRunner(stage, bundle, algorithm, OPTIONS) as one,
+            VariantRunner(world, bundle, algorithm, OPTIONS) as one,
             VariantRunner(view, bundle, algorithm, OPTIONS) as two,
             OriginalRunner(view, bundle) as original,
         ):
             for frame in FRAMES:
                 assert one.image(frame).tobytes() == alone[0][frame].tobytes()
                 assert two.image(frame).tobytes() == alone[1][frame].tobytes()
-            assert two.hit_mask(5).any(), "the stage is still there"
+            assert two.hit_mask(5).any(), "the world is still there"
             assert original.image(4).tobytes() != alone[1][4].tobytes(), "values are reused"
         assert alone[0][4].tobytes() != alone[1][4].tobytes()
-        programs = stage.programs.used
-    with Stage(gpu, scene, (96, 64), "rgba32f") as stage:
-        assert programs == stage.programs.used == 0
+        programs = world.programs.used
+    with RenderScene(gpu, scene, (96, 64), "rgba32f") as world:
+        assert programs == world.programs.used == 0

@@ -19,14 +19,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.compiler import analyse, rewrite
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.camera import semantic_values
-from shadercache.harness.mesh import Mesh, load_mesh
-from shadercache.harness.runner import OriginalRunner
-from shadercache.harness.scene import Scene, load_scene
-from shadercache.harness.stage import Stage
 from shadercache.options import DEFAULT_CACHE, CacheFormat, CacheOptions, Options
 from shadercache.paths import data_path
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import OriginalRunner
+from shadercache.scene.camera import semantic_values
+from shadercache.scene.description import Scene, load_scene
+from shadercache.scene.mesh import Mesh, load_mesh
 from shadercache.source import Source
 
 Floats = NDArray[np.float64]
@@ -169,16 +169,16 @@ class TrueFrame:
         return texels.astype(np.float32)
 
 
-def true_frames(stage: Stage, frames: Sequence[int]) -> list[TrueFrame]:
+def true_frames(world: RenderScene, frames: Sequence[int]) -> list[TrueFrame]:
     """Render the truth of these frames."""
     parts = zip(
         *(
-            _rendered(stage, f"v_{what}", frames)
+            _rendered(world, f"v_{what}", frames)
             for what in ("position", "normal", "facet", "body")
         ),
         strict=True,
     )
-    return [_true_frame(stage, frame, *part) for frame, part in zip(frames, parts, strict=True)]
+    return [_true_frame(world, frame, *part) for frame, part in zip(frames, parts, strict=True)]
 
 
 def project(matrix: Floats, points: Floats, size: tuple[int, int]) -> tuple[Floats, Floats]:
@@ -236,21 +236,21 @@ def taps(place: Floats, size: tuple[int, int]) -> Iterator[tuple[NDArray[np.intp
             yield row, np.clip(low[..., 0] + right, 0, size[0] - 1)
 
 
-def _rendered(stage: Stage, what: str, frames: Sequence[int]) -> list[NDArray[np.float32]]:
-    with OriginalRunner(stage, bundle_of(what, "rgba32f")) as runner:
+def _rendered(world: RenderScene, what: str, frames: Sequence[int]) -> list[NDArray[np.float32]]:
+    with OriginalRunner(world, bundle_of(what, "rgba32f")) as runner:
         return [runner.image(frame).copy() for frame in frames]
 
 
-def _true_frame(stage: Stage, frame: int, *images: NDArray[np.float32]) -> TrueFrame:
+def _true_frame(world: RenderScene, frame: int, *images: NDArray[np.float32]) -> TrueFrame:
     position, normal, facet, body = (image[..., :3].astype(np.float64) for image in images)
-    width, height = stage.size
-    values = semantic_values(stage.scene, frame, width / height)
+    width, height = world.size
+    values = semantic_values(world.scene, frame, width / height)
     matrix = values["model-view-projection"]
     eye = np.linalg.inv(values["model-view"])[:3, 3]
-    w = project(matrix, position, stage.size)[1]
+    w = project(matrix, position, world.size)[1]
     view = eye - position
     cosine = np.abs((facet * view).sum(-1)) / np.linalg.norm(view, axis=-1)
-    pixel = 2.0 * np.tan(np.radians(stage.scene.camera.fov_degrees) / 2.0) * w / height
+    pixel = 2.0 * np.tan(np.radians(world.scene.camera.fov_degrees) / 2.0) * w / height
     return TrueFrame(
         covered=images[0][..., 3] > 0.0,
         position=position,

@@ -19,9 +19,9 @@ from laws.ground_truth import (
 )
 from numpy.typing import NDArray
 
-from shadercache.harness.runner import RunOptions, VariantRunner
-from shadercache.harness.stage import Stage
 from shadercache.options import DEFAULT_CACHE, CacheFormat, CacheOptions
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import RunOptions, VariantRunner
 
 MOST_STALE = 1e-5
 """Share of hits that may lie farther away than the filter's footprint plus epsilon (law 5)."""
@@ -120,13 +120,13 @@ class Findings:
 
 @dataclass(frozen=True)
 class LawFive:
-    """A body on a stage with the truth of frames 0, 1, 2, ...
+    """A body on the GPU with the truth of frames 0, 1, 2, ...
 
     ``carried``: the cache is the run's own from frame to frame, so that errors add up; else each
     frame starts from the truth of the one before, so that every look-up is judged by itself.
     """
 
-    stage: Stage
+    world: RenderScene
     truth: list[TrueFrame]
     form: CacheFormat = "rgba32f"
     period: int = 32
@@ -151,7 +151,7 @@ class LawFive:
     def _run(self, what: str) -> Iterator[tuple[int, NDArray[np.uint8], NDArray[np.float32]]]:
         """Frame, hit mask and the payloads (h, w, 3) that the frame stores."""
         bundle = mutated(bundle_of(what, self.form, self.cached), self.mutation)
-        with VariantRunner(self.stage, bundle, "2-pass", self._options()) as runner:
+        with VariantRunner(self.world, bundle, "2-pass", self._options()) as runner:
             runner.draw(0)
             for frame in range(1, len(self.truth)):
                 if not self.carried:
@@ -174,7 +174,7 @@ class LawFive:
             found.stale.append(
                 Stale(frame, int(x), int(y), away[y, x] / unit, allowed[y, x] / unit)
             )
-        is_due = due(self.stage.size, frame % self.period, self.period, BLOCK)
+        is_due = due(self.world.size, frame % self.period, self.period, BLOCK)
         seen, whole = self._visible(frame)
         found.covered += _count(true.covered)
         found.hits += _count(hit)
@@ -194,7 +194,7 @@ class LawFive:
         The point counts as shown by a texel that holds a point within the filter's footprint.
         """
         true, before = self.truth[frame], self.truth[frame - 1]
-        size = self.stage.size
+        size = self.world.size
         place = project(before.matrix, true.position, size)[0]
         place[~true.covered] = 1.0
         inside = ((place >= 0.5) & (place <= np.asarray(size) - 0.5)).all(-1) & true.covered

@@ -11,11 +11,11 @@ import pytest
 from laws.builtin_shaders import Shader, shaders, uses
 
 from shadercache.compiler import analyse
-from shadercache.harness.context import Gpu
-from shadercache.harness.scene import load_scene
-from shadercache.harness.verify import Verifier
+from shadercache.gpu.context import Gpu
 from shadercache.lang.builtins import function_names, functions
+from shadercache.scene.description import load_scene
 from shadercache.source import Source
+from shadercache.verify.verifier import Verifier
 from tests.cases.cases import FOLDER as CASES
 from tests.cases.scenery import make_scene
 

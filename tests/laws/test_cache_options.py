@@ -11,11 +11,11 @@ import pytest
 from laws.slices import seed
 
 from shadercache.analysis.candidates import Candidate
-from shadercache.harness.context import Gpu
-from shadercache.harness.shaders import open_scene
-from shadercache.harness.verify import Verifier
+from shadercache.gpu.context import Gpu
+from shadercache.linking.scene_shaders import open_scene
 from shadercache.options import read_cache_options
 from shadercache.paths import data_path
+from shadercache.verify.verifier import Verifier
 
 pytestmark = pytest.mark.xdist_group("gl")
 

@@ -11,12 +11,12 @@ from pathlib import Path
 import pytest
 
 from shadercache.compiler import Analysis, rewrite
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.scene import Scene, load_scene
-from shadercache.harness.shaders import analyse_scene
-from shadercache.harness.verify import Verdict, Verifier
+from shadercache.gpu.context import Gpu
+from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.options import Options
+from shadercache.render.bundle import Bundle
+from shadercache.scene.description import Scene, load_scene
+from shadercache.verify.verifier import Verdict, Verifier
 
 FOLDER = Path(__file__).with_name("conditions")
 SHADERS = ("branch", "switch", "returns", "discards", "alpha", "textures", "choices")

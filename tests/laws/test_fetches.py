@@ -12,14 +12,14 @@ from laws.test_mutations import broken
 
 from shadercache.compiler import Analysis, analyse, rewrite
 from shadercache.diagnostics import InputError
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.levels import tells_true_levels
-from shadercache.harness.scene import Scene, load_scene
-from shadercache.harness.shaders import analyse_scene
-from shadercache.harness.verify import Verdict, Verifier
+from shadercache.gpu.context import Gpu
+from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.options import FetchForm, Options
+from shadercache.render.bundle import Bundle
+from shadercache.scene.description import Scene, load_scene
 from shadercache.source import Source
+from shadercache.verify.detail_levels import tells_true_levels
+from shadercache.verify.verifier import Verdict, Verifier
 from tests.cases.scenery import make_scene
 from tests.shaders import find
 

@@ -21,16 +21,16 @@ from laws.slices import VARIABLE, day_slice, seed
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.compiler import Analysis, analyse, emit_original, rewrite
-from shadercache.front.options import ReadOptions
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.made_scene import made_scene
-from shadercache.harness.runner import NEVER, RunOptions, VariantRunner, render_original
-from shadercache.harness.shaders import open_scene
-from shadercache.harness.stage import Stage
-from shadercache.harness.verify import Verifier
+from shadercache.front.read_options import ReadOptions
+from shadercache.gpu.context import Gpu
+from shadercache.linking.made_scene import made_scene
+from shadercache.linking.scene_shaders import open_scene
 from shadercache.options import MappingKind, Mode, Options
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import NEVER, RunOptions, VariantRunner, render_original
 from shadercache.source import Source
+from shadercache.verify.verifier import Verifier
 from tests.conftest import Golden
 
 pytestmark = pytest.mark.xdist_group("gl")
@@ -82,8 +82,8 @@ def test_laws_1_to_4(name: str, gpu: Gpu) -> None:
 
 
 @pytest.fixture(scope="module")
-def clouds(gpu: Gpu) -> Iterator[Stage]:
-    with Stage(
+def clouds(gpu: Gpu) -> Iterator[RenderScene]:
+    with RenderScene(
         gpu, made_scene(FOLDER / "clouds.frag", analysed("clouds")), SIZE, "rgba32f"
     ) as made:
         yield made
@@ -97,11 +97,11 @@ class Run:
     reused: float
 
 
-def run(stage: Stage, bundle: Bundle, algorithm: str, period: int) -> Run:
-    truth = render_original(stage, bundle, FRAMES)
+def run(world: RenderScene, bundle: Bundle, algorithm: str, period: int) -> Run:
+    truth = render_original(world, bundle, FRAMES)
     assert not np.array_equal(truth[0], truth[-1]), "nothing moves, so nothing is tested"
     exact, reused = True, 1.0
-    with VariantRunner(stage, bundle, algorithm, RunOptions(period)) as runner:
+    with VariantRunner(world, bundle, algorithm, RunOptions(period)) as runner:
         for frame in FRAMES:
             if frame > 0:
                 mask = runner.hit_mask(frame)
@@ -120,7 +120,7 @@ STATIC = (
 
 @pytest.mark.parametrize("text", STATIC)
 def test_what_depends_on_nothing_that_changes_is_exact_for_any_period(
-    clouds: Stage, text: str
+    clouds: RenderScene, text: str
 ) -> None:
     analysis = analysed("clouds")
     node = node_of(analysis, text)
@@ -134,7 +134,7 @@ def test_what_depends_on_nothing_that_changes_is_exact_for_any_period(
         assert found.reused > 0.2
 
 
-def test_what_changes_with_time_is_as_old_as_the_period(clouds: Stage) -> None:
+def test_what_changes_with_time_is_as_old_as_the_period(clouds: RenderScene) -> None:
     analysis = analysed("clouds")
     text = "fbm(vec2(uv.x * depth, depth + 2.0 * iTime))"
     assert "iTime" in (analysis.unchanged_for(node_of(analysis, text)) or ())
@@ -157,12 +157,12 @@ BROKEN = {
 
 @pytest.mark.parametrize("name", BROKEN)
 @pytest.mark.parametrize("algorithm", ALL)
-def test_a_broken_look_up_is_noticed(clouds: Stage, name: str, algorithm: str) -> None:
+def test_a_broken_look_up_is_noticed(clouds: RenderScene, name: str, algorithm: str) -> None:
     bundle = bundle_of(analysed("clouds"), next(iter(STATIC)), "proof", BROKEN[name])
     assert not run(clouds, bundle, algorithm, NEVER).exact
 
 
-def test_a_look_up_without_hits_is_noticed(clouds: Stage) -> None:
+def test_a_look_up_without_hits_is_noticed(clouds: RenderScene) -> None:
     bundle = bundle_of(
         analysed("clouds"), next(iter(STATIC)), "proof", replaced("return 1;", "return 4;")
     )
@@ -192,9 +192,9 @@ def astray(gpu: Gpu, algorithm: str, change: Change | None = None) -> list[str]:
     """What is wrong with the hits of ``orbit`` in motion, by the true point of each pixel."""
     bundle = bundle_of(points(), "shown()", "plain", change)
     wrong: list[str] = []
-    with Stage(gpu, made_scene(FOLDER / "orbit.frag", points()), LARGE, "rgba32f") as stage:
-        truth = render_original(stage, bundle, FRAMES)
-        with VariantRunner(stage, bundle, algorithm, RunOptions(NEVER)) as runner:
+    with RenderScene(gpu, made_scene(FOLDER / "orbit.frag", points()), LARGE, "rgba32f") as world:
+        truth = render_original(world, bundle, FRAMES)
+        with VariantRunner(world, bundle, algorithm, RunOptions(NEVER)) as runner:
             for frame in FRAMES:
                 hit = runner.hit_mask(frame) == bundle.mask_values["hit"]
                 image, true = runner.image(frame), truth[frame]
@@ -247,9 +247,9 @@ def test_slow_scrolling_is_no_rest(gpu: Gpu) -> None:
     analysis = analysed("scroll")
     bundle = bundle_of(analysis, "rings", "plain")
     scene = made_scene(FOLDER / "scroll.frag", analysis)
-    with Stage(gpu, scene, LARGE, "rgba32f") as stage:
-        truth = render_original(stage, bundle, FRAMES)
-        with VariantRunner(stage, bundle, "2-pass", RunOptions(NEVER)) as runner:
+    with RenderScene(gpu, scene, LARGE, "rgba32f") as world:
+        truth = render_original(world, bundle, FRAMES)
+        with VariantRunner(world, bundle, "2-pass", RunOptions(NEVER)) as runner:
             for frame in FRAMES:
                 hit = runner.hit_mask(frame) == bundle.mask_values["hit"]
                 off = np.abs(runner.image(frame) - truth[frame])[..., 0]

@@ -21,10 +21,10 @@ from laws.ground_truth import (
 )
 from laws.look_ups import BLOCK, LawFive, bundle_values
 
-from shadercache.harness.context import Gpu
-from shadercache.harness.runner import NEVER, RunOptions, VariantRunner
-from shadercache.harness.stage import Stage
+from shadercache.gpu.context import Gpu
 from shadercache.options import CacheFormat
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import NEVER, RunOptions, VariantRunner
 
 pytestmark = pytest.mark.xdist_group("law5")
 
@@ -47,28 +47,30 @@ BODIES = {
 @contextmanager
 def on_stage(
     gpu: Gpu, name: str, degrees: float, zoom: float = 1.0, sphere: bool = False
-) -> Iterator[Stage]:
+) -> Iterator[RenderScene]:
     """The body, ready to be drawn."""
     scene, mesh = body_scene(name, degrees, zoom), body_mesh(name, sphere)
-    with Stage(gpu, scene, SIZE, "rgba32f", mesh) as stage:
-        yield stage
+    with RenderScene(gpu, scene, SIZE, "rgba32f", mesh) as world:
+        yield world
 
 
 @pytest.fixture(scope="module", params=list(BODIES.values()), ids=list(BODIES))
-def body(gpu: Gpu, request: pytest.FixtureRequest) -> Iterator[tuple[Stage, list[TrueFrame]]]:
-    with on_stage(gpu, *request.param) as stage:
-        yield stage, true_frames(stage, FRAMES)
+def body(gpu: Gpu, request: pytest.FixtureRequest) -> Iterator[tuple[RenderScene, list[TrueFrame]]]:
+    with on_stage(gpu, *request.param) as world:
+        yield world, true_frames(world, FRAMES)
 
 
 @pytest.mark.parametrize("form", FORMATS)
-def test_every_look_up_is_sound(body: tuple[Stage, list[TrueFrame]], form: CacheFormat) -> None:
+def test_every_look_up_is_sound(
+    body: tuple[RenderScene, list[TrueFrame]], form: CacheFormat
+) -> None:
     found = LawFive(*body, form).findings()
     assert found.hits > 2e5, "too few to speak of 1e-5 of them"
     assert not found.broken, "\n".join([str(found), *found.broken])
 
 
 @pytest.mark.parametrize("period", [4, NEVER])
-def test_errors_do_not_add_up(body: tuple[Stage, list[TrueFrame]], period: int) -> None:
+def test_errors_do_not_add_up(body: tuple[RenderScene, list[TrueFrame]], period: int) -> None:
     """With floats of 32 bits, so that the rounding of payloads does not add up either."""
     found = LawFive(*body, period=period, carried=True).findings()
     assert not found.broken, "\n".join([str(found), *found.broken])
@@ -80,10 +82,10 @@ def test_at_rest_all_that_is_not_due_hits(gpu: Gpu, form: CacheFormat, period: i
     refresh, hit = (bundle_values()[name] for name in ("refresh", "hit"))
     options = RunOptions(period=period, block=BLOCK, moving=False)
     with (
-        on_stage(gpu, "trashcan", 1.0) as stage,
-        VariantRunner(stage, bundle_of("v_position", form), "2-pass", options) as runner,
+        on_stage(gpu, "trashcan", 1.0) as world,
+        VariantRunner(world, bundle_of("v_position", form), "2-pass", options) as runner,
     ):
-        covered = true_frames(stage, [0])[0].covered
+        covered = true_frames(world, [0])[0].covered
         runner.draw(0)
         for frame in range(1, 2 * period):
             mask = runner.hit_mask(frame)

@@ -24,12 +24,12 @@ from laws.look_ups import LawFive
 
 from shadercache.compiler import analyse, rewrite
 from shadercache.emit.runtime import SPREAD
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.stage import Stage
-from shadercache.harness.verify import Verdict, Verifier
+from shadercache.gpu.context import Gpu
 from shadercache.options import CacheOptions, Options
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
 from shadercache.source import Source
+from shadercache.verify.verifier import Verdict, Verifier
 
 pytestmark = pytest.mark.xdist_group("law5")
 
@@ -205,14 +205,14 @@ LAW_5 = {
 
 
 @pytest.fixture(scope="module")
-def turning(gpu: Gpu) -> Iterator[tuple[Stage, list[TrueFrame]]]:
+def turning(gpu: Gpu) -> Iterator[tuple[RenderScene, list[TrueFrame]]]:
     """The dragon turns fast, hides parts of itself, and reaches beyond the frame."""
     scene = body_scene("dragon", 8.0, zoom=2.0)
-    with Stage(gpu, scene, (192, 192), "rgba32f", body_mesh("dragon")) as stage:
-        yield stage, true_frames(stage, range(6))
+    with RenderScene(gpu, scene, (192, 192), "rgba32f", body_mesh("dragon")) as world:
+        yield world, true_frames(world, range(6))
 
 
-def test_law_5_holds_unchanged(turning: tuple[Stage, list[TrueFrame]]) -> None:
+def test_law_5_holds_unchanged(turning: tuple[RenderScene, list[TrueFrame]]) -> None:
     for carried in (False, True):
         found = LawFive(*turning, carried=carried).findings()
         assert not found.broken, str(found)
@@ -220,7 +220,7 @@ def test_law_5_holds_unchanged(turning: tuple[Stage, list[TrueFrame]]) -> None:
 
 @pytest.mark.parametrize(("mutation", "noticed"), LAW_5.values(), ids=LAW_5.keys())
 def test_law_5_notices(
-    turning: tuple[Stage, list[TrueFrame]], mutation: Replace, noticed: tuple[str, ...]
+    turning: tuple[RenderScene, list[TrueFrame]], mutation: Replace, noticed: tuple[str, ...]
 ) -> None:
     mutation.bundle(bundle_of("v_position", "rgba32f"))
     found = LawFive(*turning, carried=True, mutation=mutation).findings()
@@ -229,11 +229,11 @@ def test_law_5_notices(
 
 
 @pytest.fixture(scope="module")
-def passing(gpu: Gpu) -> Iterator[tuple[Stage, list[TrueFrame]]]:
+def passing(gpu: Gpu) -> Iterator[tuple[RenderScene, list[TrueFrame]]]:
     """A sphere passes in front of the dragon."""
     scene, mesh = body_scene("dragon", 5.0, zoom=2.0), body_mesh("dragon", sphere=True)
-    with Stage(gpu, scene, (192, 192), "rgba32f", mesh) as stage:
-        yield stage, true_frames(stage, range(4))
+    with RenderScene(gpu, scene, (192, 192), "rgba32f", mesh) as world:
+        yield world, true_frames(world, range(4))
 
 
 OTHER_BODY = {
@@ -242,14 +242,14 @@ OTHER_BODY = {
 }
 
 
-def test_law_5_holds_with_two_bodies(passing: tuple[Stage, list[TrueFrame]]) -> None:
+def test_law_5_holds_with_two_bodies(passing: tuple[RenderScene, list[TrueFrame]]) -> None:
     found = LawFive(*passing).findings()
     assert not found.broken, str(found)
 
 
 @pytest.mark.parametrize("mutation", OTHER_BODY.values(), ids=OTHER_BODY.keys())
 def test_law_5_notices_another_body(
-    passing: tuple[Stage, list[TrueFrame]], mutation: Replace
+    passing: tuple[RenderScene, list[TrueFrame]], mutation: Replace
 ) -> None:
     mutation.bundle(bundle_of("v_body", "rgba32f"))
     found = LawFive(*passing, mutation=mutation).findings()

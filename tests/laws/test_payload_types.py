@@ -16,13 +16,13 @@ from payloads import DESKTOP, ES, FRAGMENT, PAYLOADS, VERTEX, analysed_payload
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.compiler import analyse, rewrite
-from shadercache.harness.bundle import Bundle, load_bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.runner import OriginalRunner, RunOptions, VariantRunner
-from shadercache.harness.stage import Stage
-from shadercache.harness.verify import Verifier
+from shadercache.gpu.context import Gpu
 from shadercache.options import Options
+from shadercache.render.bundle import Bundle, load_bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import OriginalRunner, RunOptions, VariantRunner
 from shadercache.source import Source
+from shadercache.verify.verifier import Verifier
 
 pytestmark = pytest.mark.xdist_group("payload-types")
 
@@ -64,7 +64,7 @@ def test_payloads_are_reused_in_motion(case: tuple[Verifier, Candidate]) -> None
     """Else the laws would hold because everything is computed anew."""
     verifier, node = case
     bundle = proof_of(verifier, node)
-    with VariantRunner(verifier.stage, bundle, "2-pass", RunOptions(period=64)) as runner:
+    with VariantRunner(verifier.world, bundle, "2-pass", RunOptions(period=64)) as runner:
         for frame in range(3):
             runner.draw(frame)
         mask = runner.hit_mask(3)
@@ -100,10 +100,10 @@ def test_an_engine_needs_only_the_manifest(gpu: Gpu, tmp_path: Path, name: str) 
     (tmp_path / "manifest.json").write_text(json.dumps(emission.manifest))
     bundle = load_bundle(tmp_path)
     scene, mesh = body_scene("trashcan", 3.0), body_mesh("trashcan")
-    with Stage(gpu, scene, (96, 96), "rgba32f", mesh) as stage:
+    with RenderScene(gpu, scene, (96, 96), "rgba32f", mesh) as world:
         for algorithm in ALL:
-            assert agree(stage, bundle, tmp_path, algorithm, None)
-            assert agree(stage, bundle, tmp_path, algorithm, "rgba32f")
+            assert agree(world, bundle, tmp_path, algorithm, None)
+            assert agree(world, bundle, tmp_path, algorithm, "rgba32f")
 
 
 @pytest.mark.parametrize("name", ["vec3", "vec4", "bits", "Mixed"])
@@ -113,9 +113,9 @@ def test_a_run_can_be_taken_up_from_its_cache(gpu: Gpu, name: str) -> None:
     bundle = Bundle(emission.manifest, emission.files)
     scene, mesh = body_scene("trashcan", 1.0), body_mesh("trashcan")
     with (
-        Stage(gpu, scene, (96, 96), "rgba32f", mesh) as stage,
-        VariantRunner(stage, bundle, "2-pass") as runner,
-        VariantRunner(stage, bundle, "3-pass") as other,
+        RenderScene(gpu, scene, (96, 96), "rgba32f", mesh) as world,
+        VariantRunner(world, bundle, "2-pass") as runner,
+        VariantRunner(world, bundle, "3-pass") as other,
     ):
         runner.draw(0)
         stored = runner.cache()
@@ -146,7 +146,9 @@ def test_integers_do_not_slide(gpu: Gpu, broken_on_purpose: bool) -> None:
         bundle = NO_QUESTION.bundle(bundle)
     wrong, covered = 0, 0
     with (
-        Stage(gpu, body_scene("trashcan", 0.3), (192, 192), "rgba32f", body_mesh("trashcan")) as on,
+        RenderScene(
+            gpu, body_scene("trashcan", 0.3), (192, 192), "rgba32f", body_mesh("trashcan")
+        ) as on,
         OriginalRunner(on, bundle) as original,
         VariantRunner(on, bundle, "2-pass") as runner,
     ):

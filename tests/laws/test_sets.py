@@ -20,15 +20,15 @@ from laws.test_mutations import Replace, broken
 from shadercache.analysis.candidates import Candidate
 from shadercache.compiler import Analysis, analyse, rewrite
 from shadercache.diagnostics import InputError
-from shadercache.harness.bundle import Bundle, load_bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.runner import RunOptions, VariantRunner
-from shadercache.harness.scene import Scene, load_scene
-from shadercache.harness.shaders import analyse_scene, read_shaders
-from shadercache.harness.stage import Stage
-from shadercache.harness.verify import Verdict, Verifier
+from shadercache.gpu.context import Gpu
+from shadercache.linking.scene_shaders import analyse_scene, read_shaders
 from shadercache.options import Options
 from shadercache.paths import data_path
+from shadercache.render.bundle import Bundle, load_bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import RunOptions, VariantRunner
+from shadercache.scene.description import Scene, load_scene
+from shadercache.verify.verifier import Verdict, Verifier
 from tests.conditioning import all_too_far
 
 pytestmark = pytest.mark.xdist_group("sets")
@@ -42,8 +42,8 @@ A_DAY = amount(1, 3)
 def hit_share(gpu: Gpu, scene: Scene, bundle: Bundle) -> float:
     """The share of the covered pixels that reuse what they have, after three frames."""
     with (
-        Stage(gpu, scene, SIZE, "rgba32f") as stage,
-        VariantRunner(stage, bundle, "2-pass", RunOptions(period=64)) as runner,
+        RenderScene(gpu, scene, SIZE, "rgba32f") as world,
+        VariantRunner(world, bundle, "2-pass", RunOptions(period=64)) as runner,
     ):
         for frame in range(3):
             runner.draw(frame)
@@ -224,9 +224,9 @@ def test_an_engine_needs_only_the_manifest(name: str, gpu: Gpu, tmp_path: Path) 
         (tmp_path / file).write_text(text)
     (tmp_path / "manifest.json").write_text(json.dumps(emission.manifest))
     bundle = load_bundle(tmp_path)
-    with Stage(gpu, scene, SIZE, "rgba32f") as stage:
+    with RenderScene(gpu, scene, SIZE, "rgba32f") as world:
         for algorithm in bundle.algorithms:
-            assert agree(stage, bundle, tmp_path, algorithm, None)
+            assert agree(world, bundle, tmp_path, algorithm, None)
 
 
 def test_a_fetch_under_a_condition_takes_one_pass_away_from_a_set() -> None:

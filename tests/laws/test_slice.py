@@ -14,11 +14,11 @@ from laws.slices import VARIABLE, amount, day_slice, nodes_of_day, seed
 
 from shadercache.cli.scenes import cache_options
 from shadercache.compiler import Analysis, analyse
-from shadercache.harness.context import Gpu
-from shadercache.harness.scene import Scene, load_scene
-from shadercache.harness.shaders import read_shaders
-from shadercache.harness.verify import MAX_TIES, Difference, Verdict, Verifier
+from shadercache.gpu.context import Gpu
+from shadercache.linking.scene_shaders import read_shaders
 from shadercache.paths import data_path
+from shadercache.scene.description import Scene, load_scene
+from shadercache.verify.verifier import MAX_TIES, Difference, Verdict, Verifier
 
 NODES = amount(4, 24)
 """Of each scene, besides those that the scene names."""

@@ -10,11 +10,11 @@ from typing import Any
 import pytest
 import verify_all
 
-from shadercache.harness.scene import load_scene
-from shadercache.harness.shaders import analyse_scene
-from shadercache.harness.verify import Difference, Verdict
+from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.options import CacheOptions
 from shadercache.paths import data_path
+from shadercache.scene.description import load_scene
+from shadercache.verify.verifier import Difference, Verdict
 
 pytestmark = pytest.mark.xdist_group("laws-trashcan")
 

@@ -11,11 +11,11 @@ import pytest
 from laws.slices import amount, day_slice, seed
 
 from shadercache.compiler import Analysis, emit_original, rewrite
-from shadercache.harness.context import Gpu
-from shadercache.harness.scene import Scene, load_scene
-from shadercache.harness.shaders import analyse_scene
-from shadercache.harness.verify import Verifier
+from shadercache.gpu.context import Gpu
+from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.options import Options
+from shadercache.scene.description import Scene, load_scene
+from shadercache.verify.verifier import Verifier
 from tests.conditioning import all_too_far
 from tests.conftest import Golden
 

@@ -22,15 +22,15 @@ from shadercache.cli.progress import progress
 from shadercache.cli.tables import format_table
 from shadercache.compiler import Analysis, emit_original
 from shadercache.diagnostics import InputError
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.clock import no_collection
-from shadercache.harness.context import Gpu, open_context
-from shadercache.harness.results import SCHEMA_VERSION, environment, machine_name, write_json
-from shadercache.harness.runner import GeometryRunner, OriginalRunner
-from shadercache.harness.scene import Scene, load_scene
-from shadercache.harness.shaders import analyse_scene
-from shadercache.harness.stage import Stage
+from shadercache.gpu.clock import no_collection
+from shadercache.gpu.context import Gpu, open_context
+from shadercache.linking.scene_shaders import analyse_scene
+from shadercache.measure.result_files import SCHEMA_VERSION, environment, machine_name, write_json
 from shadercache.paths import data_path
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import GeometryRunner, OriginalRunner
+from shadercache.scene.description import Scene, load_scene
 from tests.cases.cases import NAMES, analysed
 from tests.cases.scenery import make_scene, scene_of
 
@@ -62,10 +62,10 @@ def measured(gpu: Gpu, scene: Scene, analysis: Analysis, rounds: int) -> dict[st
     made = {name: Bundle(written.manifest, files) for name, files in programs(analysis).items()}
     found: dict[str, list[float]] = {"original": [], "offers": [], "geometry": []}
     with (
-        Stage(gpu, scene, SIZE) as stage,
-        OriginalRunner(stage, made["original"]) as whole,
-        OriginalRunner(stage, made["offers"]) as part,
-        GeometryRunner(stage, made["original"]) as bare,
+        RenderScene(gpu, scene, SIZE) as world,
+        OriginalRunner(world, made["original"]) as whole,
+        OriginalRunner(world, made["offers"]) as part,
+        GeometryRunner(world, made["original"]) as bare,
         no_collection(),
     ):
         for frame in range(rounds + 1):  # the first draws of a program are slow

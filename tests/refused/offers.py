@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
+from shadercache.analysis.call_paths import Instance, Use
 from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.cost import UNKNOWN_TRIPS, CostTable
-from shadercache.analysis.instances import Instance, Use
 from shadercache.analysis.precision import PrecisionTable
 from shadercache.analysis.refusals import Code
 from shadercache.ast import nodes as n
@@ -26,11 +26,11 @@ from shadercache.front.parse import parse
 from shadercache.lang.types import Type
 from shadercache.source import Source
 from shadercache.transform.drop_parameters import drop_parameters
-from shadercache.transform.forget_places import without_places
 from shadercache.transform.names import FreshNames
-from shadercache.transform.precisions import with_precisions
 from shadercache.transform.remove_dead import remove_dead
 from shadercache.transform.specialise import Cut, insert_clones, specialise
+from shadercache.transform.state_precisions import with_precisions
+from shadercache.transform.strip_spans import without_places
 
 NEEDLESS = frozenset((Code.CONSTANT, Code.UNIFORM, Code.CHEAP))
 """Refusals that say: there is nothing to gain."""

@@ -7,8 +7,8 @@ from functools import cache
 from pathlib import Path
 
 from shadercache.compiler import Analysis, analyse
-from shadercache.harness.scene import Scene, load_scene
-from shadercache.harness.shaders import with_aliases
+from shadercache.linking.scene_shaders import with_aliases
+from shadercache.scene.description import Scene, load_scene
 from shadercache.source import Source
 from tests.cases.cases import FOLDER as CASES
 from tests.cases.cases import vertex_for

@@ -17,12 +17,12 @@ from runner.independent_runner import IndependentRunner
 from runner.inputs import Inputs
 
 from shadercache.compiler import Emission, analyse, rewrite
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.runner import RunOptions, VariantRunner
-from shadercache.harness.scene import load_scene
-from shadercache.harness.stage import Stage
+from shadercache.gpu.context import Gpu
 from shadercache.options import Options
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import RunOptions, VariantRunner
+from shadercache.scene.description import load_scene
 from shadercache.source import Source
 from tests.cases.scenery import make_scene
 
@@ -78,8 +78,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def stage(gpu: Gpu, folder: Path) -> Iterator[Stage]:
-    with Stage(gpu, load_scene(folder), (80, 60), "rgba32f") as made:
+def world(gpu: Gpu, folder: Path) -> Iterator[RenderScene]:
+    with RenderScene(gpu, load_scene(folder), (80, 60), "rgba32f") as made:
         yield made
 
 
@@ -119,12 +119,12 @@ def given(manifest: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, A
     return found
 
 
-def independent(stage: Stage, folder: Path, algorithm: str) -> IndependentRunner:
-    mesh = stage.mesh
-    arrays = {name: mesh.arrays[array] for name, array in stage.scene.attributes.items()}
-    textures = {"u_map": stage.texture("u_map")}
+def independent(world: RenderScene, folder: Path, algorithm: str) -> IndependentRunner:
+    mesh = world.mesh
+    arrays = {name: mesh.arrays[array] for name, array in world.scene.attributes.items()}
+    textures = {"u_map": world.texture("u_map")}
     return IndependentRunner(
-        *(stage.gpu.ctx, folder, algorithm, stage.size, arrays, mesh.index, textures)
+        *(world.gpu.ctx, folder, algorithm, world.size, arrays, mesh.index, textures)
     )
 
 
@@ -137,17 +137,21 @@ def written(name: str, folder: Path) -> Emission:
 
 
 def same_frames(
-    stage: Stage, reference: Emission, folder: Path, manifest: Mapping[str, Any], algorithm: str
+    world: RenderScene,
+    reference: Emission,
+    folder: Path,
+    manifest: Mapping[str, Any],
+    algorithm: str,
 ) -> list[bool]:
     """Which of six frames in motion are the same bits."""
-    other = independent(stage, folder, algorithm)
+    other = independent(world, folder, algorithm)
     bundle = Bundle(reference.manifest, reference.files)
     found = []
-    with VariantRunner(stage, bundle, algorithm, RunOptions(5, 4)) as runner:
+    with VariantRunner(world, bundle, algorithm, RunOptions(5, 4)) as runner:
         for frame in range(6):
             expected = runner.image(frame)
             assert expected.any(), "an empty picture proves nothing"
-            drawn = other.draw(frame, given(manifest, stage.values(frame)), 5, 4)
+            drawn = other.draw(frame, given(manifest, world.values(frame)), 5, 4)
             found.append(drawn.tobytes() == expected.tobytes())
         seen = runner.hit_mask(6)
         assert (seen == bundle.mask_values["hit"]).sum() > 0.5 * (seen > 0).sum()
@@ -156,17 +160,17 @@ def same_frames(
 
 @pytest.mark.parametrize("name", NAMES)
 def test_the_manifest_is_enough_to_bind_blocks_and_twins(
-    stage: Stage, tmp_path: Path, name: str
+    world: RenderScene, tmp_path: Path, name: str
 ) -> None:
     emission = written(name, tmp_path)
     reference = emission_of(PLAIN) if name in UNFILLED else emission
     for algorithm in ("1-pass", "2-pass", "3-pass"):
-        same = same_frames(stage, reference, tmp_path, emission.manifest, algorithm)
+        same = same_frames(world, reference, tmp_path, emission.manifest, algorithm)
         assert all(same), (algorithm, same)
 
 
 def test_a_twin_left_alone_reads_the_current_block(
-    stage: Stage, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    world: RenderScene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """What happened where the manifest told nothing."""
     emission = written(REPORTED, tmp_path)
@@ -178,7 +182,7 @@ def test_a_twin_left_alone_reads_the_current_block(
             kept(self, block, index, name, content)
 
     monkeypatch.setattr(Inputs, "_bind", bind)
-    same = same_frames(stage, emission, tmp_path, emission.manifest, "2-pass")
+    same = same_frames(world, emission, tmp_path, emission.manifest, "2-pass")
     assert not all(same)
 
 

@@ -15,10 +15,10 @@ import pytest
 
 from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import InputError
-from shadercache.harness.context import Gpu
-from shadercache.harness.scene import load_scene
-from shadercache.harness.verify import Verifier
+from shadercache.gpu.context import Gpu
+from shadercache.scene.description import load_scene
 from shadercache.source import Source
+from shadercache.verify.verifier import Verifier
 from tests.cases.cases import FOLDER as CASES
 from tests.cases.scenery import make_scene
 

@@ -19,17 +19,19 @@ import pytest
 from PIL import Image
 from shaders import analysed
 
+from shadercache import foreign_files as foreign
 from shadercache.cli.app import main
 from shadercache.compiler import rewrite
 from shadercache.diagnostics import InputError, UsageError
-from shadercache.harness import foreign, npz, textures
-from shadercache.harness.animation import Rows
-from shadercache.harness.bundle import Bundle, bundle_of, load_bundle
-from shadercache.harness.mesh import load_mesh
-from shadercache.harness.npz import load_npz
-from shadercache.harness.results import read_json
-from shadercache.harness.scene import load_scene
-from shadercache.harness.textures import load_pixels
+from shadercache.gpu import textures
+from shadercache.gpu.textures import load_pixels
+from shadercache.measure.result_files import read_json
+from shadercache.render.bundle import Bundle, bundle_of, load_bundle
+from shadercache.scene import npz
+from shadercache.scene.animation import Rows
+from shadercache.scene.description import load_scene
+from shadercache.scene.mesh import load_mesh
+from shadercache.scene.npz import load_npz
 
 
 def told(read: Callable[[Path], object], path: Path, code: str) -> str:

@@ -12,8 +12,8 @@ from analysis.test_overlap import can_be_cached, compare
 from laws.random_sets import random_sets
 from reports.in_scene import analysed, scene_of
 
-from shadercache.harness.context import Gpu
-from shadercache.harness.verify import Verifier
+from shadercache.gpu.context import Gpu
+from shadercache.verify.verifier import Verifier
 from tests.cases.cases import analysed as analysed_case
 from tests.cases.scenery import make_scene
 

@@ -12,8 +12,8 @@ from compiled import Pair, errors_of_driver, errors_of_reference, pairs_of
 
 from shadercache.cli.app import main
 from shadercache.compiler import Analysis, analyse, emit_original, rewrite
-from shadercache.front.options import ReadOptions
-from shadercache.harness.context import Gpu
+from shadercache.front.read_options import ReadOptions
+from shadercache.gpu.context import Gpu
 from shadercache.options import Mode, Options
 from shadercache.source import Source
 

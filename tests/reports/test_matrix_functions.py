@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 from reports.in_scene import analysed, scene_of
 
-from shadercache.harness.context import Gpu
-from shadercache.harness.verify import Verifier
+from shadercache.gpu.context import Gpu
+from shadercache.verify.verifier import Verifier
 from tests.cases.scenery import make_scene
 
 FOLDER = Path(__file__).with_name("matrix_functions")

@@ -19,14 +19,14 @@ from numpy.typing import NDArray
 
 from shadercache.compiler import Analysis, analyse, rewrite
 from shadercache.emit.layout import Layout
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.runner import OriginalRunner, RunOptions, VariantRunner
-from shadercache.harness.shaders import open_scene
-from shadercache.harness.stage import Stage
-from shadercache.harness.verify import Verdict, Verifier
+from shadercache.gpu.context import Gpu
+from shadercache.linking.scene_shaders import open_scene
 from shadercache.options import CacheFormat, Mode, Options, read_cache_options
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import OriginalRunner, RunOptions, VariantRunner
 from shadercache.source import Source
+from shadercache.verify.verifier import Verdict, Verifier
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -73,12 +73,12 @@ def verifier(gpu: Gpu, name: str, settings: str = "") -> Verifier:
     return Verifier(gpu, scene, analysed(name), SIZE, cache=cached)
 
 
-def stage(gpu: Gpu, name: str) -> Stage:
+def world(gpu: Gpu, name: str) -> RenderScene:
     if name.startswith("surface"):
         scene, mesh = body_scene("trashcan", 3.0), body_mesh("trashcan")
-        return Stage(gpu, scene, (96, 96), "rgba32f", mesh)
+        return RenderScene(gpu, scene, (96, 96), "rgba32f", mesh)
     scene, _ = open_scene(FOLDER / f"{name}.frag", mapping="screen")
-    return Stage(gpu, scene, SIZE, "rgba32f")
+    return RenderScene(gpu, scene, SIZE, "rgba32f")
 
 
 def bundle(
@@ -169,7 +169,7 @@ def reused(gpu: Gpu, name: str, made: Bundle) -> tuple[NDArray[np.float32], int]
     channels = [channel for channel, discrete in places if not discrete]
     hits, poisoned = [], 0
     with (
-        stage(gpu, name) as canvas,
+        world(gpu, name) as canvas,
         VariantRunner(canvas, made, "2-pass", RunOptions(64)) as runner,
     ):
         runner.draw(0)
@@ -257,7 +257,7 @@ HALF_FLOATS = (
 
 def frame(gpu: Gpu, name: str, made: Bundle, algorithm: str, short: bool = False) -> np.ndarray:
     """The first frame of a variant, or of the original."""
-    with stage(gpu, name) as canvas:
+    with world(gpu, name) as canvas:
         if algorithm == "original":
             with OriginalRunner(canvas, made) as original:
                 return original.image(0)

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from shadercache.front.options import ReadOptions
-from shadercache.harness.context import Gpu
-from shadercache.harness.shaders import open_scene
-from shadercache.harness.verify import Verifier
+from shadercache.front.read_options import ReadOptions
+from shadercache.gpu.context import Gpu
+from shadercache.linking.scene_shaders import open_scene
+from shadercache.verify.verifier import Verifier
 
 pytestmark = pytest.mark.xdist_group("proof")
 

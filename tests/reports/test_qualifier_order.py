@@ -13,7 +13,7 @@ from shadercache.compiler import Emission, analyse, emit_original, rewrite
 from shadercache.diagnostics import InputError
 from shadercache.emit.printer import print_module
 from shadercache.front.parse import parse
-from shadercache.harness.context import Gpu
+from shadercache.gpu.context import Gpu
 from shadercache.options import Options
 from shadercache.sema.read import read
 from shadercache.source import Source

@@ -13,14 +13,14 @@ import numpy as np
 import pytest
 
 from shadercache.cli.app import main
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.cache import CachePair
-from shadercache.harness.context import Gpu
-from shadercache.harness.passes import FrameInputs
-from shadercache.harness.runner import Role, VariantRunner
-from shadercache.harness.shaders import open_scene
-from shadercache.harness.verify import Verdict, Verifier
+from shadercache.gpu.cache_textures import CachePair
+from shadercache.gpu.context import Gpu
+from shadercache.linking.scene_shaders import open_scene
 from shadercache.options import read_cache_options
+from shadercache.render.bound_pass import FrameInputs
+from shadercache.render.bundle import Bundle
+from shadercache.render.variant_runner import DrawItem, VariantRunner
+from shadercache.verify.verifier import Verdict, Verifier
 from tests.cases.scenery import ring
 
 pytestmark = pytest.mark.xdist_group("gl")
@@ -160,7 +160,7 @@ def test_uploads_of_the_current_values_are_noticed(
 ) -> None:
     inputs = VariantRunner.inputs
 
-    def wrong(runner: VariantRunner, role: Role, frame: int) -> FrameInputs:
+    def wrong(runner: VariantRunner, role: DrawItem, frame: int) -> FrameInputs:
         found = inputs(runner, role, frame)
         return replace(found, before=found.now)
 

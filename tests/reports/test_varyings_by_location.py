@@ -12,13 +12,13 @@ from vertex_stages import REPORTS, analysed, made_scene, names, scene_of, withou
 from shadercache.analysis.candidates import Candidate
 from shadercache.compiler import Analysis, analyse, rewrite
 from shadercache.diagnostics import InputError
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.runner import RunOptions, render_variant
-from shadercache.harness.stage import Stage
-from shadercache.harness.verify import Verifier
+from shadercache.gpu.context import Gpu
 from shadercache.options import Options
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import RunOptions, render_variant
 from shadercache.source import Source
+from shadercache.verify.verifier import Verifier
 
 FOLDER = REPORTS / "varyings_by_location"
 NAMES = names(FOLDER)
@@ -63,8 +63,8 @@ def picture(gpu: Gpu, folder: Path, name: str) -> np.ndarray:
     analysis = analysed(FOLDER, name)
     emission = rewrite(analysis, payload(analysis), Options(cache_format="rgba32f"))
     bundle = Bundle(emission.manifest, emission.files)
-    with Stage(gpu, scene_of(folder, name, analysis), (48, 48), "rgba32f") as stage:
-        return render_variant(stage, bundle, "3-pass", range(2), RunOptions(1))[1]
+    with RenderScene(gpu, scene_of(folder, name, analysis), (48, 48), "rgba32f") as world:
+        return render_variant(world, bundle, "3-pass", range(2), RunOptions(1))[1]
 
 
 @pytest.fixture(scope="module")

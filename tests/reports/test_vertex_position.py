@@ -23,13 +23,13 @@ from shadercache.diagnostics import InputError
 from shadercache.emit.assemble import Shader
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.front.parse import parse
-from shadercache.harness.context import Gpu
-from shadercache.harness.scene import load_scene
-from shadercache.harness.shaders import analyse_scene
-from shadercache.harness.verify import Verifier
+from shadercache.gpu.context import Gpu
+from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.paths import data_path
-from shadercache.sema.check import check
+from shadercache.scene.description import load_scene
+from shadercache.sema.checker import check
 from shadercache.source import Source
+from shadercache.verify.verifier import Verifier
 from tests.cases import cases
 
 FOLDER = REPORTS / "vertex_position"

@@ -8,8 +8,8 @@ import pytest
 
 from shadercache.compiler import Analysis, analyse, emit_original
 from shadercache.diagnostics import InputError
-from shadercache.front.options import ReadOptions
 from shadercache.front.parse import parse
+from shadercache.front.read_options import ReadOptions
 from shadercache.source import Source
 
 FOLDER = Path(__file__).parent / "webgl"

@@ -31,12 +31,12 @@ from shadercache.ast.nodes import (
     Unary,
     VarDecl,
 )
-from shadercache.ast.rewrite import Rewriter
+from shadercache.ast.rewriter import Rewriter
 from shadercache.ast.walk import walk
 from shadercache.emit.printer import print_module
 from shadercache.front.parse import parse
 from shadercache.lang.builtins import Signature
-from shadercache.sema.check import check
+from shadercache.sema.checker import check
 from shadercache.sema.facts import Facts, Stage
 from shadercache.source import NOWHERE, Source
 

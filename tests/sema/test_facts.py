@@ -188,7 +188,7 @@ def test_warnings() -> None:
 
 def test_a_checked_tree_may_be_checked_again() -> None:
     from shadercache.front.parse import parse
-    from shadercache.sema.check import check
+    from shadercache.sema.checker import check
 
     source = Source("a.frag", SHADER)
     module = parse(source)

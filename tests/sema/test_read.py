@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from shadercache.diagnostics import InputError
-from shadercache.front.options import ReadOptions
+from shadercache.front.read_options import ReadOptions
 from shadercache.sema.read import read
 from shadercache.source import Source
 

@@ -26,7 +26,7 @@ from shadercache.ast.nodes import (
     Unary,
     VarDecl,
 )
-from shadercache.sema.check import check
+from shadercache.sema.checker import check
 from shadercache.sema.facts import Facts
 from shadercache.source import NOWHERE, Source
 

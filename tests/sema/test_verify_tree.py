@@ -8,7 +8,7 @@ import pytest
 from sema.tools import checked, initialisers
 
 from shadercache.ast.nodes import Expr, FunctionDef, Literal, Member, Module, Name
-from shadercache.ast.rewrite import map_expressions
+from shadercache.ast.rewriter import map_expressions
 from shadercache.sema.verify_tree import InternalError, verify_module
 from shadercache.source import NOWHERE
 

@@ -6,7 +6,7 @@ from shadercache.ast.nodes import Declarator, Expr, Module
 from shadercache.ast.walk import walk
 from shadercache.diagnostics import InputError, Severity
 from shadercache.front.parse import parse
-from shadercache.sema.check import check
+from shadercache.sema.checker import check
 from shadercache.sema.facts import Facts, Stage
 from shadercache.source import Source
 

@@ -22,8 +22,8 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 
-from shadercache.harness.context import open_context
-from shadercache.harness.results import SCHEMA_VERSION, environment, machine_name, write_json
+from shadercache.gpu.context import open_context
+from shadercache.measure.result_files import SCHEMA_VERSION, environment, machine_name, write_json
 from tests.generated.many import Record, batches, try_many
 from tests.generated.rules import MOST, RULES, shaders_until
 from tests.generated.suite import Coverage

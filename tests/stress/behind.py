@@ -9,7 +9,7 @@ from shadercache.ast.nodes import BlockDecl, Module, Qualifiers, StructDef, VarD
 from shadercache.compiler import Analysis, analyse, rewrite
 from shadercache.diagnostics import InputError
 from shadercache.emit.printer import print_module, print_node
-from shadercache.front.options import ReadOptions
+from shadercache.front.read_options import ReadOptions
 from shadercache.options import Options
 from shadercache.sema.read import read
 from shadercache.source import Source

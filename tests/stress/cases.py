@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
-from shadercache.front.options import Dialect
+from shadercache.front.read_options import Dialect
 
 Stage: TypeAlias = Literal["fragment", "vertex"]
 

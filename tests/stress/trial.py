@@ -21,7 +21,7 @@ from shadercache.ast.large import allow_deep_trees
 from shadercache.ast.nodes import Module
 from shadercache.diagnostics import InputError
 from shadercache.emit.printer import print_module
-from shadercache.front.options import ReadOptions
+from shadercache.front.read_options import ReadOptions
 from shadercache.sema.read import read
 from shadercache.source import Source
 

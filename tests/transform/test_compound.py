@@ -9,9 +9,9 @@ from shadercache.ast.memo import Memo
 from shadercache.compiler import analyse, rewrite
 from shadercache.emit.printer import print_node
 from shadercache.front.parse import parse
-from shadercache.sema.check import check
+from shadercache.sema.checker import check
 from shadercache.source import Source
-from shadercache.transform.compound import contract, spell_out
+from shadercache.transform.expand_compound_assignments import contract, spell_out
 from tests.shaders import analysed, find, fragment
 
 DECLARATIONS = """

@@ -7,9 +7,9 @@ import pytest
 from shadercache.ast.memo import Memo
 from shadercache.emit.printer import print_module
 from shadercache.front.parse import parse
-from shadercache.sema.check import check
+from shadercache.sema.checker import check
 from shadercache.source import Source
-from shadercache.transform.hide_arguments import hide_arguments
+from shadercache.transform.opaque_arguments import hide_arguments
 
 HEAD = """#version 330
 in vec3 v_a;

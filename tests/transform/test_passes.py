@@ -6,7 +6,7 @@ from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 from shadercache.emit.printer import print_module, print_node
 from shadercache.front.parse import parse
-from shadercache.sema.check import check
+from shadercache.sema.checker import check
 from shadercache.sema.verify_tree import verify_module
 from shadercache.source import Source
 from shadercache.transform.drop_parameters import drop_parameters

@@ -10,7 +10,7 @@ from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.emit.printer import print_module
 from shadercache.front.parse import parse
 from shadercache.lang.builtins import function_names, overloads
-from shadercache.sema.check import check
+from shadercache.sema.checker import check
 from shadercache.sema.facts import Stage
 from shadercache.sema.verify_tree import verify_module
 from shadercache.source import Source

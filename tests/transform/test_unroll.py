@@ -8,7 +8,7 @@ import pytest
 
 from shadercache.compiler import Analysis, analyse, emit_original, rewrite
 from shadercache.diagnostics import InputError, UsageError
-from shadercache.front.options import ReadOptions
+from shadercache.front.read_options import ReadOptions
 from shadercache.options import Options
 from shadercache.source import Source
 from shadercache.transform.unroll import MAX_TRIPS

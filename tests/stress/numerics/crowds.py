@@ -29,13 +29,13 @@ from laws.ground_truth import (
 from numpy.typing import NDArray
 
 from shadercache.compiler import analyse, rewrite
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.camera import camera_at, semantic_values
-from shadercache.harness.mesh import Mesh
-from shadercache.harness.runner import OriginalRunner, RunOptions, VariantRunner
-from shadercache.harness.scene import Camera, CameraPath, Key, Motion, Scene, SceneObject
-from shadercache.harness.stage import Stage
 from shadercache.options import Options, read_cache_options
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import OriginalRunner, RunOptions, VariantRunner
+from shadercache.scene.camera import camera_at, semantic_values
+from shadercache.scene.description import Camera, CameraPath, Key, Motion, Scene, SceneObject
+from shadercache.scene.mesh import Mesh
 from shadercache.source import Source
 
 Vector = tuple[float, float, float]
@@ -157,31 +157,31 @@ class Truth:
         return texels.astype(np.float32)
 
 
-def truth_of(stage: Stage, frame: int) -> Truth:
+def truth_of(world: RenderScene, frame: int) -> Truth:
     """Render the truth of a frame."""
     position, facet, body = (
-        _rendered(stage, what, frame) for what in ("v_position", "v_facet", "v_body")
+        _rendered(world, what, frame) for what in ("v_position", "v_facet", "v_body")
     )
     covered = position[..., 3] > 0.0
     number = np.rint(body[..., 0]).astype(np.intp) * covered
-    width, height = stage.size
-    camera = camera_at(stage.scene, frame)
+    width, height = world.size
+    camera = camera_at(world.scene, frame)
     w, cosine = np.ones(covered.shape), np.ones(covered.shape)
     matrices: dict[int, Floats] = {}
-    for prop in stage.props:
-        if not prop.is_there(frame):
+    for drawable in world.drawables:
+        if not drawable.is_there(frame):
             continue
-        values = semantic_values(prop.scene, frame, width / height)
-        matrices[prop.number] = values["model-view-projection"]
-        mine = number == prop.number
+        values = semantic_values(drawable.scene, frame, width / height)
+        matrices[drawable.number] = values["model-view-projection"]
+        mine = number == drawable.number
         points = position[mine][:, :3].astype(np.float64)
-        w[mine] = project(matrices[prop.number], points, stage.size)[1]
+        w[mine] = project(matrices[drawable.number], points, world.size)[1]
         view = np.linalg.inv(values["model-view"])[:3, 3] - points
         facing = (facet[mine][:, :3] * view).sum(-1) / np.maximum(
             np.linalg.norm(view, axis=-1) * np.linalg.norm(facet[mine][:, :3], axis=-1), 1e-30
         )
         # The lengths below are in object space.
-        cosine[mine] = np.abs(facing) * prop.scene.motion.scale
+        cosine[mine] = np.abs(facing) * drawable.scene.motion.scale
     pixel = 2.0 * np.tan(np.radians(camera.fov_degrees) / 2.0) * np.abs(w) / height
     return Truth(
         covered=covered,
@@ -193,8 +193,8 @@ def truth_of(stage: Stage, frame: int) -> Truth:
     )
 
 
-def _rendered(stage: Stage, what: str, frame: int) -> NDArray[np.float32]:
-    with OriginalRunner(stage, bundle_of(what)) as runner:
+def _rendered(world: RenderScene, what: str, frame: int) -> NDArray[np.float32]:
+    with OriginalRunner(world, bundle_of(what)) as runner:
         return runner.image(frame).copy()
 
 
@@ -252,19 +252,19 @@ class Record:
 
 
 def judge(
-    stage: Stage, frames: Sequence[int], cached: str = "", period: int = 65535
+    world: RenderScene, frames: Sequence[int], cached: str = "", period: int = 65535
 ) -> Iterator[tuple[int, Record]]:
     """Frame by frame what that frame's look-ups bring, each from the truth of the frame before."""
     options = RunOptions(period, BLOCK)
     with (
-        VariantRunner(stage, bundle_of("v_position", cached), "2-pass", options) as points,
-        VariantRunner(stage, bundle_of("v_body", cached), "2-pass", options) as bodies,
+        VariantRunner(world, bundle_of("v_position", cached), "2-pass", options) as points,
+        VariantRunner(world, bundle_of("v_body", cached), "2-pass", options) as bodies,
     ):
-        before = truth_of(stage, frames[0])
+        before = truth_of(world, frames[0])
         fill(points, before, "v_position", frames[0])
         fill(bodies, before, "v_body", frames[0])
         for last, frame in pairwise(frames):
-            now = truth_of(stage, frame)
+            now = truth_of(world, frame)
             refill(points, before, "v_position", last)
             refill(bodies, before, "v_body", last)
             mask = points.hit_mask(frame)
@@ -272,7 +272,7 @@ def judge(
             bodies.draw(frame)
             hit = (mask == points.bundle.mask_values["hit"]) & now.covered
             found = Record(covered=int(now.covered.sum()), hits=int(hit.sum()))
-            _judge(found, stage.size, frame, now, before, hit, points.cache(), bodies.cache())
+            _judge(found, world.size, frame, now, before, hit, points.cache(), bodies.cache())
             yield frame, found
             before = now
 

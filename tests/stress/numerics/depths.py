@@ -17,7 +17,7 @@ import numpy as np
 
 from shadercache.emit.layout import precision_of
 from shadercache.emit.runtime import INTERPOLATION
-from shadercache.harness.context import Gpu, open_context
+from shadercache.gpu.context import Gpu, open_context
 from shadercache.options import (
     DEFAULT_EPSILON,
     CacheFormat,

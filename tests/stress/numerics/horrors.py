@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from shadercache.harness.scene import Camera, Key, Motion
+from shadercache.scene.description import Camera, Key, Motion
 
 from .crowds import Body, Vector, ball, fence, sheet
 

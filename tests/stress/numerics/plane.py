@@ -19,8 +19,8 @@ from numpy.typing import NDArray
 from runner.independent_runner import IndependentRunner
 
 from shadercache.compiler import analyse, rewrite
-from shadercache.harness.context import Gpu
-from shadercache.harness.results import write_json
+from shadercache.gpu.context import Gpu
+from shadercache.measure.result_files import write_json
 from shadercache.options import CacheFormat, CacheOptions, Options
 from shadercache.source import Source
 

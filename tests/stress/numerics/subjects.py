@@ -11,35 +11,35 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.compiler import emit_original, rewrite
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.mesh import Mesh, scene_mesh
-from shadercache.harness.runner import CoverageRunner, OriginalRunner
-from shadercache.harness.scene import Scene, load_scene
-from shadercache.harness.shaders import analyse_scene
-from shadercache.harness.stage import Stage
+from shadercache.gpu.context import Gpu
+from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.options import DEFAULT_CACHE, CacheOptions, Mode, Options
 from shadercache.paths import data_path
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import CoverageRunner, OriginalRunner
+from shadercache.scene.description import Scene, load_scene
+from shadercache.scene.mesh import Mesh, scene_mesh
 
 ALGORITHMS = ("1-pass", "2-pass", "3-pass")
 
 
 @dataclass(frozen=True)
 class Subject:
-    """A stage with the variants of a node on it, and the original in the same mode."""
+    """A world with the variants of a node on it, and the original in the same mode."""
 
-    stage: Stage
+    world: RenderScene
     bundle: Bundle
     plain: Bundle
 
     def original(self, frame: int) -> NDArray[np.float32]:
         """The original's image, (h, w, 4)."""
-        with OriginalRunner(self.stage, self.plain) as runner:
+        with OriginalRunner(self.world, self.plain) as runner:
             return runner.image(frame).copy()
 
     def untied(self, frame: int) -> NDArray[np.bool_]:
         """The pixels where no two fragments share the front (law 4), (h, w)."""
-        with CoverageRunner(self.stage, self.plain) as runner:
+        with CoverageRunner(self.world, self.plain) as runner:
             return ~runner.ties(frame)
 
 
@@ -67,8 +67,8 @@ def subject(
 ) -> Iterator[Subject]:
     """A corpus scene with a node's variants in proof mode, on float targets."""
     scene, bundle, plain = programs(name, cache, which=which)
-    with Stage(gpu, scene, size, "rgba32f", scene_mesh(scene, small=True)) as stage:
-        yield Subject(stage, bundle, plain)
+    with RenderScene(gpu, scene, size, "rgba32f", scene_mesh(scene, small=True)) as world:
+        yield Subject(world, bundle, plain)
 
 
 def changed(image: NDArray[np.float32], other: NDArray[np.float32]) -> NDArray[np.bool_]:

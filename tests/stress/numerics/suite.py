@@ -13,8 +13,8 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from shadercache.cli.tables import format_table
-from shadercache.harness.context import open_context
-from shadercache.harness.results import SCHEMA_VERSION, environment, machine_name, write_json
+from shadercache.gpu.context import open_context
+from shadercache.measure.result_files import SCHEMA_VERSION, environment, machine_name, write_json
 
 from .collector import OUT
 from .criteria import DEEP, stress_number

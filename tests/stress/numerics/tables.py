@@ -19,14 +19,14 @@ from pathlib import Path
 import numpy as np
 
 from shadercache.compiler import Analysis, rewrite
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu, open_context
-from shadercache.harness.runner import OriginalRunner, RunOptions, VariantRunner
-from shadercache.harness.scene import Scene
-from shadercache.harness.shaders import open_scene
-from shadercache.harness.stage import Stage
+from shadercache.gpu.context import Gpu, open_context
+from shadercache.linking.scene_shaders import open_scene
 from shadercache.options import CacheFormat, CacheOptions, Options, read_cache_options
 from shadercache.paths import data_path
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import OriginalRunner, RunOptions, VariantRunner
+from shadercache.scene.description import Scene
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))  # as pytest has it
 
@@ -70,12 +70,14 @@ def soundness(
     gpu: Gpu, name: str, degrees: float, form: CacheFormat, options: Sequence[CacheOptions]
 ) -> list[Soundness]:
     """Each look-up by itself, and runs of period 32 that go on from their own cache."""
-    with Stage(gpu, body_scene(name, degrees), TRUE_SIZE, "rgba32f", body_mesh(name)) as stage:
-        truth = true_frames(stage, range(TRUE_FRAMES))
+    with RenderScene(
+        gpu, body_scene(name, degrees), TRUE_SIZE, "rgba32f", body_mesh(name)
+    ) as world:
+        truth = true_frames(world, range(TRUE_FRAMES))
         found: list[Soundness] = []
         for cached in options:
             runs = [
-                LawFive(stage, truth, form, PERIOD, carried, cached=cached).findings()
+                LawFive(world, truth, form, PERIOD, carried, cached=cached).findings()
                 for carried in (False, True)
             ]
             shares = [
@@ -105,13 +107,13 @@ def errors(
 ) -> list[float]:
     """Root of the mean square error beside the original, of the last frames of a run."""
     scene, analysis, node = open_node(name)
-    with Stage(gpu, scene, TRUE_SIZE, "rgba32f") as stage:
+    with RenderScene(gpu, scene, TRUE_SIZE, "rgba32f") as world:
         bundles = [bundle(analysis, node, form, cached) for cached in options]
-        with OriginalRunner(stage, bundles[0]) as original:
+        with OriginalRunner(world, bundles[0]) as original:
             true = {at: original.image(at).copy() for at in range(frames - 8, frames)}
         found: list[float] = []
         for made in bundles:
-            with VariantRunner(stage, made, "2-pass", RunOptions(PERIOD, BLOCK)) as runner:
+            with VariantRunner(world, made, "2-pass", RunOptions(PERIOD, BLOCK)) as runner:
                 squares = []
                 for at in range(frames):
                     image = runner.image(at)
@@ -133,11 +135,11 @@ def seconds(
     """CPU time of each frame relative to the first of the options, in the median."""
     scene, analysis, node = open_node(name)
     with ExitStack() as stack:
-        stage = stack.enter_context(Stage(gpu, scene, (size, size)))
+        world = stack.enter_context(RenderScene(gpu, scene, (size, size)))
         runners = [
             stack.enter_context(
                 VariantRunner(
-                    stage,
+                    world,
                     bundle(analysis, node, form, cached),
                     algorithm,
                     RunOptions(PERIOD, BLOCK),

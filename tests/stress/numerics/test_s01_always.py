@@ -7,12 +7,12 @@ from contextlib import closing
 import numpy as np
 import pytest
 
-from shadercache.harness.context import Gpu
-from shadercache.harness.scene import load_scene
-from shadercache.harness.shaders import analyse_scene
-from shadercache.harness.verify import PERIOD, Verifier
+from shadercache.gpu.context import Gpu
+from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.options import read_cache_options
 from shadercache.paths import data_path
+from shadercache.scene.description import load_scene
+from shadercache.verify.verifier import PERIOD, Verifier
 
 from .criteria import Criteria
 

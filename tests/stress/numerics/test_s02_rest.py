@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from shadercache.harness.context import Gpu
-from shadercache.harness.runner import RunOptions, VariantRunner
+from shadercache.gpu.context import Gpu
 from shadercache.options import CacheOptions
+from shadercache.render.variant_runner import RunOptions, VariantRunner
 
 from .criteria import Criteria
 from .subjects import ALGORITHMS, changed, subject
@@ -35,7 +35,7 @@ def test_nothing_drifts(gpu: Gpu, stress: Criteria, scene: str, options: CacheOp
         first, sure = made.original(0), made.untied(0)
         drifted = 0
         for algorithm in algorithms:
-            with VariantRunner(made.stage, made.bundle, algorithm, how) as runner:
+            with VariantRunner(made.world, made.bundle, algorithm, how) as runner:
                 for frame in range(frames):
                     drifted += int((changed(runner.image(frame), first) & sure).sum())
     stress.none(f"pixels with another bit in {frames} frames, {', '.join(algorithms)}", drifted)

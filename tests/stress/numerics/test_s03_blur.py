@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from shadercache.harness.context import Gpu
+from shadercache.gpu.context import Gpu
 from shadercache.options import CacheOptions, FilterKind
 
 from .criteria import Criteria

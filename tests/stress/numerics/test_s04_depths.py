@@ -6,7 +6,7 @@ import os
 
 import pytest
 
-from shadercache.harness.context import Gpu
+from shadercache.gpu.context import Gpu
 from shadercache.options import CacheFormat, DepthKind
 
 from .criteria import Criteria

@@ -12,9 +12,9 @@ from pathlib import Path
 
 import pytest
 
-from shadercache.harness.context import Gpu, open_context
-from shadercache.harness.scene import Camera, Key, Motion
-from shadercache.harness.stage import Stage
+from shadercache.gpu.context import Gpu, open_context
+from shadercache.render.render_scene import RenderScene
+from shadercache.scene.description import Camera, Key, Motion
 
 from .crowds import Body, Record, ball, crowd, fence, judge, sheet
 
@@ -57,8 +57,8 @@ def record(gpu: Gpu, folder: Path, name: str, cached: str) -> Record:
     """What the look-ups of all frames of a case bring, together."""
     made, keys = bodies(name)
     whole = Record()
-    with Stage(gpu, crowd(folder, made, CAMERA, keys), SIZE, "rgba32f") as stage:
-        for _, found in judge(stage, FRAMES, cached):
+    with RenderScene(gpu, crowd(folder, made, CAMERA, keys), SIZE, "rgba32f") as world:
+        for _, found in judge(world, FRAMES, cached):
             whole.add(found)
     return whole
 

@@ -8,13 +8,13 @@ from functools import partial
 import numpy as np
 import pytest
 
-from shadercache.harness.clock import pick_clock
-from shadercache.harness.context import Gpu
-from shadercache.harness.cuts import REASONS, ResetReason
-from shadercache.harness.motion import CameraPath, Key
-from shadercache.harness.runner import OriginalRunner, RunOptions, VariantRunner
-from shadercache.harness.stage import Stage
+from shadercache.gpu.clock import pick_clock
+from shadercache.gpu.context import Gpu
 from shadercache.options import CacheOptions
+from shadercache.render.cut_detector import REASONS, ResetReason
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import OriginalRunner, RunOptions, VariantRunner
+from shadercache.scene.motion import CameraPath, Key
 
 from .criteria import Criteria
 from .subjects import ALGORITHMS, Subject, changed, programs, subject
@@ -27,14 +27,14 @@ MOST_COST = 1.1
 
 def disturbed(runner: VariantRunner, made: Subject, reason: ResetReason) -> int:
     """Let happen what the reason names; the frame that is drawn next."""
-    prop = made.stage.props[0]
-    camera = prop.scene.camera
+    drawable = made.world.drawables[0]
+    camera = drawable.scene.camera
     match reason:
         case "cut":
             return 137
         case "projection change":
             wider = dataclasses.replace(camera, fov_degrees=1.4 * camera.fov_degrees)
-            prop.scene = dataclasses.replace(prop.scene, camera=wider)
+            drawable.scene = dataclasses.replace(drawable.scene, camera=wider)
             return 7
         case "lost context":
             shape = runner.cache().shape
@@ -54,7 +54,7 @@ def test_the_frame_after_a_reset_is_the_original(
     gpu: Gpu, stress: Criteria, algorithm: str, reason: ResetReason, options: CacheOptions
 ) -> None:
     with subject(gpu, "trashcan", cache=options) as made:
-        with VariantRunner(made.stage, made.bundle, algorithm, RunOptions(32)) as runner:
+        with VariantRunner(made.world, made.bundle, algorithm, RunOptions(32)) as runner:
             for frame in range(4):
                 runner.draw(frame)
             frame = disturbed(runner, made, reason)
@@ -74,10 +74,10 @@ def test_what_is_new_begins_with_a_reset(gpu: Gpu, stress: Criteria, algorithm: 
     _, reloaded, _ = programs("trashcan", which=0)
     wrong = 0
     for size in ((96, 96), (70, 130)):
-        with Stage(gpu, scene, size, "rgba32f") as stage:
-            made = Subject(stage, bundle, plain)
+        with RenderScene(gpu, scene, size, "rgba32f") as world:
+            made = Subject(world, bundle, plain)
             for variants in (bundle, reloaded):
-                with VariantRunner(stage, variants, algorithm, RunOptions(32)) as runner:
+                with VariantRunner(world, variants, algorithm, RunOptions(32)) as runner:
                     image = runner.image(5)
                     runner.draw(6)
                     assert runner.resets == ["first frame"]
@@ -88,7 +88,7 @@ def test_what_is_new_begins_with_a_reset(gpu: Gpu, stress: Criteria, algorithm: 
 def test_resets_draw_only_passes_that_compute(gpu: Gpu) -> None:
     with subject(gpu, "trashcan") as made:
         for algorithm, idle in (("2-pass", "hit"), ("3-pass", "reuse")):
-            with VariantRunner(made.stage, made.bundle, algorithm, RunOptions(32)) as runner:
+            with VariantRunner(made.world, made.bundle, algorithm, RunOptions(32)) as runner:
                 runner.draw(0)
                 assert runner.work(1)[idle] > 0
                 runner.reset("cut")
@@ -107,7 +107,7 @@ def test_the_pass_of_two_that_computes_stands_for_a_reset(
     with subject(gpu, "trashcan", cache=options) as made:
         for short in (False, True):
             how = RunOptions(32, short_reset=short)
-            with VariantRunner(made.stage, made.bundle, algorithm, how) as runner:
+            with VariantRunner(made.world, made.bundle, algorithm, how) as runner:
                 images = []
                 for frame in (3, 4):
                     images += [runner.image(frame).copy(), runner.cache().copy()]
@@ -121,7 +121,7 @@ def test_a_short_reset_draws_one_program(gpu: Gpu) -> None:
     with subject(gpu, "trashcan") as made:
         for algorithm in ALGORITHMS:
             how = RunOptions(32, short_reset=True)
-            with VariantRunner(made.stage, made.bundle, algorithm, how) as runner:
+            with VariantRunner(made.world, made.bundle, algorithm, how) as runner:
                 drawn = [bound.name for role in runner._roles for bound in role.due]
                 assert drawn == ["miss"]
 
@@ -136,9 +136,9 @@ def test_what_a_reset_costs(gpu: Gpu, stress: Criteria, scene: str, algorithm: s
     clock = pick_clock(gpu)
     ratios = []
     with (
-        Stage(gpu, found, size) as stage,
-        VariantRunner(stage, bundle, algorithm, RunOptions(32, short_reset=True)) as runner,
-        OriginalRunner(stage, plain) as original,
+        RenderScene(gpu, found, size) as world,
+        VariantRunner(world, bundle, algorithm, RunOptions(32, short_reset=True)) as runner,
+        OriginalRunner(world, plain) as original,
     ):
         for frame in range(frames):
             base = clock.time(partial(original.draw, frame))
@@ -156,11 +156,11 @@ def test_what_a_reset_costs(gpu: Gpu, stress: Criteria, scene: str, algorithm: s
 @pytest.mark.parametrize("degrees", [1.0, 5.0])
 def test_a_cut_that_was_not_told_is_noticed(gpu: Gpu, stress: Criteria, degrees: float) -> None:
     with subject(gpu, "trashcan") as made:
-        scene = made.stage.props[0].scene
+        scene = made.world.drawables[0].scene
         turning = dataclasses.replace(scene.motion, degrees_per_frame=degrees)
-        made.stage.props[0].scene = dataclasses.replace(scene, motion=turning)
+        made.world.drawables[0].scene = dataclasses.replace(scene, motion=turning)
         jump = round(160.0 / degrees)
-        with VariantRunner(made.stage, made.bundle, "2-pass", RunOptions(32)) as runner:
+        with VariantRunner(made.world, made.bundle, "2-pass", RunOptions(32)) as runner:
             hits = runner.bundle.mask_values["hit"]
             for frame in [*range(12), *range(jump, jump + 12)]:
                 if frame not in (0,):
@@ -181,7 +181,7 @@ def test_every_reason_is_one(gpu: Gpu) -> None:
     assert len(REASONS) == 6
     with (
         subject(gpu, "trashcan", (32, 32)) as made,
-        VariantRunner(made.stage, made.bundle, "2-pass") as runner,
+        VariantRunner(made.world, made.bundle, "2-pass") as runner,
     ):
         for reason in REASONS:
             runner.reset(reason)
@@ -190,14 +190,14 @@ def test_every_reason_is_one(gpu: Gpu) -> None:
 
 def test_a_cut_that_the_scene_tells_is_no_suspicion(gpu: Gpu) -> None:
     with subject(gpu, "trashcan", (48, 48)) as made:
-        scene = made.stage.scene
+        scene = made.world.scene
         camera = scene.camera
         there = Key(4, (5.0, 2.0, 0.1), camera.target, camera.up, camera.fov_degrees, cut=True)
         here = Key(0, camera.eye, camera.target, camera.up, camera.fov_degrees)
         path = CameraPath(keys=(here, dataclasses.replace(here, frame=3), there))
-        made.stage.scene = dataclasses.replace(scene, camera_path=path)
-        made.stage.props[0].scene = dataclasses.replace(scene, camera_path=path)
-        with VariantRunner(made.stage, made.bundle, "2-pass", RunOptions(32)) as runner:
+        made.world.scene = dataclasses.replace(scene, camera_path=path)
+        made.world.drawables[0].scene = dataclasses.replace(scene, camera_path=path)
+        with VariantRunner(made.world, made.bundle, "2-pass", RunOptions(32)) as runner:
             hits = runner.bundle.mask_values["hit"]
             for frame in range(7):
                 mask = runner.hit_mask(frame)

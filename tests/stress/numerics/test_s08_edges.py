@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from shadercache.harness.context import Gpu
+from shadercache.gpu.context import Gpu
 from shadercache.options import CacheOptions, FilterKind
 
 from .plane import SIZE, Plane, plane

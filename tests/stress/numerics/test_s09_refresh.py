@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from bench.pan import ages, pan
-from shadercache.harness.context import Gpu
-from shadercache.harness.runner import RunOptions
+from shadercache.gpu.context import Gpu
 from shadercache.options import CacheOptions, RefreshSchedule
+from shadercache.render.variant_runner import RunOptions
 
 from .criteria import Criteria
 

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from laws.ground_truth import body_mesh, body_scene, bundle_of
 
-from shadercache.harness.context import Gpu
-from shadercache.harness.runner import RunOptions, VariantRunner
-from shadercache.harness.scene import Scene
-from shadercache.harness.stage import Stage
+from shadercache.gpu.context import Gpu
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import RunOptions, VariantRunner
+from shadercache.scene.description import Scene
 
 from .criteria import Criteria
 
@@ -24,8 +24,8 @@ def hit_rate(gpu: Gpu, scene: Scene, frames: int) -> float:
     """Mean share of hits of what is covered."""
     bundle = bundle_of("v_position", "rgba16f")
     with (
-        Stage(gpu, scene, (128, 128), mesh=body_mesh("trashcan")) as stage,
-        VariantRunner(stage, bundle, "2-pass", RunOptions(period=32)) as runner,
+        RenderScene(gpu, scene, (128, 128), mesh=body_mesh("trashcan")) as world,
+        VariantRunner(world, bundle, "2-pass", RunOptions(period=32)) as runner,
     ):
         rates = []
         for frame in range(frames):

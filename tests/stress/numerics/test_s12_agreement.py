@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from shadercache.harness.context import Gpu
-from shadercache.harness.runner import RunOptions, VariantRunner
+from shadercache.gpu.context import Gpu
 from shadercache.options import read_cache_options
+from shadercache.render.variant_runner import RunOptions, VariantRunner
 
 from .criteria import Criteria
 from .subjects import ALGORITHMS, changed, subject
@@ -26,7 +26,7 @@ def test_from_the_same_cache(gpu: Gpu, stress: Criteria, scene: str, settings: s
     frames = 12 if stress.deep else 3
     differing = hits = 0
     with subject(gpu, scene, (96, 96), cache=cache) as made:
-        with VariantRunner(made.stage, made.bundle, "2-pass", how) as runner:
+        with VariantRunner(made.world, made.bundle, "2-pass", how) as runner:
             runner.draw(0)
             stored = [runner.cache()]
             images = []
@@ -36,7 +36,7 @@ def test_from_the_same_cache(gpu: Gpu, stress: Criteria, scene: str, settings: s
                 images.append(runner.image(frame))
                 stored.append(runner.cache())
         for algorithm in ALGORITHMS:
-            with VariantRunner(made.stage, made.bundle, algorithm, how) as runner:
+            with VariantRunner(made.world, made.bundle, algorithm, how) as runner:
                 for frame in range(1, frames + 1):
                     runner.restore(stored[frame - 1], frame - 1)
                     image, untied = runner.image(frame), made.untied(frame)

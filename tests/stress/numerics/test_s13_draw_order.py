@@ -11,12 +11,17 @@ import numpy as np
 import pytest
 
 from shadercache.compiler import analyse, rewrite
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.runner import CoverageRunner, OriginalRunner, RunOptions, VariantRunner
-from shadercache.harness.scene import Camera, Motion, Scene
-from shadercache.harness.stage import Stage
+from shadercache.gpu.context import Gpu
 from shadercache.options import Options, read_cache_options
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import (
+    CoverageRunner,
+    OriginalRunner,
+    RunOptions,
+    VariantRunner,
+)
+from shadercache.scene.description import Camera, Motion, Scene
 from shadercache.source import Source
 
 from .crowds import Body, ball, crowd, fence, sheet
@@ -108,7 +113,10 @@ def orders(scene: Scene) -> list[list[int]]:
 @pytest.fixture(scope="module")
 def apart(gpu: Gpu, scene: Scene) -> Iterator[list[np.ndarray]]:
     """Pixels of each frame that one fragment alone wins."""
-    with Stage(gpu, scene, SIZE, "rgba32f") as stage, CoverageRunner(stage, proof()) as runner:
+    with (
+        RenderScene(gpu, scene, SIZE, "rgba32f") as world,
+        CoverageRunner(world, proof()) as runner,
+    ):
         ties = [runner.ties(frame) for frame in FRAMES]
     assert np.mean(ties) < 1e-3
     yield [~tie for tie in ties]
@@ -116,12 +124,18 @@ def apart(gpu: Gpu, scene: Scene) -> Iterator[list[np.ndarray]]:
 
 def test_much_lies_behind_something(gpu: Gpu, scene: Scene) -> None:
     """Both sides are seen, and the image is drawn over more than twice."""
-    with Stage(gpu, scene, SIZE, "rgba32f") as stage, OriginalRunner(stage, proof()) as runner:
+    with (
+        RenderScene(gpu, scene, SIZE, "rgba32f") as world,
+        OriginalRunner(world, proof()) as runner,
+    ):
         covered = (runner.image(0)[..., 3] > 0).sum()
         drawn = 0
-        for prop in stage.props:
-            alone = replace(scene, objects=(prop.item,))
-            with Stage(gpu, alone, SIZE, "rgba32f") as one, OriginalRunner(one, proof()) as single:
+        for drawable in world.drawables:
+            alone = replace(scene, objects=(drawable.item,))
+            with (
+                RenderScene(gpu, alone, SIZE, "rgba32f") as one,
+                OriginalRunner(one, proof()) as single,
+            ):
                 drawn += (single.image(0)[..., 3] > 0).sum()
     assert drawn > 2.0 * covered
 
@@ -133,8 +147,8 @@ def test_the_same_image_in_any_order(
     first: list[np.ndarray] = []
     for order in orders:
         with (
-            Stage(gpu, in_order(scene, order), SIZE, "rgba32f") as stage,
-            VariantRunner(stage, proof(), algorithm, RunOptions(5)) as runner,
+            RenderScene(gpu, in_order(scene, order), SIZE, "rgba32f") as world,
+            VariantRunner(world, proof(), algorithm, RunOptions(5)) as runner,
         ):
             images = [runner.image(frame)[apart[frame]] for frame in FRAMES]
         first = first or images
@@ -143,12 +157,12 @@ def test_the_same_image_in_any_order(
 
 
 def test_the_algorithms_agree(gpu: Gpu, scene: Scene, apart: list[np.ndarray]) -> None:
-    with Stage(gpu, scene, SIZE, "rgba32f") as stage:
+    with RenderScene(gpu, scene, SIZE, "rgba32f") as world:
         runs = []
         for algorithm in ("1-pass", "2-pass", "3-pass"):
-            with VariantRunner(stage, proof(), algorithm, RunOptions(5)) as runner:
+            with VariantRunner(world, proof(), algorithm, RunOptions(5)) as runner:
                 runs.append([runner.image(frame)[apart[frame]] for frame in FRAMES])
-        with OriginalRunner(stage, proof()) as runner:
+        with OriginalRunner(world, proof()) as runner:
             original = [runner.image(frame)[apart[frame]] for frame in FRAMES]
     for one, two, three in zip(*runs, strict=True):
         assert one.tobytes() == two.tobytes() == three.tobytes()

@@ -13,15 +13,15 @@ import numpy as np
 import pytest
 
 from shadercache.compiler import emit_original, rewrite
-from shadercache.harness.animation import Ramp
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.runner import RunOptions, VariantRunner, render_original
-from shadercache.harness.scene import Scene, load_scene
-from shadercache.harness.shaders import analyse_scene
-from shadercache.harness.stage import Stage
+from shadercache.gpu.context import Gpu
+from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.options import Options, read_cache_options
 from shadercache.paths import data_path
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import RunOptions, VariantRunner, render_original
+from shadercache.scene.animation import Ramp
+from shadercache.scene.description import Scene, load_scene
 
 from .criteria import Criteria
 from .subjects import ALGORITHMS
@@ -52,10 +52,10 @@ def test_an_error_is_that_of_the_period(
     cache = read_cache_options([settings] if settings else [])
     found = rewrite(analysis, node, Options("proof", "rgba32f", cache=cache))
     plain = emit_original(analysis, "proof")
-    with Stage(gpu, scene, (96, 96), "rgba32f") as stage:
-        truth = render_original(stage, Bundle(plain.manifest, plain.files), range(frames))
+    with RenderScene(gpu, scene, (96, 96), "rgba32f") as world:
+        truth = render_original(world, Bundle(plain.manifest, plain.files), range(frames))
         bundle = Bundle(found.manifest, found.files)
-        with VariantRunner(stage, bundle, algorithm, RunOptions(period=period)) as runner:
+        with VariantRunner(world, bundle, algorithm, RunOptions(period=period)) as runner:
             images = [runner.image(frame) for frame in range(frames)]
     step = max(np.abs(now - last).max() for last, now in pairwise(truth))
     errors, strange, reused = [], 0, 0

@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 
 from shadercache.compiler import rewrite
-from shadercache.harness.bundle import Bundle
-from shadercache.harness.context import Gpu
-from shadercache.harness.runner import OriginalRunner, RunOptions, VariantRunner
-from shadercache.harness.scene import load_scene
-from shadercache.harness.shaders import analyse_scene
-from shadercache.harness.stage import Stage
+from shadercache.gpu.context import Gpu
+from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.options import CacheOptions, Options
 from shadercache.paths import data_path
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import OriginalRunner, RunOptions, VariantRunner
+from shadercache.scene.description import load_scene
 
 from .criteria import Criteria
 from .subjects import knot
@@ -78,9 +78,9 @@ def test_a_long_run(gpu: Gpu, stress: Criteria, cache: CacheOptions, frames: int
     memory: list[int] = []
     broken = 0
     with (
-        Stage(gpu, scene, SIZE, "rgba32f", mesh) as stage,
-        VariantRunner(stage, bundle, "2-pass", RunOptions(period=32)) as runner,
-        OriginalRunner(stage, bundle) as original,
+        RenderScene(gpu, scene, SIZE, "rgba32f", mesh) as world,
+        VariantRunner(world, bundle, "2-pass", RunOptions(period=32)) as runner,
+        OriginalRunner(world, bundle) as original,
     ):
         for frame in range(frames):
             if frame % EVERY or frame < WARM:

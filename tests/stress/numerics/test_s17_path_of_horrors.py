@@ -13,9 +13,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from shadercache.harness.context import Gpu, open_context
-from shadercache.harness.runner import OriginalRunner, RunOptions, VariantRunner
-from shadercache.harness.stage import Stage
+from shadercache.gpu.context import Gpu, open_context
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import OriginalRunner, RunOptions, VariantRunner
 
 from .crowds import Record, bundle_of, crowd, judge
 from .horrors import CAMERA, bodies, path
@@ -32,8 +32,8 @@ def record(gpu: Gpu, folder: Path, seed: int, cached: str, frames: int = FRAMES)
     keys, _ = path(seed, frames)
     whole = Record()
     scene = crowd(folder, bodies(seed, frames), CAMERA, keys)
-    with Stage(gpu, scene, SIZE, "rgba32f") as stage:
-        for _, found in judge(stage, range(frames), cached):
+    with RenderScene(gpu, scene, SIZE, "rgba32f") as world:
+        for _, found in judge(world, range(frames), cached):
             whole.add(found)
     return whole
 
@@ -68,9 +68,9 @@ def test_its_own_cache_stays_sound(gpu: Gpu, tmp_path: Path, algorithm: str) -> 
     cuts = scene.camera_path.cuts
     assert cuts
     with (
-        Stage(gpu, scene, SIZE, "rgba32f") as stage,
-        OriginalRunner(stage, bundle) as original,
-        VariantRunner(stage, bundle, algorithm, RunOptions(16, 4)) as runner,
+        RenderScene(gpu, scene, SIZE, "rgba32f") as world,
+        OriginalRunner(world, bundle) as original,
+        VariantRunner(world, bundle, algorithm, RunOptions(16, 4)) as runner,
     ):
         for frame in range(FRAMES):
             expected = original.image(frame).copy()

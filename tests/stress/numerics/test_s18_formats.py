@@ -9,7 +9,7 @@ from __future__ import annotations
 import pytest
 
 from shadercache.emit.depth_range import resolved_until
-from shadercache.harness.context import Gpu
+from shadercache.gpu.context import Gpu
 from shadercache.options import DEFAULT_EPSILON, CacheFormat, DepthKind
 
 from .criteria import Criteria

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from shadercache.harness.context import Gpu
+from shadercache.gpu.context import Gpu
 
 from .criteria import Criteria, stress_number
 

@@ -1,0 +1,174 @@
+"""What flows where inside a conditional or loop, which the spine takes as one step.
+
+The parts of the step are its plain statements and the conditions that they stand under. A part is
+relevant for a value if it writes what the value reads, directly or through other parts, in whatever
+order they come; then its conditions are relevant too. Conditions of a ``return``, ``discard`` or
+``break`` are relevant for everything: whether the rest is reached hangs on them.
+
+A plain statement has one part, itself. What it writes comes after what it reads, unless one of its
+operands has a side effect.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import cast
+
+from shadercache.analysis.effects import Does, Effects, EffectTable, direct_writes, union
+from shadercache.analysis.reaching_definitions import order_matters
+from shadercache.ast import nodes as n
+from shadercache.ast.walk import STATEMENTS, children, walk
+
+_EXITS = Does.RETURN | Does.DISCARD | Does.JUMP
+_LOOPS = (n.For, n.While, n.DoWhile)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Part:
+    """A plain statement, or a condition; and the conditions above it, outermost first."""
+
+    node: n.Node
+    effects: Effects
+    above: tuple[Part, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Flow:
+    """What flows into a value: names that it reads, and the parts that are relevant for it."""
+
+    names: frozenset[str]
+    parts: tuple[Part, ...]
+
+    @property
+    def does(self) -> Does:
+        """What the parts do."""
+        return union(part.effects for part in self.parts).does
+
+    def expressions(self) -> Iterator[n.Node]:
+        """Every expression of the parts."""
+        return (item for part in self.parts for item in walk(part.node))
+
+
+class Inside:
+    """The parts of one step."""
+
+    def __init__(self, stmt: n.Stmt, table: EffectTable) -> None:
+        self._table = table
+        self.parts = tuple(self._collect(stmt, ()))
+        self._of = {item: part for part in self.parts for item in walk(part.node)}
+
+    def into_value(self, expr: n.Expr) -> Flow:
+        """What the value of an expression hangs on, where it is evaluated."""
+        own = self._of[expr]
+        return self._closure(self._table.of(expr).reads, self._later(own), (), own.above, Does.JUMP)
+
+    def into_global(self, call: n.Call, name: str) -> Flow:
+        """What gives a global the value that the function called finds in it."""
+        own = self._of[call]
+        later = None if name in self._written_beside(own, call) else own
+        return self._closure({name}, later, (), own.above, Does.JUMP)
+
+    def into_use(self, expr: n.Expr, whole: bool) -> Flow:
+        """What decides whether an expression is evaluated, and on what; ``whole``: its statement
+        may skip it."""
+        own = self._of[expr]
+        reads, first = self._table.of(expr).reads, self._deciding(own, whole)
+        return self._closure(reads, self._later(own), first, (), _EXITS)
+
+    def into_reach(self, expr: n.Expr, whole: bool) -> Flow:
+        """What decides whether an expression is come by, without what it works on."""
+        own = self._of[expr]
+        return self._closure((), self._later(own), self._deciding(own, whole), (), _EXITS)
+
+    def into_exits(self) -> Flow:
+        """What decides whether a ``return`` or ``discard`` is come by."""
+        return self._closure((), None, (), (), _EXITS)
+
+    def _deciding(self, own: Part, whole: bool) -> tuple[Part, ...]:
+        return (*own.above, own) if whole or isinstance(own.node, _LOOPS) else own.above
+
+    def _later(self, own: Part) -> Part | None:
+        """The part itself where nothing that it writes can be read in it afterwards."""
+        if isinstance(own.node, _LOOPS):
+            return None
+        if isinstance(own.node, STATEMENTS):
+            back = order_matters(cast("n.Stmt", own.node), self._table)
+        else:
+            back = bool(own.effects.writes)
+        return None if back else own
+
+    def _written_beside(self, own: Part, call: n.Call) -> frozenset[str]:
+        """What is written in a part before the call, or may be: all that others than it write."""
+        if isinstance(own.node, _LOOPS):
+            return own.effects.writes
+        others = (item for item in walk(own.node) if item is not call)
+        return frozenset[str]().union(*(direct_writes(item, self._table) for item in others))
+
+    def _closure(
+        self,
+        reads: Iterable[str],
+        later: Part | None,
+        first: Iterable[Part],
+        given: Iterable[Part],
+        exits: Does,
+    ) -> Flow:
+        """What flows into ``reads``; what ``later`` writes does not, as it comes too late.
+
+        ``first`` are relevant from the start, ``given`` hold anyway, and conditions above what
+        does any of ``exits`` decide on everything.
+        """
+        names = set(reads)
+        given = frozenset(given)
+        relevant: dict[Part, None] = {}
+        todo = [*first, *self._above_of(exits)]
+        while True:
+            for part in todo:
+                if part not in given:
+                    relevant[part] = None
+                    names |= part.effects.reads
+            todo = [
+                item
+                for part in self.parts
+                if part not in relevant and part is not later and part.effects.writes & names
+                for item in (part, *part.above)
+                if item not in relevant and item not in given
+            ]
+            if not todo:
+                return Flow(frozenset(names), tuple(relevant))
+
+    def _above_of(self, exits: Does) -> Iterator[Part]:
+        for part in self.parts:
+            if part.effects.does & exits:
+                yield from part.above
+                if isinstance(part.node, _LOOPS) or self._may_skip_discard(part.node):
+                    yield part
+
+    def _may_skip_discard(self, node: n.Node) -> bool:
+        """Does a choice in an expression decide on a discard, in a function that it calls?"""
+        return any(
+            isinstance(item, n.Conditional)
+            or (isinstance(item, n.Binary) and item.op in ("&&", "||"))
+            for item in walk(node)
+            if self._table.of(item).does & Does.DISCARD
+        )
+
+    def _collect(self, node: n.Node, above: tuple[Part, ...]) -> Iterator[Part]:
+        match node:
+            case n.If(condition=first) | n.Switch(selector=first):
+                condition = self._part(first, above)
+                yield condition
+                for child in children(node):
+                    if child is not first:
+                        yield from self._collect(child, (*above, condition))
+            case n.For() | n.While() | n.DoWhile():
+                # A loop is one part: whatever is in it comes before whatever else.
+                yield self._part(node, above)
+            case n.Block():
+                for child in node.body:
+                    yield from self._collect(child, above)
+            case _:
+                yield self._part(node, above)
+
+    def _part(self, node: n.Node, above: tuple[Part, ...]) -> Part:
+        return Part(node, self._table.of(node), above)

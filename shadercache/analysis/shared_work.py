@@ -1,0 +1,362 @@
+"""What the payload pass and the shading pass of a node have in common.
+
+Both are slices of one shader: the payload pass is what the values need, the shading pass what is
+left to do where the values are given. Work that both need is done twice wherever a payload is
+computed (Sitthi-amorn et al. 2008, figure 7)::
+
+    vec3 n = normalize(v_normal);       // payload and shading: overlap
+    float s = fbm(v_position + n);      // payload only, if s is the node
+    color = vec4(s * dot(n, u_light));  // shading only
+
+The slices are those that :mod:`transform.remove_dead` leaves: liveness, backward over structured
+statements. Costs are static (:mod:`analysis.cost`) and at most somewhat too high: a function that
+is not on the path of a node, and a ``switch`` without one, count as a whole.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+from typing import cast
+
+from shadercache.analysis.call_paths import Instance
+from shadercache.analysis.candidates import Candidate
+from shadercache.analysis.cost import UNKNOWN_TRIPS, CostTable
+from shadercache.analysis.effects import Does, EffectTable
+from shadercache.analysis.liveness import overwritten_by
+from shadercache.analysis.path_costs import Context, Cut, PathCosts, Walked
+from shadercache.ast import nodes as n
+from shadercache.ast.walk import EXPRESSIONS, children
+
+_JUMPED_WITHIN = (n.For, n.While, n.DoWhile, n.Switch)
+"""A jump inside one of these leads no further than its end."""
+
+_Names = frozenset[str]
+_NONE: _Names = frozenset()
+
+
+@dataclass(frozen=True, slots=True)
+class Parts:
+    """Static costs of the payload pass, of the shading pass, and of the shader that they make up,
+    each without what it does not need."""
+
+    payload: float
+    remainder: float
+    whole: float
+
+    @property
+    def overlap(self) -> float:
+        """What both passes compute."""
+        return max(0.0, self.payload + self.remainder - self.whole)
+
+
+@dataclass(slots=True)
+class _Cuts:
+    """The nodes in one function, and those below its calls."""
+
+    here: set[n.Node] = field(default_factory=set)
+    below: dict[n.Node, tuple[Instance, _Cuts]] = field(default_factory=dict)
+    touched: set[n.Node] = field(default_factory=set)
+    """Everything in the function's tree that holds one of these."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Need:
+    """What evaluating something costs, and which variables it reads."""
+
+    cost: float
+    reads: _Names
+
+
+_NOTHING = _Need(0.0, _NONE)
+
+
+class OverlapTable:
+    """Splits one shader at any of its nodes."""
+
+    def __init__(
+        self, instances: tuple[Instance, ...], table: EffectTable, costs: CostTable, color: str
+    ) -> None:
+        self._main, self._table, self._costs = instances[0], table, costs
+        self._outputs = frozenset((color,))
+        self._parents: dict[n.FunctionDef, dict[n.Node, n.Node]] = {}
+        self._mentions: dict[n.FunctionDef, _Names] = {}
+        self.whole = self._cost((), goal=False)
+        self._payloads = self._paths(Context(_NONE, False), goal=True)
+        self._remainders = self._paths(Context(self._outputs, True), goal=False)
+
+    def parts(self, nodes: Sequence[Candidate]) -> Parts:
+        """The costs of both passes where the values of ``nodes`` are cached together."""
+        if len(nodes) == 1 and nodes[0].instance is not None:
+            at = nodes[0].instance, nodes[0].expr
+            payload, remainder = self._payloads.cost(*at), self._remainders.cost(*at)
+            if payload is not None and remainder is not None:
+                return Parts(payload, remainder, self.whole)
+        return self.parts_of_set(nodes)
+
+    def parts_of_set(self, nodes: Sequence[Candidate]) -> Parts:
+        """The same, by walking the whole shader with all its cuts."""
+        return Parts(self._cost(nodes, goal=True), self._cost(nodes, goal=False), self.whole)
+
+    def _paths(self, top: Context, goal: bool) -> PathCosts:
+        return PathCosts(top, partial(self._walk, goal), self._mentioned)
+
+    def _walk(
+        self, goal: bool, instance: Instance, cut: Cut, context: Context, given: Walked | None
+    ) -> Walked:
+        """One function, with one cut in it."""
+        function, cuts = instance.places.function, _Cuts()
+        place = cut.call if isinstance(cut, Instance) else cut
+        assert place is not None
+        self._touch(function, place, cuts)
+        if isinstance(cut, Instance):
+            cuts.below[place] = (cut, _Cuts())
+        else:
+            cuts.here.add(place)
+        walker = _Level(self._table, self._costs, goal, cuts, context.at_exit, context.returns)
+        walker.given = _NOTHING if given is None else _Need(given.cost, given.reads)
+        live = walker.block(function.body.body, context.at_exit)
+        return Walked(walker.cost, live, walker.asked, walker.again)
+
+    def _mentioned(self, instance: Instance) -> _Names:
+        """Every name that a walk through a function may ask for."""
+        function = instance.places.function
+        if function not in self._mentions:
+            effects = self._table.of(function.body)
+            names = instance.places.spine.local_names
+            self._mentions[function] = names | effects.reads | effects.writes
+        return self._mentions[function]
+
+    def _cost(self, nodes: Iterable[Candidate], goal: bool) -> float:
+        walker = _Walker(self._table, self._costs, goal)
+        at_exit = _NONE if goal else self._outputs
+        return walker.function(self._main, self._sorted(nodes), at_exit, not goal).cost
+
+    def _sorted(self, nodes: Iterable[Candidate]) -> _Cuts:
+        root = _Cuts()
+        for node in nodes:
+            path: list[Instance] = []
+            at = node.instance
+            while at is not None and at.parent is not None:
+                path.append(at)
+                at = at.parent
+            cuts = root
+            function = self._main.places.function
+            for item in reversed(path):
+                assert item.call is not None
+                self._touch(function, item.call, cuts)
+                cuts = cuts.below.setdefault(item.call, (item, _Cuts()))[1]
+                function = item.places.function
+            self._touch(function, node.expr, cuts)
+            cuts.here.add(node.expr)
+        return root
+
+    def _touch(self, function: n.FunctionDef, expr: n.Expr, cuts: _Cuts) -> None:
+        parents = self._parents.get(function)
+        if parents is None:
+            parents = self._parents[function] = _parents(function.body)
+        at: n.Node | None = expr
+        while at is not None and at not in cuts.touched:
+            cuts.touched.add(at)
+            at = parents.get(at)
+
+
+def _parents(root: n.Node) -> dict[n.Node, n.Node]:
+    found: dict[n.Node, n.Node] = {}
+    stack = [root]
+    while stack:
+        node = stack.pop()
+        for child in children(node):
+            found[child] = node
+            stack.append(child)
+    return found
+
+
+@dataclass(slots=True)
+class _Walker:
+    """Backward through the functions on the paths to some nodes.
+
+    ``goal``: for the values of the nodes; else for what is left where these are given.
+    """
+
+    table: EffectTable
+    costs: CostTable
+    goal: bool
+    cuts: _Cuts = field(default_factory=_Cuts)
+    at_exit: _Names = _NONE
+    returns: bool = False
+    """Is what the function returns wanted?"""
+    in_next_round: _Names = _NONE
+    inside_loop: bool = False
+    after: _Names = _NONE
+    """What is live after the calls of the statement at hand."""
+    cost: float = 0.0
+    reached: int = 0
+    """How much that is wanted comes later in the text."""
+
+    def function(self, instance: Instance, cuts: _Cuts, at_exit: _Names, returns: bool) -> _Need:
+        """What a function needs: its cost, and which parameters and globals it reads."""
+        inner = _Walker(self.table, self.costs, self.goal, cuts, at_exit, returns)
+        live = inner.block(instance.places.function.body.body, at_exit)
+        return _Need(inner.cost, live)
+
+    def block(self, stmts: Sequence[n.Stmt], live: _Names) -> _Names:
+        for stmt in reversed(stmts):
+            live = self.statement(stmt, live)
+        return live
+
+    def statement(self, stmt: n.Stmt, live: _Names) -> _Names:
+        match stmt:
+            case n.Block():
+                return self.block(stmt.body, live)
+            case n.If():
+                return self.branch(stmt, live)
+            case n.For() | n.While() | n.DoWhile():
+                return self.loop(stmt, live)
+            case n.Return() if self.returns:
+                return self.taken(stmt, self.at_exit)
+            case n.Return():
+                return self.aimed_at(stmt, self.at_exit)
+            case n.Jump():
+                return live | self.at_exit | self.in_next_round
+            case n.Switch():
+                if self.matters(stmt, live):
+                    live |= self.at_exit | self.in_next_round
+                elif self.goal and stmt in self.cuts.touched:
+                    return self.cases(stmt, live)
+        return self.simple(stmt, live)
+
+    def simple(self, node: n.Node, live: _Names) -> _Names:
+        """A statement that is needed whole, or for the nodes inside it, or not at all."""
+        if self.matters(node, live):
+            return self.taken(node, live - overwritten_by(node, self.table))
+        return self.aimed_at(node, live)
+
+    def aimed_at(self, node: n.Node, live: _Names) -> _Names:
+        """Only the wanted nodes inside count."""
+        if self.goal and node in self.cuts.touched:
+            self.after = live
+            for need in self.goals(node):
+                self.cost += need.cost
+                live |= need.reads
+        return live
+
+    def taken(self, node: n.Node, live: _Names) -> _Names:
+        self.after = live
+        need = self.need(node)
+        self.cost += need.cost
+        self.reached += 1
+        return live | need.reads
+
+    def branch(self, stmt: n.If, live: _Names) -> _Names:
+        before = self.reached
+        then = self.statement(stmt.then, live)
+        other = live if stmt.other is None else self.statement(stmt.other, live)
+        needed = self.reached > before or then != live or other != live
+        if needed or self.leaves(stmt):
+            return self.taken(stmt.condition, then | other)
+        return self.simple(stmt.condition, live)
+
+    def loop(self, stmt: n.For | n.While | n.DoWhile, live: _Names) -> _Names:
+        """No node is inside a loop."""
+        if not self.matters(stmt, live):
+            return live
+        header = [part for part in children(stmt) if part is not stmt.body]
+        around = live.union(*(self.table.of(part).reads for part in header))
+        before, outer = self.cost, (self.in_next_round, self.inside_loop)
+        self.inside_loop = True
+        while True:
+            self.cost, self.in_next_round = before, around | live
+            body = self.statement(stmt.body, around)
+            if body <= around:
+                break
+            around |= body
+        inside = self.cost - before + sum(self.costs.of(part) for part in header)
+        self.cost, self.reached = before + inside * UNKNOWN_TRIPS, self.reached + 1
+        self.in_next_round, self.inside_loop = outer
+        return around
+
+    def cases(self, stmt: n.Switch, live: _Names) -> _Names:
+        """Each group falls through to the next, or leads to the end."""
+        at = head = live
+        for item in reversed(stmt.body):
+            if isinstance(item, n.Case):
+                head |= at
+            else:
+                at = live | self.statement(item, at)
+        return self.taken(stmt.selector, head)
+
+    def matters(self, node: n.Node, live: _Names) -> bool:
+        """Is it needed whole?"""
+        return bool(self.table.of(node).writes & live) or self.leaves(node)
+
+    def leaves(self, node: n.Node) -> bool:
+        """Does it decide whether something wanted is reached?"""
+        does = self.table.of(node).does
+        jumps = does & Does.JUMP and self.inside_loop and not isinstance(node, _JUMPED_WITHIN)
+        left = does & Does.RETURN and (self.reached > 0 or not self.goal)
+        return bool(jumps or left or does & Does.DISCARD)
+
+    def goals(self, node: n.Node) -> Iterable[_Need]:
+        """What the nodes inside a statement, or below its calls, need."""
+        stack = [node]
+        while stack:
+            item = stack.pop()
+            if item in self.cuts.here:
+                self.reached += 1
+                yield self.need(item)
+            elif item in self.cuts.below:
+                self.reached += 1
+                yield self.call(cast("n.Call", item), self.after, False)
+            elif item in self.cuts.touched:
+                stack.extend(children(item))
+
+    def need(self, node: n.Node) -> _Need:
+        """What evaluating an expression or a plain statement needs."""
+        if node not in self.cuts.touched:
+            return _Need(self.costs.of(node), self.table.of(node).reads)
+        if node in self.cuts.here and not self.goal:
+            return _Need(0.0, _NONE)
+        if node in self.cuts.below:
+            function = self.cuts.below[node][0].places.function
+            back = (item.name for item in function.proto.params if item.writes_back and item.name)
+            return self.call(cast("n.Call", node), self.after.union(back), True)
+        parts = children(node)
+        if isinstance(node, n.Assign) and node.op == "=" and isinstance(node.target, n.Name):
+            parts = (node.value,)
+        needs = [self.need(part) for part in parts]
+        cost = self.costs.of(node) - sum(self.costs.of(part) for part in parts)
+        reads = _NONE.union(*(item.reads for item in needs))
+        if isinstance(node, EXPRESSIONS) and not parts:
+            reads |= self.table.of(node).reads
+        return _Need(cost + sum(item.cost for item in needs), reads)
+
+    def call(self, call: n.Call, at_exit: _Names, returns: bool) -> _Need:
+        """A call on the way to a node: the function as it is left, and the arguments for that."""
+        instance, cuts = self.cuts.below[call]
+        inside = self.function(instance, cuts, at_exit, returns)
+        cost, reads = inside.cost, inside.reads
+        for param, arg in zip(instance.places.function.proto.params, call.args, strict=True):
+            needs = [self.need(arg)] if param.name in inside.reads else []
+            if not needs and self.goal and arg in self.cuts.touched:
+                needs += self.goals(arg)
+            cost += sum(item.cost for item in needs)
+            reads = reads.union(*(item.reads for item in needs))
+        return _Need(cost, reads)
+
+
+@dataclass(slots=True)
+class _Level(_Walker):
+    """Stays in one function: what a call on the path needs is given."""
+
+    given: _Need = _NOTHING
+    asked: Context | None = None
+    """The context of that call, once somebody has asked for it."""
+    again: bool = False
+
+    def function(self, instance: Instance, cuts: _Cuts, at_exit: _Names, returns: bool) -> _Need:
+        """What is given."""
+        self.again = self.asked is not None
+        self.asked = Context(at_exit, returns)
+        return self.given

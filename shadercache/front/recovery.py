@@ -1,0 +1,68 @@
+"""The beginning of a broken shader, made complete: what stands in front of its first mistake.
+
+Of ::
+
+    void main() { float a = b; if (a > 0.0) { a = 1 + ; } }
+
+the mistake stands behind ``1 +``; what stands in front of it and makes sense by itself is ::
+
+    void main() { float a = b; if (a > 0.0) { } }
+
+so that the name ``b``, which nobody declared, can be told too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from shadercache.front.scanner import Lexemes
+
+_PAIRS = {")": "(", "]": "[", "}": "{"}
+
+
+def beginnings(lexemes: Lexemes, offset: int) -> Iterator[tuple[Lexemes, int]]:
+    """Beginnings of a text that end before an offset, the longest first, with their lengths.
+
+    The first ends behind the last ``;``, ``{`` or ``}`` of a block, and behind that length has as
+    many ``}`` added as blocks are open. The second ends behind a declaration.
+    """
+    inner, blocks, outer = _ends(lexemes.texts[: _index(lexemes, offset)])
+    if inner > outer:
+        yield _beginning(lexemes, inner, blocks), inner
+    yield _beginning(lexemes, outer, 0), outer
+
+
+def _index(lexemes: Lexemes, offset: int) -> int:
+    """The index of the first lexeme that is not in front of an offset into the source.
+
+    Included files have offsets of their own, behind those of the user's file.
+    """
+    try:
+        return lexemes.starts.index(offset)
+    except ValueError:
+        behind = (at for at, start in enumerate(lexemes.starts) if start >= offset)
+        return next(behind, len(lexemes.starts))
+
+
+def _ends(texts: list[str]) -> tuple[int, int, int]:
+    """Where a statement or block ends last, how many blocks are open there, and the same for
+    declarations outside of all brackets."""
+    inner = blocks = outer = 0
+    opened: list[str] = []
+    for behind, text in enumerate(texts, 1):
+        if text in ("(", "[", "{"):
+            opened.append(text)
+        elif text in _PAIRS and (not opened or opened.pop() != _PAIRS[text]):
+            break
+        if text in (";", "{", "}") and (not opened or opened[-1] == "{"):
+            inner, blocks = behind, len(opened)
+            if not opened:
+                outer = behind
+    return inner, blocks, outer
+
+
+def _beginning(lexemes: Lexemes, end: int, blocks: int) -> Lexemes:
+    begun = Lexemes(lexemes.texts[:end], lexemes.starts[:end], lexemes.ends[:end])
+    if blocks:
+        begun.repeat(["}"] * blocks, begun.ends[-1], begun.ends[-1])
+    return begun

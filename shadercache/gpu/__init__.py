@@ -1,0 +1,1 @@
+"""moderngl: context, programs, textures, targets, clock."""

@@ -1,0 +1,244 @@
+"""Compile and link programs, once for each pair of texts, and know what they want as input."""
+
+from __future__ import annotations
+
+import re
+from collections import OrderedDict
+from dataclasses import dataclass, field
+from typing import Any
+
+import moderngl
+import numpy as np
+from numpy.typing import NDArray
+
+from shadercache.diagnostics import Diagnostic, InputError, input_error
+from shadercache.gpu.context import Gpu
+from shadercache.gpu.uniform_blocks import Member, Place, UniformBuffer, members_of
+from shadercache.source import Source, Span
+
+# GL types of samplers and what moderngl must bind for them; others are told to be unsupported.
+_SAMPLERS = {
+    0x8B5E: "2D texture",
+    0x8B60: "cube map",
+    0x8DC1: "array texture",
+    0x8DD2: "2D texture of integers",
+}
+_SAMPLER_RANGES = (range(0x8B5D, 0x8B64), range(0x8DC0, 0x8DD9), range(0x9108, 0x910E))
+_FORMATS = {code: np.dtype(code) for code in "fiId"}
+
+MOST_IDLE = 32
+"""Unused programs that are kept: a node in proof and plain mode has twelve, and what look-ups alone
+do is the same for all payloads of a type."""
+
+# Our own comment names the pass and the node. Programs that differ in nothing else are one, and so
+# are shaders to the driver's cache of compiled code, which goes by the text.
+_HEADING = re.compile(r"^// shadercache: [^\\\n]*$", re.MULTILINE)
+
+VERSION_HINT = (
+    "'shadercache doctor' lists what the driver has; proof mode raises shaders to GLSL 4.00 or "
+    "GLSL ES 3.20, where `precise` begins"
+)
+
+# "0:12(5): error: ..." (Mesa), "0(12) : error ..." (NVIDIA), "ERROR: 0:12: ..." (others).
+_LOG_LINE = re.compile(r"^(?:ERROR: )?0[:(](\d+)(?:\((\d+)\))?[):]*\s*(.*)$", re.MULTILINE)
+
+
+@dataclass(eq=False)
+class Uniform:
+    """One active uniform of a linked program, or member of a block, and the bytes it holds now."""
+
+    name: str
+    sampler: str | None
+    _gl: moderngl.Uniform | Place
+    _dtype: np.dtype[Any]
+    _count: int
+    _is_array: bool
+    _written: bytes = b""
+
+    def encode(self, values: NDArray[np.float64], giver: str) -> bytes:
+        """The bytes of a value; ``giver`` is who provided it, for the message.
+
+        Raises:
+            InputError: SC523, the value has more or fewer components than the uniform.
+        """
+        # Drivers drop unused elements at the end of an array, so a longer value is right there.
+        if values.size == self._count or (self._is_array and values.size > self._count):
+            return values[: self._count].astype(self._dtype).tobytes()
+        message = f"uniform {self.name} takes {self._count} numbers, but {giver} has {values.size}"
+        raise input_error("SC523", message)
+
+    def write(self, data: bytes) -> None:
+        """Upload, unless the program holds these bytes already."""
+        if data != self._written:
+            self._gl.write(data)
+            self._written = data
+
+
+@dataclass(eq=False)
+class Program:
+    """A linked program with its active uniforms and vertex attributes (name -> components).
+
+    ``arrays`` are meshes as its input, each made when it is first drawn.
+    """
+
+    name: str
+    gl: moderngl.Program
+    uniforms: dict[str, Uniform]
+    attributes: dict[str, int]
+    blocks: tuple[UniformBuffer, ...] = ()
+    arrays: dict[tuple[int, ...], moderngl.VertexArray] = field(default_factory=dict)
+    users: int = 0
+
+    def bind_blocks(self) -> None:
+        """Upload what has changed of the uniform blocks, and bind them."""
+        for block in self.blocks:
+            block.bind()
+
+    def release(self) -> None:
+        """Free the GL objects."""
+        for array in self.arrays.values():
+            array.release()
+        for block in self.blocks:
+            block.release()
+        self.gl.release()
+
+
+class Programs:
+    """Linked programs of one render scene, shared by text and counted by user.
+
+    Programs that nobody uses are kept for a while, the last used longest: a node is verified in
+    several runs, and compiling its programs anew for each would take most of the time.
+    """
+
+    def __init__(self, gpu: Gpu) -> None:
+        self._gpu = gpu
+        self._by_text: OrderedDict[tuple[str, str, str], Program] = OrderedDict()
+
+    @property
+    def used(self) -> int:
+        """How many programs somebody uses."""
+        return sum(program.users > 0 for program in self._by_text.values())
+
+    @property
+    def idle(self) -> int:
+        """How many are kept although nobody uses them (at most ``MOST_IDLE``)."""
+        return len(self._by_text) - self.used
+
+    def acquire(self, vertex: Source, fragment: Source, captured: str = "") -> Program:
+        """The program of two shaders; call ``release`` with it once for every ``acquire``.
+
+        ``captured`` is a varying: the program is the vertex shader alone, and keeps that.
+
+        Raises:
+            InputError: SC602 with the driver's log, SC524 for inputs the harness cannot give.
+        """
+        key = (_HEADING.sub("//", vertex.text), _HEADING.sub("//", fragment.text), captured)
+        program = self._by_text.get(key)
+        if program is None:
+            program = self._by_text[key] = _link(self._gpu.ctx, vertex, fragment, key)
+        program.users += 1
+        self._by_text.move_to_end(key)
+        return program
+
+    def release(self, program: Program) -> None:
+        """Give one use back."""
+        program.users -= 1
+        idle = [key for key, kept in self._by_text.items() if kept.users == 0]
+        for key in idle[: max(0, len(idle) - MOST_IDLE)]:
+            self._by_text.pop(key).release()
+
+    def release_all(self) -> None:
+        """Free every program, whoever still uses it."""
+        for program in self._by_text.values():
+            program.release()
+        self._by_text.clear()
+
+
+def _link(
+    ctx: moderngl.Context, vertex: Source, fragment: Source, texts: tuple[str, str, str]
+) -> Program:
+    try:
+        if texts[2]:
+            gl = ctx.program(vertex_shader=texts[0], varyings=(texts[2],))
+        else:
+            gl = ctx.program(vertex_shader=texts[0], fragment_shader=texts[1])
+    except moderngl.Error as error:
+        raise _refused(str(error), vertex, fragment) from None
+    uniforms: dict[str, Uniform] = {}
+    attributes: dict[str, int] = {}
+    blocks: dict[str, moderngl.UniformBlock] = {}
+    for name in gl:
+        member: Any = gl[name]
+        if isinstance(member, moderngl.Uniform):
+            uniforms[name] = _uniform(fragment.name, name, member)
+        elif isinstance(member, moderngl.Attribute):
+            if not name.startswith("gl_"):
+                attributes[name] = _attribute(vertex.name, name, member)
+        elif isinstance(member, moderngl.UniformBlock):
+            blocks[name.partition("[")[0]] = member
+    buffers: dict[str, UniformBuffer] = {}
+    if blocks:
+        sizes = {name: block.size for name, block in blocks.items()}
+        members = members_of(((vertex, "vertex"), (fragment, "fragment")), sizes)
+        for at, (name, block) in enumerate(blocks.items()):
+            buffers[name] = UniformBuffer(ctx, block, at)
+        uniforms |= {item.name: _member(item, buffers[item.block]) for item in members}
+    return Program(fragment.name, gl, uniforms, attributes, tuple(buffers.values()))
+
+
+def _member(item: Member, buffer: UniformBuffer) -> Uniform:
+    place = Place(buffer, item.words)
+    return Uniform(item.name, None, place, item.dtype, len(item.words), item.is_array)
+
+
+def _uniform(shader: str, name: str, member: Any) -> Uniform:
+    sampler = _SAMPLERS.get(member.gl_type)
+    if sampler is None and any(member.gl_type in kinds for kinds in _SAMPLER_RANGES):
+        given = "2D textures, their arrays and cube maps only"
+        message = f"{shader}: the harness gives {given}, {name} is none"
+        raise input_error("SC524", message)
+    if sampler is not None and member.array_length > 1:
+        raise input_error("SC524", f"{shader}: the harness cannot fill the sampler array {name}")
+    count = member.dimension * member.array_length
+    dtype = _FORMATS[member.fmt[-1]]
+    return Uniform(name, sampler, member, dtype, count, member.array_length > 1)
+
+
+def _attribute(shader: str, name: str, member: Any) -> int:
+    components = int(member.dimension)
+    if member.shape != "f" or member.array_length > 1 or components > 4:
+        message = f"{shader}: the harness gives float vectors only, attribute {name} is none"
+        raise input_error("SC524", message)
+    return components
+
+
+def _refused(log: str, vertex: Source, fragment: Source) -> InputError:
+    """The driver's words; each complaint with a line number is put at that line of the text."""
+    at_vertex = "vertex_shader" in log.split("=", 1)[0]
+    source = vertex if at_vertex else fragment
+    body = log.split("=\n", 1)[-1].strip()
+    places = [
+        Diagnostic(
+            "SC602",
+            f"the driver says: {found[3]}",
+            source,
+            _place(source, found),
+            VERSION_HINT if "GLSL" in found[3] and "not supported" in found[3] else None,
+        )
+        for found in _LOG_LINE.finditer(body)
+        if "warning" not in found[3].lower()
+    ]
+    if places:
+        return InputError(places)
+    words = " / ".join(line.strip() for line in body.splitlines() if line.strip())
+    message = f"{vertex.name} + {fragment.name}: the driver refuses the program: {words}"
+    return InputError(Diagnostic("SC602", message))
+
+
+def _place(source: Source, found: re.Match[str]) -> Span:
+    # moderngl strips the text before it compiles it, which moves the lines.
+    text = source.text
+    line = int(found[1]) + text[: len(text) - len(text.lstrip())].count("\n")
+    lines = text.splitlines(keepends=True)
+    start = sum(map(len, lines[: line - 1])) + max(0, int(found[2] or 1) - 1)
+    return Span(start, start + 1)

@@ -1,0 +1,132 @@
+"""Render targets of one size, shared by every runner: colour, depth, mask, caches."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import moderngl
+import numpy as np
+from numpy.typing import NDArray
+
+from shadercache.diagnostics import Diagnostic, GraphicsError, input_error
+from shadercache.gpu.cache_textures import CachePair
+
+COLOR_FORMATS = {"rgba8": "f1", "rgba32f": "f4"}
+"""Colour formats: 8 bits for what is shown and timed, 32-bit floats for proofs."""
+
+
+class Targets:
+    """Colour, depth and mask of one size, the framebuffers over them, and a pool of caches.
+
+    Runners take turns, so they share colour and depth; a cache outlives the frame and is lent.
+    """
+
+    def __init__(
+        self, ctx: moderngl.Context, size: tuple[int, int], color: str, empty_depth: float = 1.0
+    ) -> None:
+        """Make the colour and depth targets; depth is cleared to ``empty_depth``.
+
+        Raises:
+            InputError: SC603 for an unknown colour format; GraphicsError: SC603 for a size that
+                the driver cannot give.
+        """
+        if color not in COLOR_FORMATS:
+            known = ", ".join(COLOR_FORMATS)
+            raise input_error("SC603", f"unknown colour format {color!r}", hint=f"one of {known}")
+        self.ctx = ctx
+        self.size = size
+        self.color_format = color
+        self._empty_depth = empty_depth
+        self._framebuffers: dict[tuple[Any, ...], moderngl.Framebuffer] = {}
+        self._idle: list[CachePair] = []
+        self._pairs: list[CachePair] = []
+        self._mask: moderngl.Texture | None = None
+        try:
+            self.color = ctx.texture(size, 4, dtype=COLOR_FORMATS[color])
+            self.depth = ctx.depth_renderbuffer(size)
+            self._cleared = ctx.framebuffer([self.color], self.depth)
+            self._color_alone = ctx.framebuffer([self.color])
+        except moderngl.Error as error:
+            message = f"the driver cannot make a {size[0]}x{size[1]} {color} target: {error}"
+            raise GraphicsError(Diagnostic("SC603", message)) from None
+
+    @property
+    def mask(self) -> moderngl.Texture:
+        """One float channel for the debug program; made when first wanted."""
+        if self._mask is None:
+            self._mask = self.ctx.texture(self.size, 1, dtype="f4")
+        return self._mask
+
+    def clear(self) -> None:
+        """Start a frame: colour (0, 0, 0, 0), depth empty."""
+        self._cleared.clear(0.0, 0.0, 0.0, 0.0, depth=self._empty_depth)
+
+    def clear_color(self) -> None:
+        """Clear the colour target and keep the depth."""
+        self._color_alone.clear(0.0, 0.0, 0.0, 0.0)
+
+    def clear_mask(self) -> None:
+        """Mark every pixel as uncovered."""
+        self.framebuffer((self.mask,), True).clear(0.0, 0.0, 0.0, 0.0, depth=self._empty_depth)
+
+    def clear_mask_alone(self) -> None:
+        """Mark every pixel as uncovered, and keep the depth."""
+        alone = self.ctx.framebuffer([self.mask])
+        alone.clear(0.0, 0.0, 0.0, 0.0)
+        alone.release()
+
+    def framebuffer(
+        self, textures: tuple[moderngl.Texture, ...], depth_write: bool
+    ) -> moderngl.Framebuffer:
+        """The framebuffer with these attachments (in order) and the shared depth."""
+        key = (*(texture.glo for texture in textures), depth_write)
+        found = self._framebuffers.get(key)
+        if found is None:
+            found = self.ctx.framebuffer(textures, self.depth)
+            found.depth_mask = depth_write
+            self._framebuffers[key] = found
+        return found
+
+    def lend_cache(self, formats: tuple[str, ...]) -> CachePair:
+        """Cache textures with undefined contents; hand them back with ``take_back``."""
+        for pair in self._idle:
+            if pair.formats == formats:
+                self._idle.remove(pair)
+                return pair
+        pair = CachePair(self.ctx, self.size, formats)
+        self._pairs.append(pair)
+        return pair
+
+    def take_back(self, pair: CachePair) -> None:
+        """Keep a pair for the next runner."""
+        self._idle.append(pair)
+
+    def pixels(self) -> NDArray[np.generic]:
+        """The colour target as it is stored, (h, w, 4) uint8 or float32, row 0 at the bottom."""
+        width, height = self.size
+        dtype = np.uint8 if self.color_format == "rgba8" else np.float32
+        return np.frombuffer(self.color.read(), dtype).reshape(height, width, 4)
+
+    def image(self) -> NDArray[np.float32]:
+        """The colour target as float32 (h, w, 4), display-encoded 0-1, row 0 at the bottom."""
+        pixels = self.pixels()
+        if pixels.dtype == np.float32:
+            return pixels.astype(np.float32, copy=False)
+        return pixels.astype(np.float32) / np.float32(255.0)
+
+    def mask_values(self) -> NDArray[np.uint8]:
+        """The mask target, rounded to whole numbers, (h, w), row 0 at the bottom."""
+        width, height = self.size
+        values = np.frombuffer(self.mask.read(), np.float32).reshape(height, width)
+        return (values + 0.5).astype(np.uint8)
+
+    def release(self) -> None:
+        """Free every GL object, lent caches included."""
+        for framebuffer in (*self._framebuffers.values(), self._cleared, self._color_alone):
+            framebuffer.release()
+        for pair in self._pairs:
+            pair.release()
+        if self._mask is not None:
+            self._mask.release()
+        self.color.release()
+        self.depth.release()

@@ -1,0 +1,160 @@
+"""Texture files on the GPU: ``.png`` (8 bits a channel) and ``.npz`` (any precision).
+
+The latter also hold cube maps and the layers of an array.
+
+Row 0 of a file is uploaded first: it lies at texture coordinate v = 0, for both kinds of file.
+Values reach the shader as stored; nothing is converted from or to sRGB.
+"""
+
+from __future__ import annotations
+
+import struct
+import zlib
+from pathlib import Path
+
+import moderngl
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image, UnidentifiedImageError
+
+from shadercache.diagnostics import InputError, input_error
+from shadercache.gpu.context import Gpu
+from shadercache.scene.description import TextureSpec
+from shadercache.scene.npz import load_npz
+
+GlTexture = moderngl.Texture | moderngl.TextureCube | moderngl.TextureArray
+
+_DTYPES = {"float32": "f4", "float16": "f2", "uint8": "f1"}
+_FILTERS = {
+    ("nearest", False): (moderngl.NEAREST, moderngl.NEAREST),
+    ("linear", False): (moderngl.LINEAR, moderngl.LINEAR),
+    ("nearest", True): (moderngl.NEAREST_MIPMAP_NEAREST, moderngl.NEAREST),
+    ("linear", True): (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR),
+}
+
+
+MAX_PIXELS = 1 << 26
+"""Pixels of a PNG file: 8192 by 8192."""
+
+_RATIO = 1_100
+"""Deflated data are at most 1,032 times as long once they are inflated."""
+
+_ARRAYS = {"faces": "(6, n, n, c)", "layers": "(n, h, w, c)", "pixels": "(h, w, c)"}
+"""The array that a ``.npz`` file has one of, and its shape."""
+
+_KINDS = {
+    moderngl.Texture: "2D texture",
+    moderngl.TextureCube: "cube map",
+    moderngl.TextureArray: "array texture",
+}
+
+
+def texture_kind(texture: GlTexture) -> str:
+    """What kind of sampler reads it: ``2D texture``, ``cube map`` or ``array texture``."""
+    return _KINDS[type(texture)]
+
+
+def load_pixels(path: Path) -> tuple[NDArray[np.generic], str]:
+    """The pixels of a texture file and whether they are a picture, faces of a cube map or layers.
+
+    Returns:
+        ``(pixels, "pixels")`` with shape (h, w, c), ``(layers, "layers")`` with shape (n, h, w, c),
+        or ``(faces, "faces")`` with shape (6, h, h, c) in the order +X, -X, +Y, -Y, +Z, -Z;
+        float32, float16 or uint8, 1 to 4 channels.
+
+    Raises:
+        InputError: SC530 unreadable file, SC531 no such array, a wrong shape or type.
+    """
+    if path.suffix.lower() == ".png":
+        return _load_png(path), "pixels"
+    arrays = load_npz(path, "SC530", "the texture")
+    what = next((name for name in _ARRAYS if name in arrays), None)
+    if what is None:
+        raise input_error("SC531", f"the texture {path} has no 'pixels', 'faces' or 'layers'")
+    pixels = arrays[what]
+    if pixels.ndim == _ARRAYS[what].count(","):
+        pixels = pixels[..., np.newaxis]
+    _check(path, pixels, what)
+    return np.ascontiguousarray(pixels), what
+
+
+def _load_png(path: Path) -> NDArray[np.generic]:
+    try:
+        with Image.open(path, formats=("PNG",)) as image:
+            _check_size(path, image.width, image.height)
+            return np.asarray(image.convert("RGBA"))
+    except UnidentifiedImageError:
+        reason = "it is not a PNG file"
+    except OSError as error:
+        reason = error.strerror or str(error)
+    except (ValueError, SyntaxError, EOFError, struct.error, zlib.error) as error:
+        reason = str(error) or "it is broken"
+    except (Image.DecompressionBombError, Image.DecompressionBombWarning) as error:
+        reason = str(error)
+    raise input_error("SC530", f"cannot read the texture {path}: {reason}")
+
+
+def _check_size(path: Path, width: int, height: int) -> None:
+    """Refuse what is too large, and what a file of this size cannot hold."""
+    if width * height > MAX_PIXELS:
+        raise ValueError(f"it has {width} x {height} pixels; at most {MAX_PIXELS:,} are read")
+    if width * height > 8 * _RATIO * path.stat().st_size:  # A pixel may have one bit.
+        raise ValueError(f"it claims {width} x {height} pixels, which the file does not hold")
+
+
+def _check(path: Path, pixels: NDArray[np.generic], what: str) -> None:
+    shape = pixels.shape
+    wanted = _ARRAYS[what]
+    good = len(shape) == wanted.count(",") + 1 and min(shape) > 0 and shape[-1] <= 4
+    if good and what == "faces":
+        good = shape[0] == 6 and shape[1] == shape[2]
+    if not good:
+        raise _bad(path, f"has shape {shape}, not {wanted} with 1 to 4 channels")
+    if pixels.dtype.name not in _DTYPES:
+        raise _bad(path, f"has {pixels.dtype} values, not float32, float16 or uint8")
+    if not np.isfinite(pixels).all():
+        raise _bad(path, "holds NaN or infinity")
+
+
+def _bad(path: Path, what: str) -> InputError:
+    return input_error("SC531", f"the texture {path} {what}")
+
+
+def made_pixels(what: str) -> tuple[NDArray[np.generic], str]:
+    """A generated texture, the same in every run: smooth blobs under noise, in four channels.
+
+    ``what`` and the shapes are those of :func:`load_pixels`.
+    """
+    shape = {"pixels": (64, 64), "faces": (6, 64, 64), "layers": (4, 64, 64)}[what]
+    noise = np.random.default_rng(2008).random((*shape, 4))
+    across = np.sin(np.linspace(0.0, 4.0 * np.pi, 64, endpoint=False))
+    blobs = 0.5 + 0.5 * across[:, None, None] * across[None, :, None]
+    return (255.0 * (0.5 * noise + 0.5 * blobs)).astype(np.uint8), what
+
+
+def upload_texture(gpu: Gpu, spec: TextureSpec) -> GlTexture:
+    """Load a texture file into GL with its sampling state.
+
+    Raises:
+        InputError: SC530, SC531 as ``load_pixels``.
+    """
+    pixels, what = made_pixels(spec.path.name) if spec.made else load_pixels(spec.path)
+    texture = _create(gpu.ctx, pixels, what)
+    if spec.mipmap:
+        texture.build_mipmaps()
+    texture.filter = _FILTERS[spec.filter, spec.mipmap]
+    if not isinstance(texture, moderngl.TextureCube):
+        texture.repeat_x = texture.repeat_y = spec.wrap == "repeat"
+    if spec.anisotropy > 1.0:
+        texture.anisotropy = min(spec.anisotropy, gpu.ctx.max_anisotropy)
+    return texture
+
+
+def _create(ctx: moderngl.Context, pixels: NDArray[np.generic], what: str) -> GlTexture:
+    height, width, channels = pixels.shape[-3:]
+    kind, data = _DTYPES[pixels.dtype.name], pixels.tobytes()
+    if what == "faces":
+        return ctx.texture_cube((width, height), channels, data, dtype=kind)
+    if what == "layers":
+        return ctx.texture_array((width, height, len(pixels)), channels, data, dtype=kind)
+    return ctx.texture((width, height), channels, data, dtype=kind)

@@ -1,1 +1,0 @@
-"""Rendering and measuring. moderngl is imported here and nowhere else."""

@@ -1,0 +1,1 @@
+"""Where compiler and renderer meet: the shaders of a scene become bundles."""

@@ -1,0 +1,129 @@
+"""The shaders of a scene, read and analysed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import TypeVar
+
+import numpy as np
+
+from shadercache.compiler import Analysis, analyse
+from shadercache.diagnostics import input_error, usage_error
+from shadercache.foreign_files import read_text
+from shadercache.front.read_options import ReadOptions
+from shadercache.linking.made_scene import made_scene
+from shadercache.options import MappingKind
+from shadercache.scene.camera import root_of, scene_values
+from shadercache.scene.description import Scene, load_scene
+from shadercache.source import Source
+
+T = TypeVar("T")
+
+FULL_SCREEN = "--mapping screen"
+
+
+def open_scene(
+    path: Path, reading: ReadOptions | None = None, mapping: MappingKind | None = None
+) -> tuple[Scene, Analysis]:
+    """The scene of a scene file, or a made one for a full-screen shader; and its shaders.
+
+    With ``mapping`` screen or user a full-screen shader may have a vertex shader beside it.
+
+    Raises as ``load_scene`` and ``analyse_scene``, and :class:`UsageError` SC006 for a shader that
+    needs geometry.
+    """
+    if path.suffix == ".toml":
+        return analyse_scene(load_scene(path), reading, mapping)
+    beside = path.with_suffix(".vert")
+    flat = mapping in ("screen", "user")
+    vertex = beside if flat and beside.is_file() else None
+    sources = read_shader(path), None if vertex is None else read_shader(vertex)
+    analysis = analyse(*sources, reading, mapping)
+    if analysis.mapping == "surface":
+        message = f"the shader {path} has no scene, and its values lie on surfaces"
+        hint = f"put a scene.toml that names it beside it, or draw it full-screen: {FULL_SCREEN}"
+        raise usage_error("SC006", message, hint)
+    return made_scene(path, analysis, vertex), analysis
+
+
+def analyse_scene(
+    scene: Scene, reading: ReadOptions | None = None, mapping: MappingKind | None = None
+) -> tuple[Scene, Analysis]:
+    """The scene and what the compiler makes of its shaders; ``mapping`` goes before the scene's.
+
+    Where neither says one and nothing moves, values are found at their own pixel: what it shows, it
+    has shown in the frame before, so reprojection can be skipped.
+
+    Where shaders of an older version are raised some attributes, uniforms and textures get new
+    names: the scene has what it gives under these as well. Raises as :func:`compiler.analyse`.
+    """
+    reading = reading or ReadOptions()
+    reading = replace(reading, unroll=reading.unroll or scene.unroll)
+    sources, wanted = read_shaders(scene), mapping or scene.mapping
+    analysis = analyse(*sources, reading, wanted)
+    made = with_aliases(scene, analysis.renamed)
+    if wanted is None and analysis.mapping == "surface" and _rests(made, analysis):
+        analysis = analyse(*sources, reading, "screen")
+    return made, analysis
+
+
+def _rests(scene: Scene, analysis: Analysis) -> bool:
+    """Is each vertex at the same place of the picture in every frame?"""
+    names = analysis.vertex_emitter.previous_twins()
+    scenes = [item.scene for item in scene.objects if not item.own_shader] or [scene]
+    return all(_is_constant(item, names) for item in scenes)
+
+
+def _is_constant(scene: Scene, names: Iterable[str]) -> bool:
+    """Do these uniforms have one value all along the path? Their size in pixels does not matter."""
+    every = [scene_values(scene, frame, (64, 64)) for frame in range(scene.motion.frames + 1)]
+    return all(
+        name in values and np.array_equal(values[name], every[0][name])
+        for values in every
+        for name in names
+    )
+
+
+def read_shaders(scene: Scene) -> tuple[Source, Source | None]:
+    """The scene's fragment shader, and its vertex shader if it has one."""
+    vertex = None if scene.vertex is None else read_shader(scene.vertex)
+    return read_shader(scene.fragment), vertex
+
+
+def read_shader(path: Path) -> Source:
+    """The text of one shader. Raises :class:`InputError` SC001 for what is no text."""
+    try:
+        return Source(str(path), read_text(path))
+    except (OSError, UnicodeDecodeError) as error:
+        raise input_error("SC001", f"cannot read {path}: {error}") from None
+
+
+def with_aliases(scene: Scene, renamed: Mapping[str, str]) -> Scene:
+    """The scene with everything named ``old``, ``old[0]`` or ``old.member`` also under its new
+    name."""
+
+    def aliased(values: Mapping[str, T]) -> dict[str, T]:
+        made = dict(values)
+        for name, value in values.items():
+            root = root_of(name)
+            if root in renamed:
+                made[renamed[root] + name[len(root) :]] = value
+        return made
+
+    if not renamed:
+        return scene
+    return replace(
+        scene,
+        objects=tuple(
+            item if item.own_shader else replace(item, scene=with_aliases(item.scene, renamed))
+            for item in scene.objects
+        ),
+        attributes=aliased(scene.attributes),
+        constants=aliased(scene.constants),
+        semantics=aliased(scene.semantics),
+        animated=aliased(scene.animated),
+        textures=aliased(scene.textures),
+        changes=aliased(scene.changes),
+    )

@@ -1,0 +1,1 @@
+"""What is drawn in turns: times, hit rates and image errors."""

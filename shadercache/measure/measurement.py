@@ -1,0 +1,235 @@
+"""What a measurement is asked and what it answers: plain values, with the raw samples."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from shadercache.measure.image_error import ErrorStats, Pixels
+from shadercache.measure.probe import Probe
+from shadercache.measure.statistics import Ratio, Timing
+from shadercache.render.bundle import Bundle
+
+
+@dataclass(frozen=True, eq=False)
+class Entry:
+    """A node to measure: its name in tables, its programs, and which variants (None: all).
+
+    ``equal``: for how many nodes of the same value it stands, itself included.
+    """
+
+    label: str
+    bundle: Bundle
+    algorithms: tuple[str, ...] | None = None
+    equal: int = 1
+
+    @property
+    def chosen(self) -> tuple[str, ...]:
+        """The variants to measure."""
+        return self.bundle.algorithms if self.algorithms is None else self.algorithms
+
+
+@dataclass(frozen=True, slots=True)
+class MeasureOptions:
+    """How to measure. Frames are counted from 0, so the papers' frames 33-64 are 32 to 63.
+
+    ``frames``: how many are drawn; frame 0 is a reset and is not timed.
+    ``error_from``: images are compared from this frame on (half of ``frames`` if that is less).
+    ``probe_every``: every so many frames of that range, hit masks, work and the parts of the floor
+    are taken as well (they cost extra draws); oftener in a short run, so that there are eight.
+    ``group``: how many variants are interleaved at once; more need more memory for caches.
+    ``picture_frame``: the frame whose pictures are kept; None keeps none.
+    ``curves``: of at most so many nodes what becomes of the pixels is counted in every frame.
+    ``weigh``: first find out which objects with shaders of their own are worth caching.
+    """
+
+    size: tuple[int, int] = (1024, 1024)
+    frames: int = 64
+    error_from: int = 32
+    probe_every: int = 4
+    period: int = 32
+    block: int = 4
+    epsilon: float | None = None
+    cache_format: str | None = None
+    group: int = 12
+    picture_frame: int | None = None
+    curves: int = 8
+    weigh: bool = True
+
+    @property
+    def first_compared(self) -> int:
+        """The first frame whose image is compared; never the reset frame."""
+        return max(1, min(self.error_from, self.frames // 2))
+
+    def is_probed(self, frame: int) -> bool:
+        """Whether the costly extras are taken at a frame."""
+        return self._falls_on(frame, min(self.probe_every, self._compared // 8))
+
+    def times_payload(self, frame: int) -> bool:
+        """Whether the payload alone is timed at a frame: sixteen times, or at all that compare."""
+        return self._falls_on(frame, self._compared // 16)
+
+    @property
+    def _compared(self) -> int:
+        return self.frames - self.first_compared
+
+    def _falls_on(self, frame: int, every: int) -> bool:
+        since = frame - self.first_compared
+        return since >= 0 and since % max(1, every) == 0
+
+
+@dataclass(frozen=True, eq=False)
+class Shot:
+    """Images of one variant at one frame, row 0 at the bottom; ``probe`` tells its outcomes."""
+
+    label: str
+    algorithm: str
+    original: Pixels
+    cached: Pixels
+    probe: Probe
+
+
+@dataclass(frozen=True, slots=True)
+class Curve:
+    """What became of the visible pixels of cached objects: their shares, by frame from frame 0."""
+
+    hit: tuple[float, ...]
+    refresh: tuple[float, ...]
+
+    @property
+    def hit_rate(self) -> float:
+        """The mean share of hits, without the reset frame."""
+        return float(np.mean(self.hit[1:]))
+
+    @property
+    def found_rate(self) -> float:
+        """The same of what is not refreshed on purpose: what reprojection finds again."""
+        pairs = zip(self.hit[1:], self.refresh[1:], strict=True)
+        return float(np.mean([hit / max(1e-9, 1.0 - refresh) for hit, refresh in pairs]))
+
+    @property
+    def burst(self) -> float:
+        """The greatest share that is refreshed in one frame."""
+        return max(self.refresh[1:])
+
+
+@dataclass(frozen=True, slots=True)
+class VariantResult:
+    """One variant against the original.
+
+    ``speedup`` is original / variant. ``outcomes``: share of the covered visible pixels that were a
+    hit, a refresh, a miss by cause; ``burst`` the largest share of refreshes in any probed frame.
+    ``reset`` is the time of the frame behind a reset over the original's (the median of a few).
+    ``work``: fragments per frame by pass, overdraw included. ``floor`` in seconds and
+    ``efficiency`` = floor / time as DESIGN §7 says, None without parts.
+    """
+
+    algorithm: str
+    timing: Timing
+    speedup: Ratio
+    reset: float
+    outcomes: Mapping[str, float]
+    burst: float
+    hit_rates: tuple[float, ...]
+    work: Mapping[str, float]
+    error: ErrorStats
+    frame_rmse: tuple[float, ...]
+    floor: float | None
+    efficiency: float | None
+
+    @property
+    def hit_rate(self) -> float:
+        """Mean share of the covered visible pixels that reuse a payload, over probed frames."""
+        return float(np.mean(self.hit_rates)) if self.hit_rates else 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class NodeResult:
+    """One node. ``ratio`` is P/T as measured: payload alone over the original, both less geometry.
+
+    ``payload`` and ``hit`` are the parts measured alone at the probed frames (None if the manifest
+    has no 3-pass or no 2-pass variant). ``equal`` as in :class:`Entry`.
+    """
+
+    label: str
+    node_id: str
+    path: str
+    text: str
+    type: str
+    mode: str
+    ratio: float | None
+    payload: Timing | None
+    hit: Timing | None
+    variants: tuple[VariantResult, ...]
+    equal: int = 1
+    curve: Curve | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Skipped:
+    """What a scene of several objects does without, on average over the frames.
+
+    ``objects`` there are; ``outside`` of them lie outside of the picture or are not there, so are
+    not drawn; ``uncached`` are drawn by their originals. ``saved``: the share of the original's
+    time that drawing all of them takes more.
+    """
+
+    objects: int
+    outside: float
+    uncached: int
+    saved: float
+
+
+@dataclass(frozen=True, slots=True)
+class CachingGain:
+    """How many times as fast a frame is with the objects of one shader cached, all else the same.
+
+    ``shader`` is its file's name; ``ratio`` is of the algorithm that gains the most by it.
+    """
+
+    shader: str
+    objects: tuple[str, ...]
+    algorithm: str
+    ratio: Ratio
+
+    @property
+    def pays(self) -> bool:
+        """Is the frame any faster for it?"""
+        return self.ratio.median > 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """Nodes whose frames were interleaved with the same draws of the original.
+
+    ``original`` and ``geometry`` (the vertex work alone) are timed at every frame.
+    """
+
+    original: Timing
+    geometry: Timing
+    nodes: tuple[NodeResult, ...]
+    skipped: Skipped | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Measurement:
+    """The whole answer. ``covered``: mean share of the frame that the mesh covers; ``notes``: what
+    the runs gave away, such as cuts that were not told; ``gains``: what caching the objects with
+    shaders of their own is worth. Those where it is nothing were drawn by their originals."""
+
+    scene: str
+    options: MeasureOptions
+    clock: str
+    covered: float
+    groups: tuple[Group, ...]
+    shots: tuple[Shot, ...]
+    notes: tuple[str, ...] = ()
+    gains: tuple[CachingGain, ...] = ()
+
+    @cached_property
+    def nodes(self) -> tuple[NodeResult, ...]:
+        """All nodes, in the order they were given."""
+        return tuple(node for group in self.groups for node in group.nodes)

@@ -1,0 +1,191 @@
+"""Store measurements: JSON with everything, CSV with one row for each variant.
+
+A JSON result says where it was measured (renderer, clock, machine) and keeps the raw samples, so
+that every number of a table can be computed again.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+import os
+import platform
+import re
+from collections.abc import Mapping
+from dataclasses import asdict
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+from shadercache import foreign_files as foreign
+from shadercache.diagnostics import input_error
+from shadercache.files import write_bytes
+from shadercache.gpu.context import Gpu
+from shadercache.measure.measurement import Group, Measurement, NodeResult, VariantResult
+
+SCHEMA_VERSION = 1
+
+COLUMNS = (
+    "label",
+    "node",
+    "algorithm",
+    "p_over_t",
+    "original_ms",
+    "time_ms",
+    "minimum_ms",
+    "p95_ms",
+    "p99_ms",
+    "reset_over_original",
+    "speedup",
+    "speedup_low",
+    "speedup_high",
+    "hit_rate",
+    "refresh_burst",
+    "rmse",
+    "p99",
+    "maximum",
+    "psnr_db",
+    "floor_ms",
+    "efficiency",
+)
+
+
+def environment(gpu: Gpu) -> dict[str, Any]:
+    """Where the numbers come from: date (UTC), renderer, processor, Python."""
+    return {
+        "date": datetime.now(UTC).isoformat(timespec="seconds"),
+        "gl": gpu.describe(),
+        "cpu": _processor(),
+        "cores": os.cpu_count(),
+        "system": _system(),
+        "python": platform.python_version(),
+    }
+
+
+def to_json(measurement: Measurement, where: Mapping[str, Any]) -> dict[str, Any]:
+    """The measurement as plain JSON values; times in seconds, numbers without end as null.
+
+    Args:
+        where: what ``environment`` returns.
+    """
+    return {
+        "schema_version": SCHEMA_VERSION,
+        "environment": dict(where),
+        "clock": measurement.clock,
+        "scene": measurement.scene,
+        "options": asdict(measurement.options),
+        "covered": measurement.covered,
+        "notes": list(measurement.notes),
+        "gains": [_plain(asdict(gain)) for gain in measurement.gains],
+        "groups": [_plain(asdict(group)) for group in measurement.groups],
+    }
+
+
+def write_json(path: Path, data: Mapping[str, Any]) -> None:
+    """Write a result file.
+
+    Raises:
+        UsageError: SC025, the path cannot be written.
+    """
+    write_bytes(path, (json.dumps(data, indent=1, allow_nan=False) + "\n").encode())
+
+
+def read_json(path: Path) -> dict[str, Any]:
+    """Read a result file back.
+
+    Raises:
+        InputError: SC023, it is no result file of this version.
+    """
+    try:
+        data = foreign.read_json(path)
+    except (OSError, ValueError) as error:
+        raise input_error("SC023", f"cannot read the result {path}: {error}") from None
+    if not isinstance(data, dict) or data.get("schema_version") != SCHEMA_VERSION:
+        raise input_error("SC023", f"{path} is no result of schema_version {SCHEMA_VERSION}")
+    return data
+
+
+def rows(measurement: Measurement) -> list[dict[str, Any]]:
+    """One row for each variant with the values of ``COLUMNS`` (None where there is none)."""
+    return [
+        _row(group, node, variant)
+        for group in measurement.groups
+        for node in group.nodes
+        for variant in node.variants
+    ]
+
+
+def to_csv(measurement: Measurement) -> str:
+    """The rows as CSV with a heading; lines end in a line feed."""
+    buffer = io.StringIO()
+    writer = csv.DictWriter(buffer, COLUMNS, lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows(measurement))
+    return buffer.getvalue()
+
+
+def _row(group: Group, node: NodeResult, variant: VariantResult) -> dict[str, Any]:
+    values = (
+        node.label,
+        node.node_id,
+        variant.algorithm,
+        node.ratio,
+        group.original.median * 1e3,
+        variant.timing.median * 1e3,
+        variant.timing.minimum * 1e3,
+        variant.timing.p95 * 1e3,
+        variant.timing.p99 * 1e3,
+        variant.reset,
+        variant.speedup.median,
+        variant.speedup.low,
+        variant.speedup.high,
+        variant.hit_rate,
+        variant.burst,
+        variant.error.rmse,
+        variant.error.p99,
+        variant.error.maximum,
+        variant.error.psnr,
+        None if variant.floor is None else variant.floor * 1e3,
+        variant.efficiency,
+    )
+    return dict(zip(COLUMNS, values, strict=True))
+
+
+def _plain(value: Any) -> Any:
+    """JSON has no infinity: the PSNR of equal images becomes null."""
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(item) for item in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def machine_name(where: Mapping[str, Any]) -> str:
+    """``$MACHINE``, or the renderer and the number of cores, such as ``llvmpipe-2-cores``.
+
+    Args:
+        where: what ``environment`` returns.
+    """
+    renderer = where["gl"]["renderer"].partition("(")[0]
+    slug = re.sub(r"[^a-z0-9]+", "-", f"{renderer} {where['cores']} cores".lower()).strip("-")
+    return os.environ.get("MACHINE") or slug
+
+
+def _system() -> str:
+    """The distribution; the kernel's own name often gives away whose machine it is."""
+    try:
+        return f"{platform.freedesktop_os_release()['PRETTY_NAME']}, {platform.machine()}"
+    except (OSError, KeyError):
+        return f"{platform.system()}, {platform.machine()}"
+
+
+def _processor() -> str:
+    try:
+        for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
+            if line.startswith("model name"):
+                return line.partition(":")[2].strip()
+    except OSError:
+        pass
+    return platform.processor() or platform.machine()

@@ -1,0 +1,266 @@
+"""What runs side by side in a measurement: the original, each variant, each part of the floor.
+
+A lane draws, keeps its samples, and turns them into a result in the end.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shadercache.gpu.clock import Clock
+from shadercache.measure.image_error import ErrorSum, Pixels
+from shadercache.measure.measurement import Curve, Entry, MeasureOptions, NodeResult, VariantResult
+from shadercache.measure.statistics import Timing, paired_ratio, timing
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import (
+    NEVER,
+    OLDEST_IN_HALF,
+    CoverageRunner,
+    GeometryRunner,
+    OriginalRunner,
+    PayloadRunner,
+    RunOptions,
+    VariantRunner,
+)
+
+
+class TimedOriginal:
+    """The original, its geometry and its coverage: what every variant is compared with."""
+
+    def __init__(self, world: RenderScene, entry: Entry) -> None:
+        """Raises as ``BoundPass``."""
+        self._original = OriginalRunner(world, entry.bundle)
+        self._geometry = GeometryRunner(world, entry.bundle)
+        self._coverage = CoverageRunner(world, entry.bundle)
+        self._world = world
+        self.original: dict[int, float] = {}
+        self.geometry: dict[int, float] = {}
+        self.pixels: Pixels = np.zeros((0, 0, 4), np.uint8)
+        self.covered: NDArray[np.bool_] = np.zeros((0, 0), np.bool_)
+
+    def warm_up(self, frame: int) -> None:
+        """Draw everything once: the first draw of a program compiles it."""
+        for runner in (self._original, self._geometry, self._coverage):
+            runner.draw(frame)
+
+    def time_original(self, clock: Clock, frame: int) -> None:
+        """Time the original; its image stays in the colour target."""
+        self._world.prepare(frame)
+        self.original[frame] = clock.time(partial(self._original.draw, frame))
+
+    def time_again(self, clock: Clock, frame: int) -> float:
+        """The time of the original, which is not kept."""
+        self._world.prepare(frame)
+        return clock.time(partial(self._original.draw, frame))
+
+    def time_all_objects(self, clock: Clock, frame: int) -> float:
+        """How many times as long the original takes with objects outside of the picture."""
+        alone = self.time_again(clock, frame)
+        self._world.culling = False
+        try:
+            return self.time_again(clock, frame) / alone
+        finally:
+            self._world.culling = True
+
+    def time_geometry(self, clock: Clock, frame: int) -> None:
+        """Time the bare geometry."""
+        self._world.prepare(frame)
+        self.geometry[frame] = clock.time(partial(self._geometry.draw, frame))
+
+    def keep_image(self, frame: int) -> None:
+        """Keep the original's pixels, which were just drawn, and the mask of covered pixels."""
+        self.pixels = self._world.targets.pixels()
+        self.covered = self._coverage.coverage(frame)
+
+    def share(self, seconds: dict[int, float]) -> float:
+        """What was timed as a share of the original: the median over the frames of both.
+
+        Shares of the same frame are what the drift of the machine leaves alone (DESIGN §7).
+        """
+        ratios = [time / self.original[frame] for frame, time in seconds.items()]
+        return float(np.median(ratios))
+
+    def release(self) -> None:
+        """Give the programs back."""
+        for runner in (self._original, self._geometry, self._coverage):
+            runner.release()
+
+
+class TimedVariant:
+    """One variant with its samples."""
+
+    def __init__(
+        self, world: RenderScene, entry: Entry, algorithm: str, options: MeasureOptions
+    ) -> None:
+        """Raises as ``VariantRunner``."""
+        run = RunOptions(
+            options.period,
+            options.block,
+            options.epsilon,
+            options.cache_format,
+            short_reset=True,
+        )
+        self.runner = VariantRunner(world, entry.bundle, algorithm, run)
+        self.entry = entry
+        self.times: dict[int, float] = {}
+        self._hit_rates: list[float] = []
+        self.mask: NDArray[np.uint8] = np.zeros((0, 0), np.uint8)
+        self._error = ErrorSum()
+        self._frame_rmse: list[float] = []
+        self._outcomes: list[dict[str, float]] = []
+        self._work: list[dict[str, int]] = []
+        self._resets: list[float] = []
+
+    def warm_up(self, frame: int) -> None:
+        """Draw a reset frame and one more, so that every pass has been drawn, then forget."""
+        for _ in range(2):
+            self.runner.draw(frame)
+        self.runner.hit_mask(frame)
+        self.runner.reset()
+
+    def time(self, clock: Clock, frame: int) -> None:
+        """Time the next frame of the run; its image stays in the colour target."""
+        self.times[frame] = clock.time(partial(self.runner.draw, frame))
+
+    def time_reset(self, clock: Clock, frame: int, reference: TimedOriginal) -> None:
+        """Time the frame after a reset, beside the original of the same frame."""
+        original = reference.time_again(clock, frame)
+        self.runner.reset()
+        self._resets.append(clock.time(partial(self.runner.draw, frame)) / original)
+
+    def look(self, frame: int) -> None:
+        """Take the hit mask of the frame that is about to be drawn."""
+        self.mask = self.runner.hit_mask(frame)
+
+    def probe(self, frame: int) -> None:
+        """Count outcomes and work of the frame that is about to be drawn."""
+        self.look(frame)
+        counts = np.bincount(self.mask.ravel(), minlength=256)
+        covered = max(1, self.mask.size - int(counts[0]))
+        values = self.entry.bundle.mask_values
+        shares = {name: float(counts[value]) / covered for name, value in values.items()}
+        self._outcomes.append(shares)
+        self._hit_rates.append(shares.get("hit", 0.0))
+        self.runner.note_hits(frame, self._hit_rates[-1])
+        self._work.append(self.runner.work(frame))
+
+    def compare(self, reference: TimedOriginal) -> None:
+        """Add the image in the colour target to the error."""
+        pixels = self.runner.world.targets.pixels()
+        self._frame_rmse.append(self._error.add(reference.pixels, pixels, reference.covered))
+
+    def result(self, reference: TimedOriginal, hit: dict[int, float]) -> VariantResult:
+        """What was measured; ``hit`` are the seconds of the hit part at the probed frames."""
+        frames = [frame for frame in self.times if frame > 0]
+        original = [reference.original[frame] for frame in frames]
+        times = [self.times[frame] for frame in frames]
+        speedup = paired_ratio(original, times)
+        floor = self._floor(reference, hit)
+        return VariantResult(
+            algorithm=self.runner.algorithm,
+            timing=timing(times),
+            speedup=speedup,
+            reset=float(np.median(self._resets)),
+            outcomes=_mean(self._outcomes),
+            burst=max((shares.get("refresh", 0.0) for shares in self._outcomes), default=0.0),
+            hit_rates=tuple(self._hit_rates),
+            work=_mean(self._work),
+            error=self._error.stats(),
+            frame_rmse=tuple(self._frame_rmse),
+            floor=None if floor is None else floor * float(np.median(original)),
+            efficiency=None if floor is None else floor * speedup.median,
+        )
+
+    def _floor(self, reference: TimedOriginal, hit: dict[int, float]) -> float | None:
+        """Geometry + rate * T_hit + (1 - rate) * T_miss as a share of the original (DESIGN §7)."""
+        if not hit or not self._hit_rates:
+            return None
+        bare = reference.share(reference.geometry)
+        rate = float(np.mean(self._hit_rates))
+        return bare + rate * (reference.share(hit) - bare) + (1.0 - rate) * (1.0 - bare)
+
+
+class TimedParts:
+    """The payload alone and the hit alone, each at its frames (``MeasureOptions``)."""
+
+    def __init__(self, world: RenderScene, entry: Entry, options: MeasureOptions) -> None:
+        """Raises as ``VariantRunner``."""
+        self.payload: dict[int, float] = {}
+        self.hit: dict[int, float] = {}
+        never = NEVER if entry.bundle.age_channel is None else OLDEST_IN_HALF
+        run = RunOptions(never, options.block, options.epsilon, options.cache_format)
+        have = entry.bundle.algorithms
+        self._payload = PayloadRunner(world, entry.bundle)
+        self._hit = VariantRunner(world, entry.bundle, "2-pass", run) if "2-pass" in have else None
+
+    def warm_up(self, frame: int, clock: Clock) -> None:
+        """Draw both once, then forget what was timed."""
+        self.time_payload(clock, frame)
+        self.probe(clock, frame)
+        self.payload.clear()
+        self.hit.clear()
+
+    def time_payload(self, clock: Clock, frame: int) -> None:
+        """Time the payload alone."""
+        self.payload[frame] = clock.time(partial(self._payload.draw, frame))
+
+    def probe(self, clock: Clock, frame: int) -> None:
+        """Time the 2-pass hit pass at rest.
+
+        The hit pass sees a cache that was filled at the same frame, so that every pixel is a hit.
+        """
+        if self._hit is not None:
+            self._hit.reset()
+            self._hit.draw(frame)
+            self.hit[frame] = clock.time(partial(self._hit.draw_pass, frame, "hit"))
+
+    def release(self) -> None:
+        """Give programs and caches back."""
+        self._payload.release()
+        if self._hit is not None:
+            self._hit.release()
+
+    def result(
+        self,
+        reference: TimedOriginal,
+        entry: Entry,
+        lanes: list[TimedVariant],
+        curve: Curve | None,
+    ) -> NodeResult:
+        """The node with all its variants."""
+        bundle = entry.bundle
+        return NodeResult(
+            label=entry.label,
+            node_id=bundle.node("id"),
+            path=bundle.node("path"),
+            text=bundle.node("text"),
+            type=bundle.node("type"),
+            mode=bundle.mode,
+            ratio=self._ratio(reference),
+            payload=_timing(self.payload),
+            hit=_timing(self.hit),
+            variants=tuple(lane.result(reference, self.hit) for lane in lanes),
+            equal=entry.equal,
+            curve=curve,
+        )
+
+    def _ratio(self, reference: TimedOriginal) -> float | None:
+        if not self.payload:
+            return None
+        bare = reference.share(reference.geometry)
+        if bare == 1.0:  # a clock too coarse for the scene sees no shading
+            return None
+        return (reference.share(self.payload) - bare) / (1.0 - bare)
+
+
+def _timing(samples: dict[int, float]) -> Timing | None:
+    return timing(list(samples.values())) if samples else None
+
+
+def _mean(counts: list[dict[str, float]] | list[dict[str, int]]) -> dict[str, float]:
+    if not counts:
+        return {}
+    return {name: float(np.mean([count[name] for count in counts])) for name in counts[0]}

@@ -1,0 +1,172 @@
+"""Draw the originals, their bare geometry or their payloads, frame by frame.
+
+Arrays that are read back have row 0 at the bottom, as in OpenGL.
+"""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+
+import moderngl
+import numpy as np
+from numpy.typing import NDArray
+
+from shadercache.diagnostics import DiagnosticError
+from shadercache.gpu.resource import Resource
+from shadercache.render.bound_pass import NO_NAMES, BoundPass, FrameInputs, Naming
+from shadercache.render.bundle import Bundle, PassSpec
+from shadercache.render.drawable import Drawable
+from shadercache.render.render_scene import RenderScene
+from shadercache.scene.graphics_state import ORIGINALS
+
+
+class Runner(Resource):
+    """What all runners share: a render scene, and the right to its colour target after a draw."""
+
+    def __init__(self, world: RenderScene) -> None:
+        self.world = world
+        self._bound: list[BoundPass] = []
+
+    def _bind(self, drawable: Drawable, spec: PassSpec, naming: Naming) -> BoundPass:
+        bound = BoundPass(self.world, drawable, spec, naming)
+        self._bound.append(bound)
+        return bound
+
+    @abstractmethod
+    def draw(self, frame: int) -> None:
+        """Draw one frame (counted from 0) into the render scene's colour target."""
+
+    def image(self, frame: int) -> NDArray[np.float32]:
+        """Draw one frame and read it: (h, w, 4), display-encoded."""
+        self.draw(frame)
+        return self.world.targets.image()
+
+    def release(self) -> None:
+        """Give programs and caches back to the render scene."""
+        for bound in self._bound:
+            bound.release()
+        self._bound.clear()
+
+
+class PassRunner(Runner):
+    """Draws programs that hold nothing but the user's own inputs, one for each object."""
+
+    def __init__(self, world: RenderScene, *specs: PassSpec, naming: Naming = NO_NAMES) -> None:
+        """Args: ``specs`` are one for all objects, or as many. Raises as ``BoundPass``."""
+        super().__init__(world)
+        many = specs * len(world.drawables) if len(specs) == 1 else specs
+        self._passes: dict[Drawable, BoundPass] = {}
+        try:
+            for drawable, spec in zip(world.drawables, many, strict=True):
+                self._passes[drawable] = self._bind(drawable, spec, naming)
+        except DiagnosticError:
+            self.release()
+            raise
+
+    def draw(self, frame: int) -> None:
+        """Draw one frame into the colour target."""
+        self.world.begin()
+        self._draw_objects(frame)
+
+    def _draw_objects(self, frame: int, depth_test: str | None = None) -> None:
+        viewport = self.world.viewport(frame)
+        for drawable in self.world.drawn(frame):
+            values = drawable.values(frame)
+            inputs = FrameInputs(values, values, object_numbers(drawable), viewport)
+            self._passes[drawable].draw(inputs, None, depth_test)
+
+
+class OriginalRunner(PassRunner):
+    """Draws the unchanged shaders."""
+
+    def __init__(self, world: RenderScene, bundle: Bundle) -> None:
+        """Raises as ``BoundPass`` and, for other objects' shaders, ``ObjectBundles.bundle``."""
+        self._before: CoverageRunner | None = None
+        super().__init__(world, *(found.original for found in _bundles(world, bundle)))
+        if world.scene.engine.depth == "equal":
+            self._before = CoverageRunner(world, bundle)
+
+    def draw(self, frame: int) -> None:
+        """Draw one frame into the colour target, with the application's own depth function."""
+        engine = self.world.scene.engine
+        if self._before is None:
+            self.world.begin()
+        else:
+            self._before.draw(frame)
+        self._draw_objects(frame, ORIGINALS[engine.depth])
+
+    def release(self) -> None:
+        """Give programs back to the render scene."""
+        super().release()
+        if self._before is not None:
+            self._before.release()
+
+
+class GeometryRunner(PassRunner):
+    """Draws the bare geometry: the part of a frame's time that no cache can save."""
+
+    def __init__(self, world: RenderScene, bundle: Bundle) -> None:
+        """Raises as ``OriginalRunner``."""
+        super().__init__(world, *(found.geometry for found in _bundles(world, bundle)))
+
+
+class PayloadRunner(PassRunner):
+    """Draws the payload alone in place of the colour: P of P/T.
+
+    Of objects without a payload it draws the bare geometry.
+    """
+
+    def __init__(self, world: RenderScene, bundle: Bundle) -> None:
+        """Raises as ``OriginalRunner``."""
+        found = zip(world.drawables, _bundles(world, bundle), strict=True)
+        super().__init__(
+            world,
+            *(
+                item.payload
+                if drawable.item.cached and "payload" in item.manifest
+                else item.geometry
+                for drawable, item in found
+            ),
+            naming=Naming(bundle.roles, {}),
+        )
+
+
+class CoverageRunner(PassRunner):
+    """Tells which pixels the objects cover, and where two fragments tie for the front."""
+
+    def __init__(self, world: RenderScene, bundle: Bundle) -> None:
+        """Raises as ``OriginalRunner``."""
+        super().__init__(world, *(found.coverage for found in _bundles(world, bundle)))
+
+    def coverage(self, frame: int) -> NDArray[np.bool_]:
+        """Which pixels the objects cover, (h, w)."""
+        self.draw(frame)
+        covered: NDArray[np.bool_] = self.world.targets.pixels()[..., 3] != 0
+        return covered
+
+    def ties(self, frame: int) -> NDArray[np.bool_]:
+        """Pixels where two fragments share the smallest depth (DESIGN §4, law 4), (h, w).
+
+        Which of the two is seen depends on the order of drawing and the depth function.
+        """
+        self.draw(frame)
+        self.world.targets.clear_color()
+        ctx = self.world.gpu.ctx
+        ctx.enable(moderngl.BLEND)
+        ctx.blend_func = (moderngl.ONE, moderngl.ONE)
+        self._draw_objects(frame, depth_test="==")
+        ctx.disable(moderngl.BLEND)
+        return self.world.targets.image()[..., 0] > 0.375
+
+
+def _bundles(world: RenderScene, bundle: Bundle) -> list[Bundle]:
+    """The programs of each object."""
+    return [world.object_programs.bundle(drawable.item, bundle) for drawable in world.drawables]
+
+
+def object_numbers(drawable: Drawable) -> dict[str, NDArray[np.float64]]:
+    """The numbers that are an object's own, by role."""
+    return {
+        "object": np.array([drawable.number], np.float64),
+        "mask": np.array([drawable.item.mask], np.float64),
+    }

@@ -1,0 +1,194 @@
+"""A scene on the GPU at one size: everything that runners of many variants share."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from copy import copy
+from dataclasses import replace
+from pathlib import Path
+
+import moderngl
+
+from shadercache.diagnostics import input_error
+from shadercache.gpu.clip_control import apply_state
+from shadercache.gpu.context import Gpu
+from shadercache.gpu.programs import Programs
+from shadercache.gpu.resource import Resource
+from shadercache.gpu.targets import Targets
+from shadercache.gpu.textures import GlTexture, upload_texture
+from shadercache.render.drawable import Drawable, GpuMesh
+from shadercache.render.object_bundles import ObjectBundles, SharedPrograms
+from shadercache.scene.camera import Values
+from shadercache.scene.description import Camera, CameraPath, Scene, SceneObject, TextureSpec
+from shadercache.scene.mesh import Mesh, scene_mesh
+from shadercache.scene.motion import REST
+
+
+class RenderScene(Resource):
+    """Objects, textures, programs and render targets of one scene at one size.
+
+    ``drawables`` are the objects; of a scene of one, ``mesh``, ``values`` and ``texture`` are its
+    own. With ``culling`` objects outside of the picture are not drawn.
+    """
+
+    def __init__(
+        self,
+        gpu: Gpu,
+        scene: Scene,
+        size: tuple[int, int],
+        color: str = "rgba8",
+        mesh: Mesh | None = None,
+        small: bool = False,
+        programs: ObjectBundles | None = None,
+    ) -> None:
+        """Upload the meshes (``mesh`` in place of the scene's own) and make the targets.
+
+        Args:
+            size: width and height in pixels.
+            color: ``rgba8`` for pictures and timing, ``rgba32f`` for proofs.
+            small: take the meshes' low resolution stand-ins where there are any.
+            programs: of objects with shaders of their own; a scene without needs none.
+
+        Raises:
+            InputError: SC51x for an unusable mesh, SC540 for a mesh in place of those of several
+                objects, SC603 for a format that does not exist.
+        """
+        if mesh is not None and scene.objects:
+            message = f"the scene {scene.name} has several objects; one mesh cannot replace theirs"
+            raise input_error("SC540", message)
+        self.gpu = gpu
+        self.scene = scene
+        self.culling = True
+        self._owns = True
+        self.object_programs = programs or SharedPrograms()
+        self.programs = Programs(gpu)
+        self._meshes: dict[Path | None, GpuMesh] = {}
+        self._textures: dict[TextureSpec, GlTexture] = {}
+        self.drawables = tuple(
+            self._drawable(
+                self.object_programs.named(item),
+                number + 1,
+                self._mesh(item.scene, mesh, small),
+                size,
+            )
+            for number, item in enumerate(scene.parts)
+        )
+        self.targets = Targets(gpu.ctx, size, color, scene.engine.empty_depth)
+        self._mixed = len({item.scene.cull for item in scene.parts}) > 1
+        # moderngl cannot free a query, so there is one for all runners.
+        self.sample_counter = gpu.ctx.query(samples=True)
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height in pixels."""
+        return self.targets.size
+
+    @property
+    def mesh(self) -> Mesh:
+        """The mesh of the first object."""
+        return self.drawables[0].mesh
+
+    def values(self, frame: int) -> Values:
+        """The uniforms of the first object at a frame. Equal frames give the same values."""
+        return self.drawables[0].values(frame)
+
+    def texture(self, name: str) -> GlTexture | None:
+        """A texture of the first object; None if it has none so named. Raises as :meth:`load`."""
+        return self.drawables[0].texture(name)
+
+    def viewport(self, frame: int) -> tuple[int, int, int, int]:
+        """Left, bottom, width and height of what a frame is drawn into, in pixels."""
+        return self.scene.engine.viewport(frame, self.size)
+
+    def drawn(self, frame: int) -> tuple[Drawable, ...]:
+        """The objects that are drawn in a frame: there, and not outside of the picture."""
+        return tuple(
+            drawable
+            for drawable in self.drawables
+            if drawable.is_there(frame) and not (self.culling and drawable.is_outside(frame))
+        )
+
+    def prepare(self, frame: int) -> None:
+        """Compute all that a frame needs of the CPU, so that timed draws find it done."""
+        for drawable in self.drawn(frame):
+            drawable.values(frame)
+
+    def seen_from(self, camera: Camera, path: CameraPath = REST) -> RenderScene:
+        """The same objects before another camera, for a view beside this one.
+
+        It shares all that is on the GPU with this world, which must outlive it. Runners of several
+        views take turns; each has a cache of its own.
+        """
+        other = copy(self)
+        other._owns = False
+        other.scene = self.scene.seen_from(camera, path)
+        other.drawables = tuple(
+            drawable.seen_as(replace(drawable.item, scene=drawable.scene.seen_from(camera, path)))
+            for drawable in self.drawables
+        )
+        return other
+
+    def without_caching(self, names: Collection[str]) -> RenderScene:
+        """The same objects, some of them drawn by their originals.
+
+        It shares all that is on the GPU with this world, which must outlive it.
+        """
+        other = copy(self)
+        other._owns = False
+        other.drawables = tuple(
+            drawable.seen_as(replace(drawable.item, cached=False))
+            if drawable.item.name in names
+            else drawable
+            for drawable in self.drawables
+        )
+        return other
+
+    def load(self, spec: TextureSpec) -> GlTexture:
+        """A texture, uploaded when first wanted.
+
+        Raises:
+            InputError: SC530, SC531 for a file that is no texture.
+        """
+        if spec not in self._textures:
+            self._textures[spec] = upload_texture(self.gpu, spec)
+        return self._textures[spec]
+
+    def begin(self) -> None:
+        """Set the state a frame starts from, and clear colour and depth."""
+        flags = moderngl.DEPTH_TEST | (moderngl.CULL_FACE if self.drawables[0].scene.cull else 0)
+        self.gpu.ctx.enable_only(flags)
+        apply_state(self.gpu.ctx, self.scene.engine)
+        self.targets.clear()
+
+    def set_culling(self, drawable: Drawable) -> None:
+        """Draw back faces of this object or not, where objects differ in that."""
+        if self._mixed:
+            change = self.gpu.ctx.enable if drawable.scene.cull else self.gpu.ctx.disable
+            change(moderngl.CULL_FACE)
+
+    def release(self) -> None:
+        """Free every GL object; what runs here can draw no more. Of a view: nothing."""
+        if not self._owns:
+            return
+        self.programs.release_all()
+        for mesh in self._meshes.values():
+            mesh.release()
+        for texture in self._textures.values():
+            texture.release()
+        self.targets.release()
+
+    def _mesh(self, scene: Scene, given: Mesh | None, small: bool) -> GpuMesh:
+        """What an object draws; objects that draw the same file share it."""
+        path = scene.verify_mesh if small and scene.verify_mesh else scene.mesh
+        if path not in self._meshes:
+            self._meshes[path] = GpuMesh(self.gpu.ctx, given or scene_mesh(scene, small))
+        return self._meshes[path]
+
+    def _drawable(
+        self, item: SceneObject, number: int, mesh: GpuMesh, size: tuple[int, int]
+    ) -> Drawable:
+        def texture(name: str) -> GlTexture | None:
+            spec = item.scene.textures.get(name)
+            return None if spec is None else self.load(spec)
+
+        return Drawable(self.gpu, item, number, mesh, size, texture)

@@ -1,0 +1,140 @@
+"""The plots of a sweep: time against P/T, error against time (seed 003, figure 8), hits by frame.
+
+matplotlib takes half a second to import, so it is imported when a plot is made.
+"""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shadercache.measure.measurement import Curve, Measurement, NodeResult, VariantResult
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+MARKERS = {"1-pass": ("o", "#26849a"), "2-pass": ("s", "#d6573c"), "3-pass": ("^", "#6a58a8")}
+"""Marker and colour of each algorithm, the same in every plot."""
+
+_LEAST_ERROR = 1e-5
+
+
+def plot_time(measurement: Measurement) -> bytes:
+    """Median frame time (ms) of every variant against the node's measured P/T; a PNG file.
+
+    The original's time is a line, its geometry's a dotted one; bars span the speed-up's interval.
+    """
+    figure, axes = _axes(f"{measurement.scene}: time against payload share")
+    for algorithm, found in _by_algorithm(measurement).items():
+        known = [(node.ratio, variant) for node, variant in found if node.ratio is not None]
+        if not known:
+            continue
+        x = [ratio for ratio, _ in known]
+        y = [variant.timing.median * 1e3 for _, variant in known]
+        marker, color = MARKERS.get(algorithm, ("x", "#555555"))
+        bars = np.array([_bar(variant) for _, variant in known]).T
+        axes.errorbar(
+            x, y, yerr=bars, fmt=marker, color=color, ms=4, lw=0.8, alpha=0.8, label=algorithm
+        )
+    original = _median([group.original.median for group in measurement.groups])
+    geometry = _median([group.geometry.median for group in measurement.groups])
+    axes.axhline(original, color="#333333", lw=1.2, label=f"original, {original:.1f} ms")
+    axes.axhline(geometry, color="#999999", lw=1.0, ls=":", label=f"geometry, {geometry:.1f} ms")
+    axes.set_xlabel("P/T: cost of the payload over cost of the shader, measured")
+    axes.set_ylabel("median time of a frame (ms)")
+    axes.set_xlim(min(0.0, axes.get_xlim()[0]), max(1.0, axes.get_xlim()[1]))
+    axes.set_ylim(bottom=0.0)
+    return _png(figure, axes)
+
+
+def plot_error(measurement: Measurement) -> bytes:
+    """RMSE of every variant against its median frame time (ms); a PNG file.
+
+    The error is on a logarithmic scale; images without error stand on its lower edge.
+    """
+    figure, axes = _axes(f"{measurement.scene}: error against time")
+    for algorithm, found in _by_algorithm(measurement).items():
+        x = [variant.timing.median * 1e3 for _, variant in found]
+        y = [max(variant.error.rmse, _LEAST_ERROR) for _, variant in found]
+        marker, color = MARKERS.get(algorithm, ("x", "#555555"))
+        axes.plot(x, y, marker, color=color, ms=4, alpha=0.8, label=algorithm)
+    original = _median([group.original.median for group in measurement.groups])
+    axes.axvline(original, color="#333333", lw=1.2, label=f"original, {original:.1f} ms")
+    axes.set_yscale("log")
+    axes.set_xlim(left=0.0)
+    axes.set_xlabel("median time of a frame (ms)")
+    axes.set_ylabel("RMSE over covered pixels (display-encoded, 0-1)")
+    return _png(figure, axes)
+
+
+def plot_hits(measurement: Measurement) -> bytes | None:
+    """The share of hits in every frame of each node, after seed 000's figure 6.2; a PNG file.
+
+    None where nothing was counted. The level of full reuse is what random refresh leaves.
+    """
+    known = {node.label: node.curve for node in measurement.nodes if node.curve is not None}
+    title = f"{measurement.scene}: hit rate"
+    return plot_curves(title, known, measurement.options.period) if known else None
+
+
+def plot_curves(title: str, curves: Mapping[str, Curve], period: int) -> bytes:
+    """The share of hits in every frame of each curve, by name; a PNG file."""
+    figure, axes = _axes(title)
+    for label, curve in curves.items():
+        rates = f"mean {curve.hit_rate:.1%}, {curve.found_rate:.1%} of what was not due"
+        axes.plot(range(1, len(curve.hit)), curve.hit[1:], lw=1.2, label=f"{label}: {rates}")
+    axes.axhline(1.0 - 1.0 / period, color="#999999", lw=1.0, ls=":", label="1 - 1/period")
+    axes.axhline(0.9, color="#333333", lw=0.8, ls="--", label="90 %")
+    axes.set_xlabel("frame")
+    axes.set_ylabel("share of the visible pixels of cached objects")
+    axes.set_ylim(0.0, 1.0)
+    return _png(figure, axes)
+
+
+def _by_algorithm(
+    measurement: Measurement,
+) -> dict[str, list[tuple[NodeResult, VariantResult]]]:
+    found: dict[str, list[tuple[NodeResult, VariantResult]]] = {}
+    for node in measurement.nodes:
+        for variant in node.variants:
+            found.setdefault(variant.algorithm, []).append((node, variant))
+    return dict(sorted(found.items()))
+
+
+def _bar(variant: VariantResult) -> tuple[float, float]:
+    """How far the interval of the speed-up reaches below and above the time, in ms."""
+    middle = variant.timing.median * 1e3
+    ratio = variant.speedup
+    # Of very few frames the median may lie outside of its interval.
+    below, above = 1 - ratio.median / ratio.high, ratio.median / ratio.low - 1
+    return middle * max(0.0, below), middle * max(0.0, above)
+
+
+def _median(values: Sequence[float]) -> float:
+    return float(np.median(values)) * 1e3
+
+
+def _axes(title: str) -> tuple[Figure, Axes]:
+    # Not pyplot: it keeps global state and wants a display.
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(8.0, 5.0), dpi=150, layout="constrained")
+    FigureCanvasAgg(figure)
+    axes = figure.add_subplot()
+    axes.set_title(title, loc="left", fontsize=11)
+    axes.grid(True, color="#dddddd", lw=0.6)
+    axes.set_axisbelow(True)
+    axes.spines[["top", "right"]].set_visible(False)
+    return figure, axes
+
+
+def _png(figure: Figure, axes: Axes) -> bytes:
+    axes.legend(frameon=False, fontsize=9)
+    buffer = io.BytesIO()
+    figure.savefig(buffer, format="png")
+    return buffer.getvalue()

@@ -1,0 +1,1 @@
+"""Scene files: cameras, motion, meshes and inputs as plain values. No OpenGL."""

@@ -1,0 +1,184 @@
+"""Matrices of a frame. Column vectors, right-handed, clip z from -w to w, as in OpenGL.
+
+Everything is computed in float64 and rounded to float32 once, so that equal frames give equal bits.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shadercache.scene.description import Camera, CameraPath, Motion, Scene
+
+Matrix = NDArray[np.float64]
+Values = Mapping[str, NDArray[np.float64]]
+"""Uniform name -> its numbers in the order of upload (n,); matrices column by column."""
+
+
+def root_of(name: str) -> str:
+    """The variable that a uniform is part of: ``light`` of ``light.color`` and ``light[1]``."""
+    return name.partition("[")[0].partition(".")[0]
+
+
+FRAMES_PER_SECOND = 60.0
+
+
+def semantic_values(
+    scene: Scene, frame: int, aspect: float, shift: tuple[float, float] = (0.0, 0.0)
+) -> dict[str, Matrix]:
+    """Every semantic's value at a frame (counted from 0); ``aspect`` is width / height.
+
+    ``shift`` is the jitter, in halves of the picture's width and height.
+
+    ``normal-matrix`` is the inverse transpose of the model-view matrix (3x3), ``eye`` the camera's
+    place in the world, ``time`` seconds at 60 frames a second, ``time-delta`` those since the last
+    frame (none in the first, which is also the scene at rest).
+    """
+    camera = camera_at(scene, frame)
+    model = model_matrix(scene.motion, frame)
+    view = look_at(camera)
+    project = scene.engine.projection(perspective(camera, aspect), shift)
+    model_view = view @ model
+    return {
+        "model": model,
+        "view": view,
+        "projection": project,
+        "model-view": model_view,
+        "view-projection": project @ view,
+        "model-view-projection": project @ model_view,
+        "normal-matrix": np.linalg.inv(model_view[:3, :3]).T,
+        "eye": np.asarray(camera.eye, np.float64),
+        "time": np.asarray(scene.start_time + frame / FRAMES_PER_SECOND),
+        "time-delta": np.asarray(1.0 / FRAMES_PER_SECOND if frame > 0 else 0.0),
+        "frame": np.asarray(float(frame)),
+    }
+
+
+def scene_values(
+    scene: Scene, frame: int, size: tuple[int, int], jittered: int | None = None
+) -> Values:
+    """The value of every uniform of the scene at a frame, in a picture of a size in pixels.
+
+    ``jittered``: the frame whose jitter it has, if it is another.
+
+    ``resolution`` is that size, ``resolution-aspect`` the same with the shape of a pixel, 1.
+    """
+    width, height = size
+    x, y = scene.engine.shift(frame if jittered is None else jittered)
+    shift = (2.0 * x / width, 2.0 * y / height)
+    values = semantic_values(scene, frame, width / height, shift) | {
+        "resolution": np.array([width, height], np.float64),
+        "resolution-aspect": np.array([width, height, 1.0]),
+    }
+    uniforms = {name: np.asarray(value, np.float64) for name, value in scene.constants.items()}
+    uniforms |= {name: animation.at(frame) for name, animation in scene.animated.items()}
+    # A transpose read row by row is the matrix column by column; vectors stay as they are.
+    return uniforms | {name: values[word].T.ravel() for name, word in scene.semantics.items()}
+
+
+def model_matrix(motion: Motion, frame: int) -> Matrix:
+    """Where an object is at a frame: scaled, turned about its origin, then put to its place."""
+    matrix = rotation(motion, frame)
+    matrix[:3, :3] *= motion.scale
+    matrix[:3, 3] = motion.place(frame)
+    return matrix
+
+
+def camera_at(scene: Scene, frame: int) -> Camera:
+    """The camera of a frame, on the scene's path."""
+    camera, path = scene.camera, scene.camera_path
+    if path.keys:
+        return _between_keys(camera, path, frame)
+    if path.degrees_per_frame == 0.0:
+        return camera
+    turn = turn_about(camera.up, path.degrees_per_frame * frame)
+    target = np.asarray(camera.target, np.float64)
+    x, y, z = target + turn @ (np.asarray(camera.eye, np.float64) - target)
+    return replace(camera, eye=(float(x), float(y), float(z)))
+
+
+def _between_keys(camera: Camera, path: CameraPath, frame: int) -> Camera:
+    """On the Catmull-Rom curve through the keys of a shot: those between two cuts."""
+    past = [key for key in path.keys if key.frame <= frame]
+    first = max((at for at, key in enumerate(past) if key.cut), default=0)
+    rest = path.keys[len(past) :]
+    end = next((at for at, key in enumerate(rest) if key.cut), len(rest))
+    shot = [*past[first:], *rest[:end]]
+    at = max(0, len(past) - first - 1)
+    points = [shot[min(max(at + step, 0), len(shot) - 1)] for step in (-1, 0, 1, 2)]
+    start, stop = points[1].frame, points[2].frame
+    part = min(1.0, max(0.0, (frame - start) / (stop - start))) if stop > start else 0.0
+
+    def curve(name: str) -> tuple[float, float, float]:
+        values = [np.asarray(getattr(key, name), np.float64) for key in points]
+        x, y, z = _catmull_rom(values, part)
+        return float(x), float(y), float(z)
+
+    angle = points[1].fov_degrees + part * (points[2].fov_degrees - points[1].fov_degrees)
+    return replace(
+        camera, eye=curve("eye"), target=curve("target"), up=curve("up"), fov_degrees=angle
+    )
+
+
+def _catmull_rom(points: Sequence[Matrix], part: float) -> Matrix:
+    a, b, c, d = points
+    if part == 0.0:
+        return b
+    slope_b, slope_c = (c - a) / 2.0, (d - b) / 2.0
+    t2, t3 = part * part, part * part * part
+    curve: Matrix = (
+        (2 * t3 - 3 * t2 + 1) * b
+        + (t3 - 2 * t2 + part) * slope_b
+        + (3 * t2 - 2 * t3) * c
+        + (t3 - t2) * slope_c
+    )
+    return curve
+
+
+def rotation(motion: Motion, frame: int) -> Matrix:
+    """The turn of an object at a frame, as a matrix (4, 4)."""
+    matrix = np.eye(4)
+    angle = motion.start_degrees + motion.degrees_per_frame * frame
+    matrix[:3, :3] = turn_about(motion.axis, angle)
+    return matrix
+
+
+def turn_about(axis_of_turn: Sequence[float], degrees: float) -> Matrix:
+    """A turn about an axis (Rodrigues' formula), (3, 3)."""
+    angle = math.radians(degrees)
+    axis = np.asarray(axis_of_turn, np.float64)
+    x, y, z = axis / np.linalg.norm(axis)
+    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    matrix: Matrix = np.eye(3) + (
+        math.sin(angle) * cross + (1.0 - math.cos(angle)) * (cross @ cross)
+    )
+    return matrix
+
+
+def look_at(camera: Camera) -> Matrix:
+    """The view matrix."""
+    eye = np.asarray(camera.eye, np.float64)
+    back = eye - np.asarray(camera.target, np.float64)
+    back /= np.linalg.norm(back)
+    right = np.cross(np.asarray(camera.up, np.float64), back)
+    right /= np.linalg.norm(right)
+    matrix = np.eye(4)
+    matrix[:3, :3] = right, np.cross(back, right), back
+    matrix[:3, 3] = -matrix[:3, :3] @ eye
+    return matrix
+
+
+def perspective(camera: Camera, aspect: float) -> Matrix:
+    """The projection matrix."""
+    scale = 1.0 / math.tan(math.radians(camera.fov_degrees) / 2.0)
+    near, far = camera.near, camera.far
+    matrix = np.zeros((4, 4))
+    matrix[0, 0] = scale / aspect
+    matrix[1, 1] = scale
+    matrix[2, 2:] = (far + near) / (near - far), 2.0 * far * near / (near - far)
+    matrix[3, 2] = -1.0
+    return matrix

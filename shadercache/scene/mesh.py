@@ -1,0 +1,148 @@
+"""Indexed triangle meshes from ``.npz`` files, plain or quantised.
+
+Arrays of a file (n vertices, m triangles):
+
+* ``position`` (n, 3), or ``position_u16`` (n, 3) with ``bounds`` (2, 3): the lowest and highest
+  corner of the box that 0..65535 spans;
+* ``normal`` (n, 3), or ``normal_i16`` / ``normal_i8``: signed normalised, made unit length again;
+  ``tangent`` likewise;
+* any other (n, c) or (n,) array of numbers, with 1 to 4 components (``uv``, ``color``, ...);
+* ``index`` (m, 3), or ``index_delta`` (3 m,): differences of the flattened indices.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shadercache.diagnostics import InputError, input_error, usage_error
+from shadercache.scene.description import Scene
+from shadercache.scene.npz import load_npz
+
+_HELPERS = ("bounds", "index", "index_delta")
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """Vertex arrays (n, c) float32 by name, and triangles ``index`` (m, 3) uint32."""
+
+    name: str
+    arrays: Mapping[str, NDArray[np.float32]]
+    index: NDArray[np.uint32]
+
+
+def load_mesh(path: Path) -> Mesh:
+    """Read a mesh and check that it can be drawn.
+
+    Raises:
+        InputError: SC510 unreadable file, SC511 no positions or no triangles, SC512 an array of a
+            wrong shape or with values that are not finite, SC513 an index out of range.
+    """
+    raw = load_npz(path, "SC510", "the mesh")
+    arrays = {
+        name: _decode(path, key, name, raw) for key in raw if (name := _target(key)) is not None
+    }
+    if "position" not in arrays:
+        raise input_error("SC511", f"the mesh {path} has no array 'position'")
+    count = len(arrays["position"])
+    for name, array in arrays.items():
+        _check_array(path, name, array, count)
+    return Mesh(str(path), arrays, _index(path, raw, count))
+
+
+FULL_SCREEN = Mesh(
+    "full-screen triangle",
+    {
+        "position": np.array([[-1, -1, 0], [3, -1, 0], [-1, 3, 0]], np.float32),
+        "uv": np.array([[0, 0], [2, 0], [0, 2]], np.float32),
+        "normal": np.array([[0, 0, 1]] * 3, np.float32),
+    },
+    np.array([[0, 1, 2]], np.uint32),
+)
+"""Covers the picture: with the arrays as clip-space positions, or with a vertex shader that needs
+none of them."""
+
+
+def scene_mesh(scene: Scene, small: bool = False) -> Mesh:
+    """What a scene draws; ``small``: its low resolution stand-in, where it has one.
+
+    Raises as :func:`load_mesh`.
+    """
+    path = scene.verify_mesh if small and scene.verify_mesh else scene.mesh
+    return FULL_SCREEN if path is None else load_mesh(path)
+
+
+def replacement_mesh(scene: Scene, path: Path | None) -> Mesh | None:
+    """What is drawn in place of the scene's mesh, if anything is.
+
+    Raises as :func:`load_mesh`, and :class:`UsageError` SC008 where the scene has no mesh.
+    """
+    if path is not None and (scene.mesh is None or scene.objects):
+        why = "has several objects" if scene.objects else "is full-screen and draws no mesh"
+        raise usage_error("SC008", f"--mesh: {scene.name} {why}")
+    return None if path is None else load_mesh(path)
+
+
+def _target(key: str) -> str | None:
+    if key in _HELPERS:
+        return None
+    name, _, suffix = key.rpartition("_")
+    return name if suffix in ("u16", "i16", "i8") else key
+
+
+def _decode(
+    path: Path, key: str, name: str, raw: Mapping[str, NDArray[np.generic]]
+) -> NDArray[np.float32]:
+    array = raw[key]
+    if array.dtype.kind not in "fiu" or array.ndim not in (1, 2) or not array.size:
+        raise _bad_shape(path, key, f"{array.dtype} {array.shape}")
+    values = array.astype(np.float64).reshape(len(array), -1)
+    if key.endswith("_u16"):
+        values /= 65535.0
+        if name == "position":
+            low, high = _bounds(path, raw)
+            values = low + values * (high - low)
+    elif key.endswith(("_i16", "_i8")):
+        values /= 32767.0 if key.endswith("_i16") else 127.0
+        values /= np.maximum(np.linalg.norm(values, axis=1, keepdims=True), 1e-12)
+    return np.ascontiguousarray(values, np.float32)
+
+
+def _bounds(path: Path, raw: Mapping[str, NDArray[np.generic]]) -> NDArray[np.float64]:
+    bounds = raw.get("bounds")
+    if bounds is None or bounds.shape != (2, 3):
+        raise input_error("SC511", f"the mesh {path} has position_u16 but no 'bounds' (2, 3)")
+    return bounds.astype(np.float64)
+
+
+def _check_array(path: Path, name: str, array: NDArray[np.float32], count: int) -> None:
+    wanted = (3,) if name in ("position", "normal", "tangent") else (1, 2, 3, 4)
+    if len(array) != count or count == 0 or array.shape[1] not in wanted:
+        raise _bad_shape(path, name, f"{array.shape}, with {count} positions")
+    if not np.isfinite(array).all():
+        raise input_error("SC512", f"array '{name}' of the mesh {path} holds NaN or infinity")
+
+
+def _bad_shape(path: Path, name: str, shape: str) -> InputError:
+    return input_error("SC512", f"array '{name}' of the mesh {path} has a wrong shape: {shape}")
+
+
+def _index(path: Path, raw: Mapping[str, NDArray[np.generic]], count: int) -> NDArray[np.uint32]:
+    stored = raw.get("index", raw.get("index_delta"))
+    if stored is None:
+        raise input_error("SC511", f"the mesh {path} has no array 'index'")
+    if stored.dtype.kind not in "iu" or stored.size == 0 or stored.size % 3:
+        raise _bad_shape(path, "index", f"{stored.dtype} {stored.shape}")
+    flat = stored.astype(np.int64).ravel()
+    if "index" not in raw:
+        flat = np.cumsum(flat)
+    least, most = int(np.min(flat)), int(np.max(flat))
+    if least < 0 or most >= count:
+        wrong = least if least < 0 else most
+        message = f"the mesh {path} has triangles of vertex {wrong}, but {count} vertices"
+        raise input_error("SC513", message)
+    return np.ascontiguousarray(flat.reshape(-1, 3), np.uint32)

@@ -1,0 +1,126 @@
+"""Spell out compound assignments, so that what a variable holds behind them is a value like others.
+
+    c += f(x), d *= g;         =>        c = c + f(x);
+                                         d = d * g;
+
+The sum is an expression then, which can be cut out: a node with the text ``c += f(x)``. Only whole
+statements outside of loops are spelled out, and only where the value has no side effect and the
+target neither has one nor costs much, for it is read and written apart. The result is the same:
+``a op= b`` is ``a = a op b`` but that ``a`` is evaluated once (GLSL 3.30 section 5.8).
+
+What is printed reads like the user's text again: :func:`contract` undoes it wherever nothing was
+cut out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from shadercache.analysis.cost import FETCH, CostTable
+from shadercache.analysis.effects import EffectTable
+from shadercache.ast import nodes as n
+from shadercache.ast.memo import Memo
+from shadercache.ast.rewriter import Rewriter
+from shadercache.ast.walk import children, walk
+from shadercache.sema.facts import Facts
+from shadercache.source import NOWHERE, Span
+from shadercache.transform.strip_spans import without_places
+
+_FIELDS = ("name", "op", "text")
+_HOLDERS = (n.Module, n.FunctionDef, n.Block, n.If, n.Switch)
+
+
+def spell_out(module: n.Module, facts: Facts) -> n.Module:
+    """The module with compound assignments spelled out (the same module if there are none).
+
+    ``facts`` are those of ``module``, which has unique names. The new expression has the place of
+    the whole assignment; the assignment and its target have none, so that neither is a node.
+    """
+    return _Speller(module, facts).rewrite(module)
+
+
+def contract(module: n.Module, memo: Memo) -> n.Module:
+    """The module with compound assignments again, where they are whole."""
+    kept: dict[n.Decl, n.Decl] = memo.table("contracted")
+    for decl in module.decls:
+        if decl not in kept:
+            kept[decl] = _Contracter().rewrite(decl) if isinstance(decl, n.FunctionDef) else decl
+    decls = tuple(kept[decl] for decl in module.decls)
+    same = all(new is old for new, old in zip(decls, module.decls, strict=True))
+    return module if same else replace(module, decls=decls)
+
+
+class _Statements(Rewriter):
+    """Visits statements outside of loops, and nothing else."""
+
+    def enter(self, node: n.Node) -> n.Node | None:
+        return None if isinstance(node, (*_HOLDERS, n.ExprStmt)) else node
+
+
+class _Speller(_Statements):
+    def __init__(self, module: n.Module, facts: Facts) -> None:
+        self._table = EffectTable(module)
+        self._costs = CostTable(facts)
+
+    def statement(self, node: n.Stmt, original: n.Stmt) -> n.Stmt | Sequence[n.Stmt]:
+        if not isinstance(node, n.ExprStmt) or node.expr is None:
+            return node
+        if isinstance(node.expr, n.Comma):
+            return [self._spelled(part) for part in _parts(node, node.expr)]
+        return self._spelled(node)
+
+    def _spelled(self, stmt: n.ExprStmt) -> n.ExprStmt:
+        match stmt.expr:
+            case n.Assign(span=span, op=op, target=target, value=value) if op != "=":
+                if self._may_part(target) and not self._table.of(value).writes:
+                    whole = n.Binary(span, op[:-1], target, value)
+                    assign = n.Assign(NOWHERE, "=", without_places(target), whole)
+                    return replace(stmt, expr=assign)
+        return stmt
+
+    def _may_part(self, target: n.Expr) -> bool:
+        """May the target be evaluated twice?"""
+        calls = (item.name for item in walk(target) if isinstance(item, n.Call))
+        if self._table.of(target).writes or any(name in self._table.functions for name in calls):
+            return False
+        return self._costs.of(target) < FETCH
+
+
+def _parts(stmt: n.ExprStmt, comma: n.Comma) -> Iterator[n.ExprStmt]:
+    """A statement for each operand of a comma: nobody reads the value of the last one."""
+    operands: list[n.Expr] = []
+    stack: list[n.Expr] = [comma]
+    while stack:
+        part = stack.pop()
+        if isinstance(part, n.Comma):
+            stack += (part.right, part.left)
+        else:
+            operands.append(part)
+    # Comments stand before the beginning and behind the end of the whole statement.
+    first, last = operands[0], operands[-1]
+    for part in operands:
+        start = stmt.span.start if part is first else part.span.start
+        end = stmt.span.end if part is last else part.span.end
+        yield n.ExprStmt(Span(start, end), part)
+
+
+class _Contracter(_Statements):
+    def statement(self, node: n.Stmt, original: n.Stmt) -> n.Stmt:
+        match node:
+            case n.ExprStmt(
+                expr=n.Assign(span=span, target=target, value=n.Binary(left=left) as whole)
+            ) if span == NOWHERE != whole.span and _equal(target, left):
+                expr = n.Assign(whole.span, f"{whole.op}=", left, whole.right)
+                return replace(node, expr=expr)
+        return node
+
+
+def _equal(one: n.Node, other: n.Node) -> bool:
+    """Are these the same trees?"""
+    if type(one) is not type(other):
+        return False
+    if any(getattr(one, field, "") != getattr(other, field, "") for field in _FIELDS):
+        return False
+    some, others = children(one), children(other)
+    return len(some) == len(others) and all(map(_equal, some, others))

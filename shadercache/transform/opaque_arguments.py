@@ -1,0 +1,160 @@
+"""Proof mode: keep the driver from knowing beforehand what a cache would not let it know.
+
+A compiler evaluates ``pow(0.5, 1.5)`` itself where it knows the arguments, and to other bits than
+the machine does. So where it knows a value of the original, or one component of it, that a variant
+takes from the cache, the two come apart::
+
+    vec4 t = vec4(v_color, 0.5);
+    o = pow(t, vec4(1.5));    =>    o = pow(t - float(gl_FragCoord.x < 0.0), vec4(1.5));
+
+Nor may it know a zero: llvmpipe takes ``0.0 * x`` for 0 whatever x is, ``precise`` or not, but zero
+times infinity is NaN::
+
+    vec3 tint = vec3(1.0, 0.5, 0.0) * s;    =>    vec3(1.0, 0.5, float(gl_FragCoord.x < 0.0)) * s;
+
+No fragment lies left of the picture, so nothing changes but what the compiler knows: a zero that is
+taken off keeps the sign of a zero. Other operations have one right result, known or not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Set
+from dataclasses import replace
+from typing import cast
+
+from shadercache.ast import nodes as n
+from shadercache.ast.memo import Memo
+from shadercache.ast.rewriter import Rewriter
+from shadercache.ast.walk import walk
+from shadercache.lang.types import builtin_type
+from shadercache.source import NOWHERE
+from shadercache.transform.known_values import (
+    Constants,
+    Known,
+    is_floating,
+    is_matrix,
+    known_values,
+)
+
+INEXACT = frozenset(
+    (
+        *("pow", "exp", "log", "exp2", "log2", "sqrt", "inversesqrt"),
+        *("sin", "cos", "tan", "asin", "acos", "atan"),
+        *("sinh", "cosh", "tanh", "asinh", "acosh", "atanh"),
+        *("length", "distance", "normalize", "refract"),
+        *("packHalf2x16", "packUnorm2x16", "packSnorm2x16", "packUnorm4x8", "packSnorm4x8"),
+    )
+)
+"""Built-in functions with more than one right result (GLSL 4.60, sections 4.7.1 and 8.4)."""
+
+_COMPARISONS = ("<", ">", "<=", ">=", "==", "!=")
+
+
+def hide_arguments(module: n.Module, memo: Memo) -> n.Module:
+    """The module with first arguments of such functions, and zeros, that no compiler knows."""
+    own = {decl.name for decl in module.decls if isinstance(decl, n.FunctionDef)}
+    constants: Constants = {}
+    _add_constants(constants, module.decls)
+    kept: dict[n.FunctionDef, n.FunctionDef] = memo.table("hidden arguments")
+    decls: list[n.Decl] = []
+    for decl in module.decls:
+        if isinstance(decl, n.FunctionDef):
+            if decl not in kept:
+                inner = dict(constants)
+                _add_constants(inner, (s.decl for s in walk(decl) if isinstance(s, n.DeclStmt)))
+                kept[decl] = _Hider(own, inner, known_values(decl, inner)).rewrite(decl)
+            decls.append(kept[decl])
+        elif isinstance(decl, n.VarDecl) and _is_variable(decl, module):
+            decls.append(_Hider(own, constants, known_values(decl, constants)).rewrite(decl))
+        else:
+            decls.append(decl)
+    return replace(module, decls=tuple(decls))
+
+
+def _is_variable(decl: n.VarDecl, module: n.Module) -> bool:
+    """A global whose initialiser may be any expression (GLSL ES demands a constant one)."""
+    interface = decl.qualifiers.has("const", "uniform", "in", "out", "buffer")
+    return not interface and module.profile != "es"
+
+
+def _add_constants(constants: Constants, decls: Iterable[n.Node]) -> None:
+    """Note what is known of the values of names that are declared ``const``."""
+    for decl in decls:
+        if not isinstance(decl, n.VarDecl) or not decl.qualifiers.has("const"):
+            continue
+        for item in decl.declarators:
+            dims = len(decl.type.dims) + len(item.dims)
+            if item.init is None or dims > 1 or builtin_type(decl.type.name) is None:
+                continue
+            init = known_values(item.init, constants).get(item.init)
+            zero = init is None or init.zero
+            constants[item.name] = Known(is_floating(decl.type), zero, array=dims == 1)
+
+
+class _Hider(Rewriter):
+    def __init__(self, own: Set[str], constants: Constants, known: dict[n.Node, Known]) -> None:
+        self._names = INEXACT - own
+        self._constants, self._known = constants, known
+        self._kept: set[n.Node] = set()
+        self._floats: set[n.Node] = set()
+        """Whole numbers that become floating-point ones."""
+
+    def enter(self, node: n.Node) -> n.Node | None:
+        """What must be constant stays: values of ``const`` and ``case``, sizes of arrays."""
+        match node:
+            case n.VarDecl(qualifiers=words) if words.has("const"):
+                return node
+            case n.TypeSpec() | n.Case():
+                return node
+            case n.VarDecl(type=kind, declarators=items) if is_floating(kind):
+                self._floats.update(item.init for item in items if item.init is not None)
+            case n.Declarator(dims=dims):
+                self._kept.update(size for size in dims if size is not None)
+            case n.Construct(type=kind, args=args) if is_floating(kind):
+                self._floats.update(args)
+            case n.Unary(operand=operand) if node in self._floats:
+                self._floats.add(operand)
+            case n.Binary(op=op, left=left, right=right) if op in _COMPARISONS:
+                self._kept.update(side for side in (left, right) if side in self._known)
+        if node in self._kept:
+            return node
+        known = self._known.get(node)
+        return None if known is None else self._hidden(node, known)
+
+    def _hidden(self, node: n.Node, known: Known) -> n.Node | None:
+        """A constant that may have a zero, with that unknown; None is for looking into it."""
+        match node:
+            case _ if not known.zero or known.array:
+                return node
+            case n.Construct(type=kind) if is_floating(kind) and not is_matrix(kind):
+                return None
+            case n.Unary():
+                return None
+            case n.Literal() if known.floating or node in self._floats:
+                return _zero()
+        # Not "-": what is taken from a zero becomes a negation, which turns the sign of a NaN.
+        hidden = known.floating or node in self._floats
+        return n.Binary(NOWHERE, "+", cast("n.Expr", node), _zero()) if hidden else node
+
+    def expression(self, node: n.Expr, original: n.Expr) -> n.Expr:
+        match original, node:
+            case n.Call(args=(first, *_)), n.Call(name=name, args=args) if name in self._names:
+                known = self._known.get(first)
+                if known is None or not (known.zero and known.floating):
+                    return replace(node, args=(_less_zero(args[0]), *args[1:]))
+            case n.Index(object=n.Name(name=text)), _ if text in self._constants:
+                known = self._constants[text]
+                if known.array and known.floating and known.zero:
+                    return n.Binary(NOWHERE, "+", node, _zero())
+        return node
+
+
+def _less_zero(value: n.Expr) -> n.Expr:
+    return n.Binary(NOWHERE, "-", value, _zero())
+
+
+def _zero() -> n.Expr:
+    """A zero that no compiler knows."""
+    x = n.Member(NOWHERE, n.Name(NOWHERE, "gl_FragCoord"), "x")
+    outside = n.Binary(NOWHERE, "<", x, n.Literal(NOWHERE, "0.0"))
+    return n.Construct(NOWHERE, n.TypeSpec(NOWHERE, "float"), (outside,))

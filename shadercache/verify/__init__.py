@@ -1,0 +1,1 @@
+"""The laws on this machine's driver."""

@@ -1,0 +1,146 @@
+"""What each pixel of a frame shows, and where that was in the frame before: told by the originals.
+
+Nothing of the variants is asked: positions are captured from the user's vertex shader, and drawn
+where the user's shaders have left the nearest depth, so that what they discard is not seen.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import moderngl
+import numpy as np
+from numpy.typing import NDArray
+
+from shadercache.gpu.programs import Program
+from shadercache.gpu.resource import Resource
+from shadercache.render.bound_pass import NO_NAMES, FrameInputs
+from shadercache.render.bundle import Bundle
+from shadercache.render.drawable import Drawable
+from shadercache.render.pass_runners import OriginalRunner, object_numbers
+from shadercache.render.render_scene import RenderScene
+from shadercache.source import Source
+from shadercache.verify.vertex_positions import PositionPass, Positions
+
+Mask = NDArray[np.bool_]
+Floats = NDArray[np.float64]
+
+_GLSL = Path(__file__).parent / "glsl"
+
+
+@dataclass(frozen=True, eq=False)
+class Surface:
+    """Arrays (h, w), row 0 at the bottom.
+
+    ``number``: of the object that is seen, 0 where none is. ``inverse_w``: 1/w. ``place``
+    (h, w, 2): where its point was in the frame before, in pixels of that; ``before``: its 1/w then.
+    """
+
+    number: NDArray[np.int64]
+    inverse_w: Floats
+    place: Floats
+    before: Floats
+
+
+class Surfaces(Resource):
+    """The surfaces of one scene, frame by frame."""
+
+    def __init__(self, world: RenderScene, original: Bundle) -> None:
+        """Raises as ``OriginalRunner``."""
+        self.world = world
+        self._original = OriginalRunner(world, original)
+        self._captures = {
+            drawable: PositionPass(
+                world,
+                drawable,
+                world.object_programs.bundle(drawable.item, original).original,
+                NO_NAMES,
+            )
+            for drawable in world.drawables
+        }
+        sources = [
+            Source(name, (_GLSL / name).read_text(encoding="utf-8"))
+            for name in ("motion.vert", "motion.frag")
+        ]
+        self._program: Program = world.programs.acquire(sources[0], sources[1])
+        self._frames: dict[int, Surface] = {}
+        self._positions: dict[tuple[Drawable, int, int], Positions] = {}
+
+    def frame(self, frame: int) -> Surface:
+        """What a frame shows."""
+        if frame not in self._frames:
+            self._frames[frame] = self._drawn(frame)
+        return self._frames[frame]
+
+    def before(self, drawable: Drawable, frame: int) -> Positions:
+        """Where the frame before drew the corners of an object, by this frame's jitter if the
+        engine tells of it."""
+        was = max(frame - 1, 0)
+        told = self.world.scene.engine.told
+        return self._captured(drawable, was, frame if told else was)
+
+    def at(self, drawable: Drawable, inputs: FrameInputs) -> Positions:
+        """Where the user's shader draws the corners with these uniforms."""
+        return self._captures[drawable].captured(inputs)
+
+    def lay_depth(self, frame: int) -> None:
+        """Draw a frame by the originals, so that its depth is there."""
+        self._original.draw(frame)
+        self.world.targets.clear_color()
+
+    def release(self) -> None:
+        """Give the programs back."""
+        self._original.release()
+        self.world.programs.release(self._program)
+        for capture in self._captures.values():
+            capture.release()
+
+    def _captured(self, drawable: Drawable, frame: int, jittered: int) -> Positions:
+        key = (drawable, frame, jittered)
+        if key not in self._positions:
+            values = drawable.values(frame, jittered)
+            viewport = self.world.viewport(frame)
+            inputs = FrameInputs(values, values, object_numbers(drawable), viewport)
+            self._positions[key] = self.at(drawable, inputs)
+        return self._positions[key]
+
+    def _drawn(self, frame: int) -> Surface:
+        parts = [
+            (drawable, self._captured(drawable, frame, frame), self.before(drawable, frame))
+            for drawable in self.world.drawn(frame)
+        ]
+        self.lay_depth(frame)
+        targets = self.world.targets
+        framebuffer = targets.framebuffer((targets.color, targets.mask), depth_write=False)
+        framebuffer.viewport = self.world.viewport(frame)
+        framebuffer.use()
+        self.world.gpu.ctx.depth_func = "=="
+        for drawable, now, was in parts:
+            self._draw(drawable, now, was)
+        return self._surface(frame)
+
+    def _draw(self, drawable: Drawable, now: Positions, was: Positions) -> None:
+        self.world.set_culling(drawable)
+        number = self._program.uniforms["u_number"]
+        number.write(number.encode(np.array([drawable.number], np.float64), "u_number"))
+        context = self.world.gpu.ctx
+        buffer = context.buffer(np.concatenate([now, was], axis=-1).tobytes())
+        content = [(buffer, "4f 4f", "a_now", "a_before")]
+        array = context.vertex_array(self._program.gl, content)
+        array.render(moderngl.TRIANGLES)
+        array.release()
+        buffer.release()
+
+    def _surface(self, frame: int) -> Surface:
+        color = self.world.targets.image().astype(np.float64)
+        width, height = self.world.size
+        raw = np.frombuffer(self.world.targets.mask.read(), np.float32)
+        x, y, w, h = self.world.viewport(max(frame - 1, 0))
+        place = np.array([x, y]) + (0.5 + 0.5 * color[..., :2]) * np.array([w, h])
+        return Surface(
+            number=np.rint(color[..., 3]).astype(np.int64),
+            inverse_w=raw.reshape(height, width).astype(np.float64),
+            place=place,
+            before=color[..., 2],
+        )
