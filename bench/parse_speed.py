@@ -30,9 +30,9 @@ from shadercache.front import grammar
 from shadercache.front.parse import parse
 from shadercache.gpu.context import open_context
 from shadercache.measure.result_files import environment, machine_name, write_json
-from shadercache.sema.checker import check
 from shadercache.sema.facts import Stage
 from shadercache.source import Source
+from shadercache.valid.validate import validate
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
@@ -101,7 +101,7 @@ def _parse(file: File) -> None:
 
 def _parse_and_check(file: File) -> None:
     source = Source(file.name, file.text)
-    check(parse(source), source, file.world)
+    validate(parse(source), source, file.world)
 
 
 def _crosstl(file: File) -> None:

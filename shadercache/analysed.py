@@ -34,8 +34,8 @@ from shadercache.front.dialects import surrounded
 from shadercache.front.read_options import ReadOptions
 from shadercache.front.webgl import WEBGL, names_version
 from shadercache.options import MappingKind
-from shadercache.sema.checker import check
 from shadercache.sema.facts import Facts, Stage
+from shadercache.sema.infer import infer
 from shadercache.source import Source
 from shadercache.transform.raise_version import Raised
 
@@ -100,7 +100,7 @@ class Analysis:
         program = self.program
         match_stages(
             StageSide(program.module, program.facts, self.fragment),
-            StageSide(module, check(module, source, "vertex"), source),
+            StageSide(module, infer(module, source, "vertex"), source),
         )
         return VertexEmitter(module, module, prefix, self.program.memo, self.mapping)
 

@@ -3,7 +3,8 @@
 The passes, in order (each in its own file):
 
 1.  :mod:`front.parse`              text to tree
-2.  :mod:`sema.checker`               names and types; every error of the user is found here
+2.  :mod:`sema.infer`               names and types, and
+    :mod:`valid.validate`           the other rules; every error of the user is found here
 3.  :mod:`transform.raise_version`  older versions, in words of the first that has what it takes;
     :mod:`transform.name_parameters`  and names for parameters without
 4.  :mod:`transform.unique_names`   every identifier means one thing, so the rest works by name
@@ -12,7 +13,7 @@ The passes, in order (each in its own file):
 7.  :mod:`transform.unroll`         loops of few trips are taken apart, on request; then 4 to 6
 8.  :mod:`transform.expand_compound_assignments`       ``c += x`` is ``c = c + x``, a value as well
 9.  :mod:`transform.lower_ternaries`  costly choices inside expressions become conditionals
-10. :mod:`sema.checker`               types of the tree that the rest works on
+10. :mod:`sema.infer`               types of the tree that the rest works on
 11. :mod:`analysis.candidates`      every node, offered or refused
 
 and for one node or a set of them, for each pass of each algorithm:
@@ -62,9 +63,8 @@ from shadercache.front.read_options import ReadOptions
 from shadercache.front.webgl import is_webgl
 from shadercache.manifest import Setting, build_manifest, needed_manifest, original_manifest
 from shadercache.options import ALGORITHMS, CacheOptions, MappingKind, Mode, Options, marks_depths
-from shadercache.sema.checker import check
 from shadercache.sema.facts import Facts, Stage
-from shadercache.sema.read import read
+from shadercache.sema.infer import infer
 from shadercache.source import Source
 from shadercache.transform.builtin_block import plain_builtin_block
 from shadercache.transform.expand_compound_assignments import spell_out
@@ -78,6 +78,7 @@ from shadercache.transform.spell_lists import spell_lists
 from shadercache.transform.split import split_declarations
 from shadercache.transform.unique_names import later_keywords, make_names_unique
 from shadercache.transform.unroll import unroll_loops
+from shadercache.valid.read import read
 
 _ES_WITH_PRIMITIVES = 320
 """The version of GLSL ES whose fragments know the number of their triangle."""
@@ -136,7 +137,7 @@ def analyse(
         made = unroll_loops(*named, fragment)
         kept_loops = made.notes
         if made.module is not named[0]:
-            flat = _named(made.module, check(made.module, fragment), fragment, "fragment")
+            flat = _named(made.module, infer(made.module, fragment), fragment, "fragment")
             module, facts = _lowered(*flat, fragment)
     color = find_color(module, fragment)
     printed = _printed(trees[0].module, module)
@@ -333,7 +334,7 @@ def _checked(source: Source, stage: Stage, reading: ReadOptions) -> StageTree:
     check_depth(facts, source)
     plain = plain_builtin_block(module, facts)
     if plain is not module:
-        module, facts = plain, check(plain, source, stage)
+        module, facts = plain, infer(plain, source, stage)
     return StageTree(module, facts, source, stage)
 
 
@@ -342,7 +343,7 @@ def _with_parameters(raised: Raised, tree: StageTree, prefix: str) -> Raised:
     module = name_parameters(raised.module, prefix)
     if module is raised.module:
         return raised
-    return replace(raised, module=module, facts=check(module, tree.source, tree.stage))
+    return replace(raised, module=module, facts=infer(module, tree.source, tree.stage))
 
 
 def _named(module: n.Module, facts: Facts, source: Source, stage: Stage) -> tuple[n.Module, Facts]:
@@ -350,15 +351,15 @@ def _named(module: n.Module, facts: Facts, source: Source, stage: Stage) -> tupl
     every value may stand anywhere."""
     plain = split_declarations(make_names_unique(module, facts))
     if plain is not module:
-        facts = check(plain, source, stage)
+        facts = infer(plain, source, stage)
     spelled = spell_lists(plain, facts)
-    return (plain, facts) if spelled is plain else (spelled, check(spelled, source, stage))
+    return (plain, facts) if spelled is plain else (spelled, infer(spelled, source, stage))
 
 
 def _lowered(module: n.Module, facts: Facts, source: Source) -> tuple[n.Module, Facts]:
     """Passes 8 to 10: bring a fragment shader into the form that the rest works on."""
     plain = lower_choices(spell_out(module, facts), facts)
-    return (module, facts) if plain is module else (plain, check(plain, source))
+    return (module, facts) if plain is module else (plain, infer(plain, source))
 
 
 def _printed(parsed: n.Module, module: n.Module) -> dict[str, str]:

@@ -13,8 +13,8 @@ from bench.public_shaders.collection import Shader, Stage
 from shadercache.ast.large import allow_deep_trees
 from shadercache.diagnostics import Diagnostic, InputError, Severity
 from shadercache.emit.printer import print_module
-from shadercache.sema.read import read
 from shadercache.source import Source
+from shadercache.valid.read import read
 
 SECONDS = 20
 """A shader that takes longer hangs."""

@@ -27,8 +27,8 @@ from shadercache.ast import nodes as n
 from shadercache.ast.large import allow_deep_trees
 from shadercache.ast.walk import walk
 from shadercache.sema.facts import Facts
-from shadercache.sema.read import read
 from shadercache.source import Source
+from shadercache.valid.read import read
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 SECONDS = 20

@@ -22,8 +22,8 @@ from shadercache.ast.large import allow_deep_trees
 from shadercache.ast.walk import walk
 from shadercache.lang.types import Type
 from shadercache.sema.facts import Facts
-from shadercache.sema.read import read
 from shadercache.source import Source
+from shadercache.valid.read import read
 
 _ASSIGNMENT = re.compile(r"^\d+:\S+\s+[\w ]+ second child (?:to|into) first child \((.*)\)$")
 _GLOBAL = re.compile(r"^\d+:\S+\s+'(\w+)' \((.*)\)$")

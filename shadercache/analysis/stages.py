@@ -14,9 +14,9 @@ from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.lang.types import Type
-from shadercache.sema.check_context import enabled_extensions
 from shadercache.sema.facts import Facts
-from shadercache.sema.locations import PER_VERTEX, of_one_vertex
+from shadercache.sema.language import enabled_extensions
+from shadercache.sema.storage import PER_VERTEX, of_one_vertex
 from shadercache.source import Source
 
 Links = Mapping[str, frozenset[str]]

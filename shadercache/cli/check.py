@@ -78,7 +78,7 @@ def _stage_of(name: str) -> StageName:
 
 def _check(name: str, stage: StageName, options: ReadOptions) -> Checked:
     from shadercache.ast.large import allow_deep_trees
-    from shadercache.sema.read import read
+    from shadercache.valid.read import read
 
     allow_deep_trees()
     try:

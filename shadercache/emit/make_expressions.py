@@ -30,13 +30,13 @@ from shadercache.lang.words import (
     ASSIGN,
     COMMA,
     CONDITIONAL,
+    MEMORY_QUALIFIERS,
     POSTFIX,
     PRECEDENCE,
     PRIMARY,
     QUALIFIER_ORDER,
     UNARY,
 )
-from shadercache.sema.qualifiers import MEMORY
 
 
 def print_expression(node: Node, least: int = COMMA) -> str:
@@ -145,7 +145,8 @@ def print_qualifiers(node: Qualifiers, block: bool = False) -> str:
 
     The words are put in the order that every version takes, whatever order a pass left them in.
     """
-    ranks = [QUALIFIER_ORDER[word] for word in node.words if block or word not in MEMORY]
+    ranked = [word for word in node.words if block or word not in MEMORY_QUALIFIERS]
+    ranks = [QUALIFIER_ORDER[word] for word in ranked]
     ordered = ranks == sorted(ranks)
     words = node.words if ordered else sorted(node.words, key=QUALIFIER_ORDER.__getitem__)
     text = "".join(f"{word} " for word in words)

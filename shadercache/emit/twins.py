@@ -11,10 +11,9 @@ from dataclasses import replace
 from shadercache.analysis.vertex_inputs import OUTPUTS
 from shadercache.ast import nodes as n
 from shadercache.emit.packing import with_layouts
-from shadercache.lang.builtins import variable
+from shadercache.lang.builtins import MOST_ELEMENTS, variable
 from shadercache.lang.types import builtin_type
-from shadercache.sema.check_context import enabled_extensions
-from shadercache.sema.redeclared import MOST_ELEMENTS
+from shadercache.sema.language import enabled_extensions
 from shadercache.source import NOWHERE
 from shadercache.transform.builtin_block import BUILTIN_BLOCK
 from shadercache.transform.reachable import declared_names, names_in

@@ -17,10 +17,10 @@ from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 from shadercache.diagnostics import input_error
 from shadercache.front.parse import parse
+from shadercache.lang.packing import alignment
 from shadercache.lang.types import Type
-from shadercache.sema.checker import check
 from shadercache.sema.facts import Facts, Stage
-from shadercache.sema.offsets import alignment
+from shadercache.sema.infer import infer
 from shadercache.source import Source
 
 PACKING = "std140"
@@ -95,7 +95,7 @@ def members_of(stages: tuple[tuple[Source, Stage], ...], sizes: dict[str, int]) 
     found: dict[str, Member] = {}
     for source, stage in stages:
         module = parse(source)
-        facts = check(module, source, stage)
+        facts = infer(module, source, stage)
         for decl in module.decls:
             if isinstance(decl, n.BlockDecl) and decl.name in sizes:
                 found |= {

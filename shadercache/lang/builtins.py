@@ -21,6 +21,8 @@ _NEVER = 9999
 NO_EXTENSIONS: frozenset[str] = frozenset()
 _OF_ES = frozenset(("GL_EXT_frag_depth", "GL_EXT_shader_texture_lod", "GL_EXT_shadow_samplers"))
 """Extensions that desktop GLSL does not know."""
+MOST_ELEMENTS = {"gl_ClipDistance": 8, "gl_CullDistance": 8}
+"""Elements of built-in arrays without a size, on every driver."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -191,6 +191,7 @@ _PACKED_UNTIL = 130
 _ROWS = (*_TYPES, *_QUALIFIERS, *_STATEMENTS, *_RESERVED)
 
 PRECISIONS = frozenset(("highp", "mediump", "lowp"))
+MEMORY_QUALIFIERS = ("coherent", "volatile", "restrict", "readonly", "writeonly")
 BUILTIN_STRUCTS = frozenset(
     (
         *("gl_DepthRangeParameters", "gl_PointParameters", "gl_MaterialParameters"),
@@ -216,7 +217,7 @@ QUALIFIER_ORDER: dict[str, int] = {
             ("smooth", "flat", "noperspective"),
             ("pervertexEXT", "pervertexNV", "__explicitInterpAMD"),
             ("const", "centroid", "patch", "sample"),
-            ("coherent", "volatile", "restrict", "readonly", "writeonly"),
+            MEMORY_QUALIFIERS,
             ("in", "out", "inout", "uniform", "buffer", "shared", "attribute", "varying"),
             ("highp", "mediump", "lowp"),
         )

@@ -1,22 +1,19 @@
-"""Calls: which function a call means, and whether its arguments suit."""
+"""Calls: which function a call means."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from shadercache.ast.nodes import Call, Expr
+from shadercache.ast.nodes import Call
 from shadercache.lang.builtins import Signature
 from shadercache.lang.types import Type
-from shadercache.lang.words import qualifier_words
-from shadercache.sema.check_context import ERROR, Context
 from shadercache.sema.constants import Constants
-from shadercache.sema.lvalues import why_not_writable
-from shadercache.sema.memory import check_memory
+from shadercache.sema.context import Context
 from shadercache.sema.overloads import Candidate, convertible, exact_match, parameters
+from shadercache.sema.problems import ERROR
 from shadercache.sema.scopes import FunctionSet, Overload
 
 _SHOWN = 8
-_OFFSETS = range(-8, 8)
 
 
 class CallChecker:
@@ -26,22 +23,19 @@ class CallChecker:
         self._context = context
         self._constants = constants
         self._visible, self._mark = context.scopes.visible, context.scopes.function_mark
-        self._has_memory = "restrict" in qualifier_words(
-            context.version, context.es, context.extensions
-        )
-        self._resolved: dict[
-            tuple[str, tuple[Type, ...]], tuple[int, Candidate, tuple[int, ...]]
-        ] = {}
+        self._resolved: dict[tuple[str, tuple[Type, ...]], tuple[int, Candidate]] = {}
 
     def check(self, node: Call) -> Type:
         """Resolve a call whose arguments are typed; the type of its result."""
-        types = self._context.types
+        types = self._context.tables.types
         args = tuple([types[arg] for arg in node.args])
         entry = self._visible.get(node.name + self._mark)
         own = entry if isinstance(entry, FunctionSet) else None
         if entry is not None and own is None:
             what = "a type" if isinstance(entry, Type) else "a variable"
-            return self._context.error("SC204", f"'{node.name}' is {what}, not a function", node)
+            return self._context.problems.error(
+                "SC204", f"'{node.name}' is {what}, not a function", node
+            )
         # More overloads may have been declared since the same call was resolved last.
         count = len(own.overloads) if own else 0
         key = (node.name, args)
@@ -50,59 +44,26 @@ class CallChecker:
             found = self._resolve(node, own.overloads if own else {}, args)
             if found is None:
                 return ERROR
-            outs = tuple(i for i, (_, way) in enumerate(parameters(found)) if way != "in")
-            known = self._resolved[key] = (count, found, outs)
-        return self._use(node, known[1], known[2])
+            known = self._resolved[key] = (count, found)
+        return self._use(node, known[1])
 
-    def _use(self, node: Call, found: Candidate, outs: tuple[int, ...]) -> Type:
+    def _use(self, node: Call, found: Candidate) -> Type:
         context = self._context
-        context.calls[node] = found
+        context.tables.calls[node] = found
         if context.function is not None:
-            context.called[context.function].append(node)
-        for i in outs:
-            problem = why_not_writable(node.args[i], context)
-            if problem is not None:
-                message, place = problem
-                context.error("SC209", f"{message} by '{node.name}'", place)
-        if not isinstance(found, Signature):
-            if self._has_memory:
-                check_memory(node, found, context)
-        else:
-            if found.memory:
-                check_memory(node, found, context)
-            if found.foldable and not outs:
-                self._constants.call(node, found, node.args)
-            elif found.texture:
-                self._check_constant_args(node, found)
+            context.tables.called[context.function].append(node)
+        if isinstance(found, Signature) and found.foldable:
+            self._constants.call(node, found, node.args)
         return found.result
-
-    def _check_constant_args(self, node: Call, found: Signature) -> None:
-        """Offsets of texture look-ups are constant expressions (section 8.7)."""
-        for arg, param in zip(node.args, found.params, strict=True):
-            if not param.constant:
-                continue
-            if arg not in self._constants.expressions:
-                message = f"this argument of '{node.name}' must be a constant expression"
-                self._context.error("SC226", message, arg)
-            elif "Gather" not in node.name:
-                self._check_offset(arg)
-
-    def _check_offset(self, arg: Expr) -> None:
-        """All drivers have the same least and greatest offset."""
-        value = self._constants.values.get(arg, 0)
-        far = [n for n in (value if isinstance(value, tuple) else (value,)) if n not in _OFFSETS]
-        if far:
-            message = f"an offset lies between {_OFFSETS[0]} and {_OFFSETS[-1]}; this is {far[0]}"
-            self._context.error("SC226", message, arg)
 
     def _resolve(
         self, node: Call, own: Mapping[tuple[Type, ...], Overload], args: tuple[Type, ...]
     ) -> Candidate | None:
         """The function that is called; ``None`` once a diagnostic or an earlier one says why."""
-        builtin = self._context.builtin_functions(node.name)
+        builtin = self._context.language.builtin_functions(node.name)
         if not own and not builtin:
             known = self._context.known_functions
-            self._context.undeclared("function", node.name, node, known)
+            self._context.problems.undeclared("function", node.name, node, known)
             return None
         if ERROR in args:
             return None
@@ -113,7 +74,7 @@ class CallChecker:
             return exact
         # Functions of the user hide the built-in ones.
         candidates: list[Candidate] = [*own.values()] if own else [*builtin]
-        best = convertible(candidates, args, self._context.conversions)
+        best = convertible(candidates, args, self._context.language.conversions)
         if len(best) == 1:
             return best[0]
         self._complain(node, args, candidates, best)
@@ -121,7 +82,7 @@ class CallChecker:
 
     def _warn_hidden(self, node: Call, found: Signature) -> None:
         message = f"'{found}' is hidden by the shader's own '{node.name}' on some drivers"
-        self._context.warn("SC290", message, node)
+        self._context.problems.warn("SC290", message, node)
 
     def _complain(
         self, node: Call, args: tuple[Type, ...], candidates: list[Candidate], best: list[Candidate]
@@ -129,17 +90,17 @@ class CallChecker:
         call = f"{node.name}({', '.join(map(str, args))})"
         if best:
             message = f"the call {call} is ambiguous"
-            self._context.error("SC208", message, node, _listed(best))
+            self._context.problems.error("SC208", message, node, _listed(best))
             return
         counts = sorted({len(parameters(item)) for item in candidates})
         if len(args) not in counts:
             takes = " or ".join(map(str, counts))
             message = f"'{node.name}' takes {takes} arguments, not {len(args)}"
-            self._context.error("SC207", message, node, _listed(candidates))
+            self._context.problems.error("SC207", message, node, _listed(candidates))
             return
         message = f"no function fits the call {call}"
         same = [item for item in candidates if len(parameters(item)) == len(args)]
-        self._context.error("SC206", message, node, _listed(same))
+        self._context.problems.error("SC206", message, node, _listed(same))
 
 
 def _listed(candidates: Sequence[Candidate]) -> str:

@@ -30,15 +30,13 @@ from shadercache.ast.nodes import (
 )
 from shadercache.lang.types import BOOL, INT, INT64, UINT, UINT64, Type, array_of, vector
 from shadercache.sema.calls import CallChecker
-from shadercache.sema.check_context import ERROR, Context
 from shadercache.sema.constants import SWIZZLES, Constants
 from shadercache.sema.constructors import construct_problem, is_handle
+from shadercache.sema.context import Context
 from shadercache.sema.facts import Kind, Symbol
 from shadercache.sema.fold import literal
-from shadercache.sema.lvalues import why_not_writable
-from shadercache.sema.memory import root
 from shadercache.sema.operators import EQUALITY, INTEGER_ONLY, binary_type, unary_type
-from shadercache.sema.redeclared import MOST_ELEMENTS
+from shadercache.sema.problems import ERROR
 
 _OPERANDS: Mapping[type, Callable[[Any], tuple[Expr, ...]]] = {
     Binary: attrgetter("left", "right"),
@@ -60,15 +58,16 @@ class ExpressionChecker:
 
     def __init__(self, context: Context, resolve_spec: Callable[[TypeSpec], Type]) -> None:
         self._context = context
-        self._types = context.types
+        self._language, self._problems = context.language, context.problems
+        self._types = context.tables.types
         self._visible = context.scopes.visible
-        self._symbols = context.symbols
+        self._symbols = context.tables.symbols
         self._resolve_spec = resolve_spec
         self._literals: dict[str, tuple[Type, bool | int | float | None]] = {}
         self._binary_types: dict[tuple[str, Type, Type], Type | None] = {}
         self._members: dict[tuple[Type, str], Type | None] = {}
         self._builtins: dict[str, Symbol | None] = {}
-        self.constants = Constants(context.types, context.conversions)
+        self.constants = Constants(context.tables.types, context.language.conversions)
         self._calls = CallChecker(context, self.constants)
         self._rules: Mapping[type, Callable[[Any], Type]] = {
             Binary: self._binary,
@@ -112,10 +111,10 @@ class ExpressionChecker:
             found = self._literals[node.text] = literal(node.text)
         kind, value = found
         if value is None:
-            return self._context.error("SC227", "the integer needs more bits than it has", node)
-        if kind in (INT64, UINT64) and not self._context.has_type(kind):
+            return self._problems.error("SC227", "the integer needs more bits than it has", node)
+        if kind in (INT64, UINT64) and not self._language.has_type(kind):
             message = "integers of 64 bits need GL_ARB_gpu_shader_int64"
-            return self._context.error("SC227", message, node)
+            return self._problems.error("SC227", message, node)
         self.constants.expressions.add(node)
         self.constants.values[node] = value
         return kind
@@ -129,16 +128,16 @@ class ExpressionChecker:
             if entry.kind == "const":
                 self.constants.use(node, entry)
             return entry.type
-        if entry is not None or self._context.builtin_functions(node.name):
+        if entry is not None or self._language.builtin_functions(node.name):
             what = "a type" if type(entry) is Type else "a function"
-            return self._context.error("SC204", f"'{node.name}' is {what}, not a variable", node)
+            return self._problems.error("SC204", f"'{node.name}' is {what}, not a variable", node)
         known = self._context.known_variables
-        return self._context.undeclared("variable", node.name, node, known)
+        return self._problems.undeclared("variable", node.name, node, known)
 
     def _builtin(self, name: str) -> Symbol | None:
         """The built-in variable of that name; one symbol for all its uses."""
         if name not in self._builtins:
-            found = self._context.builtin_variable(name)
+            found = self._language.builtin_variable(name)
             symbol = None
             if found is not None:
                 kind: Kind = "const" if found.storage == "const" else "builtin"
@@ -157,9 +156,7 @@ class ExpressionChecker:
         kind = unary_type(node.op, operand)
         if kind is None or self._is_missing(node.op):
             return self._no_operator(node, operand)
-        if node.op in ("++", "--"):
-            self._require_writable(node.operand)
-        elif node.operand in self.constants.expressions:
+        if node.op not in ("++", "--") and node.operand in self.constants.expressions:
             self._types[node] = kind
             self.constants.unary(node)
         return kind
@@ -171,7 +168,6 @@ class ExpressionChecker:
         kind = unary_type(node.op, operand)
         if kind is None:
             return self._no_operator(node, operand)
-        self._require_writable(node.operand)
         return kind
 
     def _binary(self, node: Binary) -> Type:
@@ -184,7 +180,7 @@ class ExpressionChecker:
         else:
             kind = None
             if not self._is_missing(node.op, left):
-                kind = binary_type(node.op, left, right, self._context.conversions)
+                kind = binary_type(node.op, left, right, self._language.conversions)
             self._binary_types[key] = kind
         if kind is None:
             return self._no_operator(node, left, right)
@@ -197,15 +193,15 @@ class ExpressionChecker:
     def _is_missing(self, op: str, left: Type = BOOL) -> bool:
         """Does this version lack the operator?"""
         if op in INTEGER_ONLY:
-            return not self._context.has_integer_operators
+            return not self._language.has_integer_operators
         compares = op in EQUALITY and left.holds_array
-        return compares and not self._context.arrays_are_values
+        return compares and not self._language.arrays_are_values
 
     def _no_operator(self, node: Unary | Postfix | Binary, *operands: Type) -> Type:
         kinds = " and ".join(map(str, operands))
         hint = "this version of GLSL does not have it" if self._is_missing(node.op) else None
         message = f"'{node.op}' does not apply to {kinds}"
-        return self._context.error("SC205", message, node, hint)
+        return self._problems.error("SC205", message, node, hint)
 
     def _conditional(self, node: Conditional) -> Type:
         condition, then, other = (
@@ -213,13 +209,13 @@ class ExpressionChecker:
         )
         if condition is not BOOL and condition is not ERROR:
             message = f"the condition of '?:' is {condition}, not bool"
-            return self._context.error("SC212", message, node.condition)
+            return self._problems.error("SC212", message, node.condition)
         if ERROR in (condition, then, other):
             return ERROR
-        kind = self._context.conversions.common(then, other)
-        if kind is None or self._context.only_handles(kind):
+        kind = self._language.conversions.common(then, other)
+        if kind is None or self._language.only_handles(kind):
             message = f"'?:' cannot choose between {then} and {other}"
-            return self._context.error("SC205", message, node)
+            return self._problems.error("SC205", message, node)
         if self.constants.expressions.issuperset((node.condition, node.then, node.other)):
             self._types[node] = kind
             self.constants.conditional(node)
@@ -230,31 +226,23 @@ class ExpressionChecker:
 
     def _assign(self, node: Assign) -> Type:
         target, value = self._types[node.target], self._types[node.value]
-        if target is ERROR:
-            return ERROR
-        self._require_writable(node.target)
-        if value is ERROR:
+        if target is ERROR or value is ERROR:
             return target
-        conversions = self._context.conversions
+        conversions = self._language.conversions
         result: Type | None = value
         if node.op != "=":
             missing = self._is_missing(node.op[:-1])
             result = None if missing else binary_type(node.op[:-1], target, value, conversions)
         elif (
-            target.holds_array and not self._context.arrays_are_values
-        ) or self._context.only_handles(target):
+            target.holds_array and not self._language.arrays_are_values
+        ) or self._language.only_handles(target):
             result = None
         if result is None or not conversions.converts(result, target):
             message = f"cannot assign {value} to {target}"
             if node.op != "=":
                 message = f"'{node.op}' does not apply to {target} and {value}"
-            self._context.error("SC210", message, node)
+            self._problems.error("SC210", message, node)
         return target
-
-    def _require_writable(self, target: Expr) -> None:
-        problem = why_not_writable(target, self._context)
-        if problem is not None:
-            self._context.error("SC209", *problem)
 
     # --- parts ------------------------------------------------------------------------------------
 
@@ -264,7 +252,7 @@ class ExpressionChecker:
             return ERROR
         key = (whole, node.name)
         if key not in self._members:
-            self._members[key] = member_type(whole, node.name, self._context.qualifier_version)
+            self._members[key] = member_type(whole, node.name, self._language.qualifier_version)
         kind = self._members[key]
         if kind is None:
             return self._bad_member(node, whole)
@@ -276,102 +264,84 @@ class ExpressionChecker:
     def _bad_member(self, node: Member, whole: Type) -> Type:
         if whole.struct is not None and not whole.dims:
             message = f"{whole} has no field '{node.name}'"
-            return self._context.no_field(message, node, whole.struct.fields)
+            return self._problems.no_field(message, node, whole.struct.fields)
         message = f"{whole} has no field '{node.name}'"
         if whole.is_vector:
             message = f"'{node.name}' is no swizzle of {whole}"
-        return self._context.error("SC213", message, node)
+        return self._problems.error("SC213", message, node)
 
     def _index(self, node: Index) -> Type:
         whole, at = self._types[node.object], self._types[node.index]
         if whole is ERROR or at is ERROR:
             return ERROR
         if not (whole.dims or whole.rows > 1):
-            return self._context.error("SC214", f"{whole} cannot be indexed", node)
+            return self._problems.error("SC214", f"{whole} cannot be indexed", node)
         if at is not INT and at is not UINT:
-            return self._context.error("SC214", f"the index is {at}, not int or uint", node.index)
-        kind = whole.element
-        self._check_range(node, whole)
-        constant = self.constants.expressions
-        if node.index not in constant:
-            self._check_dynamic(node, whole)
-        elif node.object in constant:
+            return self._problems.error("SC214", f"the index is {at}, not int or uint", node.index)
+        kind, constant = whole.element, self.constants.expressions
+        if node.index in constant and node.object in constant:
             self._types[node] = kind
             self.constants.index(node)
         return kind
-
-    def _check_range(self, node: Index, whole: Type) -> None:
-        at = self.constants.values.get(node.index)
-        if type(node.object) is Name and node.object.name in MOST_ELEMENTS:
-            whole = array_of(whole.element, whole.dims[0] or MOST_ELEMENTS[node.object.name])
-        size = whole.dims[0] if whole.dims else (whole.cols if whole.cols > 1 else whole.rows)
-        if isinstance(at, int) and (at < 0 or (size is not None and at >= size)):
-            self._context.error("SC214", f"index {at} is outside of {whole}", node.index)
-
-    def _check_dynamic(self, node: Index, whole: Type) -> None:
-        """What only a constant may index: unsized arrays, and before 4.00 arrays of samplers."""
-        if whole.is_unsized and whole.dims[0] is None:
-            if self._is_runtime_array(node.object):
-                return
-            message = f"{whole} has no size yet: only a constant may index it"
-            self._context.error("SC214", message, node.index)
-        elif whole.holds_opaque and not self._context.indexes_samplers:
-            message = "before GLSL 4.00 only a constant may index an array of samplers"
-            self._context.error("SC214", message, node.index)
-        elif whole.struct is not None and whole.dims and not self._context.at_least(0, 320):
-            name = node.object
-            symbol = self._context.symbols.get(name) if isinstance(name, Name) else None
-            if symbol is not None and symbol.kind == "block":
-                message = "before GLSL ES 3.20 only a constant may index an array of blocks"
-                self._context.error("SC214", message, node.index)
 
     def _length(self, node: Length) -> Type:
         whole = self._types[node.object]
         if whole is ERROR:
             return ERROR
         size = whole.dims[0] if whole.dims else None
-        if whole.rows > 1 and not whole.dims and self._context.qualifier_version >= 420:
+        if whole.rows > 1 and not whole.dims and self._language.qualifier_version >= 420:
             size = whole.cols if whole.is_matrix else whole.rows
-        if whole.dims and size is None and self._is_runtime_array(node.object):
+        if whole.dims and size is None and is_runtime_array(node.object, self._symbols):
             return INT
-        if size is None or not self._context.arrays_are_values:
-            return self._context.error("SC213", f"{whole} has no length()", node)
+        if size is None or not self._language.arrays_are_values:
+            return self._problems.error("SC213", f"{whole} has no length()", node)
         self.constants.set(node, size)
         return INT
-
-    def _is_runtime_array(self, array: Expr) -> bool:
-        """Is it the last member of a buffer block, whose length is known at run time only?"""
-        symbol = root(array, self._context)
-        block = None if symbol is None else symbol.block
-        if block is None or not block.qualifiers.has("buffer"):
-            return False
-        return (
-            isinstance(array, Name | Member) and array.name == block.fields[-1].declarators[-1].name
-        )
 
     def _construct(self, node: Construct) -> Type:
         kind = self._resolve_spec(node.type)
         args = [self._types[arg] for arg in node.args]
         if kind is ERROR or ERROR in args:
             return ERROR
-        if kind.dims and not self._context.arrays_are_values:
+        if kind.dims and not self._language.arrays_are_values:
             message = "this version of GLSL has no constructors of arrays"
-            return self._context.error("SC219", message, node)
+            return self._problems.error("SC219", message, node)
         if kind.dims and args:
             kind = _sized(kind, args)
         problem = None
-        if kind.struct is not None and self._context.only_handles(kind):
+        if kind.struct is not None and self._language.only_handles(kind):
             problem = f"{kind} holds samplers or images: only a uniform can be one"
-        elif not (self._context.bindless and is_handle(kind, args)):
-            problem = construct_problem(kind, args, self._context.conversions)
-        if kind.is_matrix and args[:1] and args[0].is_matrix and not self._context.at_least(120, 0):
+        elif not (self._language.bindless and is_handle(kind, args)):
+            problem = construct_problem(kind, args, self._language.conversions)
+        if (
+            kind.is_matrix
+            and args[:1]
+            and args[0].is_matrix
+            and not self._language.at_least(120, 0)
+        ):
             problem = "GLSL 1.10 makes no matrix from a matrix"
         if problem is not None:
-            return self._context.error("SC219", problem, node)
+            return self._problems.error("SC219", problem, node)
         if self.constants.expressions.issuperset(node.args):
             self._types[node] = kind
             self.constants.construct(node)
         return kind
+
+
+def root(expr: Expr, symbols: Mapping[Name, Symbol]) -> Symbol | None:
+    """The variable that an expression is, or is a part of."""
+    while isinstance(expr, Member | Index):
+        expr = expr.object
+    return symbols.get(expr) if isinstance(expr, Name) else None
+
+
+def is_runtime_array(array: Expr, symbols: Mapping[Name, Symbol]) -> bool:
+    """Is it the last member of a buffer block, whose length is known at run time only?"""
+    symbol = root(array, symbols)
+    block = None if symbol is None else symbol.block
+    if block is None or not block.qualifiers.has("buffer"):
+        return False
+    return isinstance(array, Name | Member) and array.name == block.fields[-1].declarators[-1].name
 
 
 def _sized(kind: Type, args: list[Type]) -> Type:

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from shadercache.ast.nodes import Expr, InitList
 from shadercache.lang.types import VOID, Type, array_of
-from shadercache.sema.check_context import ERROR, Context
+from shadercache.sema.context import Context
 from shadercache.sema.expression_types import ExpressionChecker
+from shadercache.sema.problems import ERROR
 
 
 class InitialiserChecker:
@@ -31,12 +32,12 @@ class InitialiserChecker:
         count = _count(kind, len(node.items))
         if count != len(node.items):
             takes = "no list of items" if count is None else f"{count} items"
-            kind = self._context.error("SC219", f"{kind} takes {takes} here", node)
+            kind = self._context.problems.error("SC219", f"{kind} takes {takes} here", node)
         parts = _parts(kind, len(node.items))
         given = [self.check(item, part) for item, part in zip(node.items, parts, strict=True)]
         if kind is not ERROR:
             kind = self._settled(node, kind, parts, given)
-        self._context.types[node] = kind
+        self._context.tables.types[node] = kind
         constants = self._expressions.constants
         if kind is not ERROR and constants.expressions.issuperset(node.items):
             constants.construct(node)
@@ -54,9 +55,9 @@ class InitialiserChecker:
         if kind.dims and kind.element.is_unsized and len(set(given)) == 1:
             return array_of(given[0], len(given))
         for item, part, found in zip(node.items, parts, given, strict=True):
-            if found is VOID or not self._context.conversions.converts(found, part):
+            if found is VOID or not self._context.language.conversions.converts(found, part):
                 message = f"cannot initialise a part of type {part} with {found}"
-                return self._context.error("SC210", message, item)
+                return self._context.problems.error("SC210", message, item)
         return kind
 
 

@@ -22,8 +22,8 @@ from shadercache.ast.walk import walk
 from shadercache.lang.builtins import BuiltinVariable, struct, variable
 from shadercache.lang.types import StructType, Type
 from shadercache.lang.words import ES_VERSIONS, VERSIONS
-from shadercache.sema.check_context import enabled_extensions
 from shadercache.sema.facts import Facts, Symbol
+from shadercache.sema.language import enabled_extensions
 from shadercache.source import NOWHERE, Span
 from shadercache.transform.legacy_calls import Place
 

@@ -28,14 +28,15 @@ from shadercache.ast.walk import walk
 from shadercache.diagnostics import Diagnostic, InputError, Severity
 from shadercache.lang.builtins import functions
 from shadercache.lang.words import keywords, reserved_words
-from shadercache.sema.check_context import enabled_extensions
-from shadercache.sema.checker import check
 from shadercache.sema.facts import Facts, Stage
+from shadercache.sema.infer import infer
+from shadercache.sema.language import enabled_extensions
 from shadercache.source import Source
 from shadercache.transform.builtin_block import BUILTIN_BLOCK
 from shadercache.transform.fixed_function import FixedFunction, Shared, is_builtin
 from shadercache.transform.legacy_calls import modern_call
 from shadercache.transform.unique_names import make_names_unique
+from shadercache.valid.validate import validate
 
 DESKTOP_VERSION, ES_VERSION = 330, 300
 
@@ -122,7 +123,7 @@ def _raise(tree: StageTree, stem: str, shared: Shared) -> Raised:
         return Raised(tree.module, tree.facts, {}, ())
     module = raiser.raised()
     try:
-        facts = check(module, tree.source, tree.stage)
+        facts = validate(module, tree.source, tree.stage)
     except InputError as error:
         message = f"the shader cannot be raised to {raiser.language}: "
         problems = [
@@ -139,7 +140,7 @@ def _without_hidden_parameters(tree: StageTree) -> StageTree:
     if tree.module.version != 100:
         return tree
     module = make_names_unique(tree.module, tree.facts)
-    return replace(tree, module=module, facts=check(module, tree.source, tree.stage))
+    return replace(tree, module=module, facts=infer(module, tree.source, tree.stage))
 
 
 def language_name(version: int, profile: str | None) -> str:

@@ -25,8 +25,8 @@ from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.rewriter import Rewriter
 from shadercache.lang.types import Type
-from shadercache.sema.checker import check
 from shadercache.sema.facts import Stage
+from shadercache.sema.infer import infer
 from shadercache.source import NOWHERE, Source
 from shadercache.transform.reachable import kept_names
 
@@ -51,7 +51,7 @@ def types_for_matrices(
         decl.proto if isinstance(decl, n.FunctionDef) and decl.name not in wanted else decl
         for decl in module.decls
     )
-    return check(replace(module, decls=decls), Source("proof", ""), stage).types
+    return infer(replace(module, decls=decls), Source("proof", ""), stage).types
 
 
 def write_out_matrices(

@@ -20,9 +20,9 @@ from shadercache.emit.fragment import FragmentEmitter
 from shadercache.emit.printer import print_module
 from shadercache.front.parse import parse
 from shadercache.options import CacheOptions
-from shadercache.sema.checker import check
 from shadercache.source import Source
 from shadercache.transform.state_precisions import with_precisions
+from shadercache.valid.validate import validate
 from tests.cases.cases import analysed
 from tests.cases.test_cases import CACHEABLE
 
@@ -136,7 +136,7 @@ def _cost(shader: Shader, prefix: str) -> float:
     """The static cost of an emitted shader, the look-up in the cache of the last frame apart."""
     text = print_module(with_precisions(shader.module))
     module = parse(Source("pass.frag", text))
-    costs = CostTable(check(module, Source("pass.frag", text), "fragment"))
+    costs = CostTable(validate(module, Source("pass.frag", text), "fragment"))
     functions = {item.name: item for item in module.decls if isinstance(item, n.FunctionDef)}
     look_up = functions.get(f"{prefix}look_up")
     return costs.function(functions["main"]) - (costs.function(look_up) if look_up else 0.0)

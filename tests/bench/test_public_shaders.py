@@ -15,8 +15,8 @@ from bench.public_shaders.plain_vertex import plain_vertex
 from bench.public_shaders.rendering import Picture, output_formats, render_all
 from bench.public_shaders.report import Row, failures, figures, table
 from bench.public_shaders.typing import compare_types, shape_of
-from shadercache.sema.read import read
 from shadercache.source import Source
+from shadercache.valid.read import read
 
 needs_judge = pytest.mark.skipif(
     shutil.which("glslangValidator") is None, reason="glslangValidator is the judge"

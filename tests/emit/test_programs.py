@@ -21,9 +21,9 @@ from shadercache.diagnostics import InputError
 from shadercache.front.parse import parse
 from shadercache.options import CacheOptions, Mode, Options
 from shadercache.paths import data_path
-from shadercache.sema.checker import check
 from shadercache.source import Source
 from shadercache.transform.reachable import declared_names, names_in
+from shadercache.valid.validate import validate
 
 NOISE = """
 float noise(vec3 p) { return sin(p.x * 12.9) * sin(p.y * 78.2) * sin(p.z * 37.7); }
@@ -116,8 +116,8 @@ def check_programs(emission: Emission) -> None:
     for item in passes:
         fragment = module_of(emission, item["fragment"])
         vertex = module_of(emission, item["vertex"])
-        check(fragment, Source(item["fragment"], ""), "fragment")
-        check(vertex, Source(item["vertex"], ""), "vertex")
+        validate(fragment, Source(item["fragment"], ""), "fragment")
+        validate(vertex, Source(item["vertex"], ""), "vertex")
         assert_nothing_unused(fragment)
         assert_nothing_unused(vertex)
         assert varyings(vertex, "out") == varyings(fragment, "in"), item["name"]

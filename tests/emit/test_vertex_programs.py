@@ -7,8 +7,8 @@ from shaders import analysed, find
 
 from shadercache.compiler import Analysis, analyse, rewrite
 from shadercache.front.parse import parse
-from shadercache.sema.checker import check
 from shadercache.source import Source
+from shadercache.valid.validate import validate
 
 PAYLOAD = "sin(v_position * 12.9) * cos(v_position)"
 
@@ -69,7 +69,7 @@ def test_vertex_twins(name: str, analysis: Analysis) -> None:
     assert twins.items() <= emission.manifest["previous"].items()
     assert "u_unrelated" not in emission.manifest["previous"]
     for item in ("2-pass.hit.vert", "3-pass.payload.vert", "original.vert"):
-        check(parse(Source(item, emission.files[item])), Source(item, ""), "vertex")
+        validate(parse(Source(item, emission.files[item])), Source(item, ""), "vertex")
 
 
 BLOCK_STAGES = (

@@ -11,8 +11,8 @@ from shadercache.emit.printer import print_module
 from shadercache.front.dialects import surrounded
 from shadercache.front.parse import parse
 from shadercache.front.read_options import Dialect, ReadOptions
-from shadercache.sema.checker import check
 from shadercache.source import Source
+from shadercache.valid.validate import validate
 
 TOY = """\
 // A toy.
@@ -29,7 +29,7 @@ def read(text: str, dialect: Dialect = "auto") -> str:
     """What is printed of a shader that is parsed and checked."""
     source = Source("toy.glsl", text)
     module = parse(source, ReadOptions(dialect=dialect))
-    check(module, source)
+    validate(module, source)
     return print_module(module)
 
 

@@ -27,9 +27,9 @@ from shadercache.options import Options
 from shadercache.render.bundle import Bundle
 from shadercache.render.variant_runner import RunOptions, VariantRunner
 from shadercache.sema.facts import Stage
-from shadercache.sema.read import read
 from shadercache.source import Source
 from shadercache.transform.unique_names import make_names_unique
+from shadercache.valid.read import read
 from shadercache.verify import verifier as verify
 from shadercache.verify.verifier import Difference, Image, Verdict, Verifier
 

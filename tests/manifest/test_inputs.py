@@ -13,8 +13,8 @@ import shadercache
 from shadercache.compiler import analyse, rewrite
 from shadercache.emit import reflection
 from shadercache.emit.packing import Packing
-from shadercache.sema.read import read
 from shadercache.source import Source
+from shadercache.valid.read import read
 
 FRAGMENT = """#version 450
 {declared}

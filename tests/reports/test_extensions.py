@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from shadercache.diagnostics import InputError
-from shadercache.sema.read import read
 from shadercache.source import Source
+from shadercache.valid.read import read
 
 FOLDER = Path(__file__).parent / "extensions"
 TYPES = "GL_EXT_shader_explicit_arithmetic_types"

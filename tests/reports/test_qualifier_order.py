@@ -15,8 +15,8 @@ from shadercache.emit.printer import print_module
 from shadercache.front.parse import parse
 from shadercache.gpu.context import Gpu
 from shadercache.options import Options
-from shadercache.sema.read import read
 from shadercache.source import Source
+from shadercache.valid.read import read
 
 FOLDER = Path(__file__).parent / "qualifier_order"
 FILES = sorted(path.name for path in FOLDER.iterdir())

@@ -27,8 +27,8 @@ from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.paths import data_path
 from shadercache.scene.description import load_scene
-from shadercache.sema.checker import check
 from shadercache.source import Source
+from shadercache.valid.validate import validate
 from shadercache.verify.verifier import Verifier
 from tests.cases import cases
 
@@ -60,7 +60,7 @@ def test_every_program_computes_the_last_position(name: str) -> None:
     assert re.search(r"\w+_vertex_previous\(\);", looks)
     for file, text in emission.files.items():
         if file.endswith(".vert"):
-            check(parse(Source(file, text)), Source(file, text), "vertex")
+            validate(parse(Source(file, text)), Source(file, text), "vertex")
 
 
 @pytest.fixture(scope="module")

@@ -36,9 +36,9 @@ from shadercache.ast.walk import walk
 from shadercache.emit.printer import print_module
 from shadercache.front.parse import parse
 from shadercache.lang.builtins import Signature
-from shadercache.sema.checker import check
 from shadercache.sema.facts import Facts, Stage
 from shadercache.source import NOWHERE, Source
+from shadercache.valid.validate import validate
 
 ROOT = Path(__file__).resolve().parents[2]
 SHADERS = sorted(p for end in ("frag", "vert") for p in (ROOT / "corpus").glob(f"*/*.{end}"))
@@ -112,7 +112,7 @@ def test_types_of_all_expressions(file: Path, tmp_path: Path) -> None:
     stage: Stage = "vertex" if file.suffix == ".vert" else "fragment"
     source = Source(file.name, file.read_text())
     module = parse(source)
-    facts = check(module, source, stage)
+    facts = validate(module, source, stage)
     probe = Probe(facts, kept(module, facts))
     text = print_module(probe.rewrite(module))
     version, _, rest = text.partition("\n")

@@ -188,11 +188,11 @@ def test_warnings() -> None:
 
 def test_a_checked_tree_may_be_checked_again() -> None:
     from shadercache.front.parse import parse
-    from shadercache.sema.checker import check
+    from shadercache.valid.validate import validate
 
     source = Source("a.frag", SHADER)
     module = parse(source)
-    first, second = check(module, source), check(module, source)
+    first, second = validate(module, source), validate(module, source)
     assert first.types.keys() == second.types.keys()
     assert {str(t) for t in first.types.values()} == {str(t) for t in second.types.values()}
 

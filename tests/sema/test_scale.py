@@ -26,9 +26,9 @@ from shadercache.ast.nodes import (
     Unary,
     VarDecl,
 )
-from shadercache.sema.checker import check
 from shadercache.sema.facts import Facts
 from shadercache.source import NOWHERE, Source
+from shadercache.valid.validate import validate
 
 SOURCE = Source("made.frag", "")
 
@@ -40,7 +40,7 @@ def checked(body: tuple[Stmt, ...]) -> Facts:
     first = DeclStmt(NOWHERE, VarDecl(NOWHERE, NO_QUALIFIERS, kind, (init,)))
     proto = FunctionProto(NOWHERE, NO_QUALIFIERS, TypeSpec(NOWHERE, "void"), "main", ())
     main = FunctionDef(NOWHERE, proto, Block(NOWHERE, (first, *body)))
-    return check(Module(NOWHERE, 330, None, (), (main,)), SOURCE)
+    return validate(Module(NOWHERE, 330, None, (), (main,)), SOURCE)
 
 
 def x() -> Name:

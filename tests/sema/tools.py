@@ -6,16 +6,16 @@ from shadercache.ast.nodes import Declarator, Expr, Module
 from shadercache.ast.walk import walk
 from shadercache.diagnostics import InputError, Severity
 from shadercache.front.parse import parse
-from shadercache.sema.checker import check
 from shadercache.sema.facts import Facts, Stage
 from shadercache.source import Source
+from shadercache.valid.validate import validate
 
 
 def checked(text: str, stage: Stage = "fragment") -> tuple[Module, Facts]:
     """The module of a whole shader, and its facts."""
     source = Source("test.glsl", text)
     module = parse(source)
-    return module, check(module, source, stage, needs_main=True)
+    return module, validate(module, source, stage, needs_main=True)
 
 
 def codes(text: str, stage: Stage = "fragment") -> list[str]:

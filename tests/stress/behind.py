@@ -11,8 +11,8 @@ from shadercache.diagnostics import InputError
 from shadercache.emit.printer import print_module, print_node
 from shadercache.front.read_options import ReadOptions
 from shadercache.options import Options
-from shadercache.sema.read import read
 from shadercache.source import Source
+from shadercache.valid.read import read
 
 
 def compile_behind(fragment: Source, module: Module, options: ReadOptions) -> str:

@@ -22,8 +22,8 @@ from shadercache.ast.nodes import Module
 from shadercache.diagnostics import InputError
 from shadercache.emit.printer import print_module
 from shadercache.front.read_options import ReadOptions
-from shadercache.sema.read import read
 from shadercache.source import Source
+from shadercache.valid.read import read
 
 from .behind import compile_behind
 from .cases import Case

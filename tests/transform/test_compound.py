@@ -9,9 +9,9 @@ from shadercache.ast.memo import Memo
 from shadercache.compiler import analyse, rewrite
 from shadercache.emit.printer import print_node
 from shadercache.front.parse import parse
-from shadercache.sema.checker import check
 from shadercache.source import Source
 from shadercache.transform.expand_compound_assignments import contract, spell_out
+from shadercache.valid.validate import validate
 from tests.shaders import analysed, find, fragment
 
 DECLARATIONS = """
@@ -35,8 +35,8 @@ def module_of(statement: str) -> tuple[n.Module, n.Module]:
     """A module, and the same spelled out."""
     source = fragment(f"{statement}\no_color = vec4(1.0);", DECLARATIONS + VARIABLES)
     module = parse(source)
-    made = spell_out(module, check(module, source))
-    check(made, source)
+    made = spell_out(module, validate(module, source))
+    validate(made, source)
     return module, made
 
 

@@ -7,9 +7,9 @@ import pytest
 from shadercache.ast.memo import Memo
 from shadercache.emit.printer import print_module
 from shadercache.front.parse import parse
-from shadercache.sema.checker import check
 from shadercache.source import Source
 from shadercache.transform.opaque_arguments import hide_arguments
+from shadercache.valid.validate import validate
 
 HEAD = """#version 330
 in vec3 v_a;
@@ -27,7 +27,7 @@ ZERO = "float(gl_FragCoord.x < 0.0)"
 def hidden(body: str) -> str:
     text = f"{HEAD}void main() {{ {body} color = vec4(v_a, 1.0); }}"
     made = print_module(hide_arguments(parse(Source("test.frag", text)), Memo()))
-    check(parse(Source("made.frag", made)), Source("made.frag", made))
+    validate(parse(Source("made.frag", made)), Source("made.frag", made))
     assert "const float Z = sqrt(0.25) - 0.5;" in made
     return made
 

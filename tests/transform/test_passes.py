@@ -6,8 +6,6 @@ from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 from shadercache.emit.printer import print_module, print_node
 from shadercache.front.parse import parse
-from shadercache.sema.checker import check
-from shadercache.sema.verify_tree import verify_module
 from shadercache.source import Source
 from shadercache.transform.drop_parameters import drop_parameters
 from shadercache.transform.drop_results import drop_results
@@ -18,6 +16,8 @@ from shadercache.transform.specialise import Cut, insert_clones, specialise
 from shadercache.transform.split import split_declarations
 from shadercache.transform.unique_names import make_names_unique
 from shadercache.transform.write_out_matrices import write_out_matrices
+from shadercache.valid.validate import validate
+from shadercache.valid.verify_tree import verify_module
 
 HEAD = "#version 330\nuniform float u_a;\nin vec3 v_a;\nout vec4 color;\n"
 
@@ -45,7 +45,7 @@ def test_split_declarations() -> None:
 
 def unique(text: str) -> str:
     module = module_of(text)
-    facts = check(module, Source("test.frag", HEAD + text))
+    facts = validate(module, Source("test.frag", HEAD + text))
     result = make_names_unique(module, facts)
     verify_module(result)
     return print_module(result)
@@ -79,7 +79,7 @@ def test_prototypes_follow_their_functions() -> None:
 def test_unique_names_change_nothing_where_nothing_collides() -> None:
     text = "float f(float x) { float y = x; return y; }\nvoid main() { color = vec4(f(u_a)); }"
     module = module_of(text)
-    facts = check(module, Source("test.frag", HEAD + text))
+    facts = validate(module, Source("test.frag", HEAD + text))
     assert make_names_unique(module, facts) is module
 
 

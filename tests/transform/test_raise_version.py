@@ -10,12 +10,12 @@ from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.emit.printer import print_module
 from shadercache.front.parse import parse
 from shadercache.lang.builtins import function_names, overloads
-from shadercache.sema.checker import check
 from shadercache.sema.facts import Stage
-from shadercache.sema.verify_tree import verify_module
 from shadercache.source import Source
 from shadercache.transform.legacy_calls import modern_name
 from shadercache.transform.raise_version import Raised, StageTree, raise_versions
+from shadercache.valid.validate import validate
+from shadercache.valid.verify_tree import verify_module
 
 EXTERNAL = (
     "#version 100\n#extension GL_OES_EGL_image_external : require\nprecision mediump float;\n"
@@ -25,7 +25,7 @@ EXTERNAL = (
 def tree(text: str, stage: Stage = "fragment") -> StageTree:
     source = Source(f"a.{stage[:4]}", text)
     module = parse(source)
-    return StageTree(module, check(module, source, stage), source, stage)
+    return StageTree(module, validate(module, source, stage), source, stage)
 
 
 def raised(*texts: str, stem: str = "legacy_") -> list[Raised]:
@@ -249,7 +249,7 @@ def test_what_cannot_be_raised_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     def complain(*_: object) -> None:
         raise InputError(found)
 
-    monkeypatch.setattr("shadercache.transform.raise_version.check", complain)
+    monkeypatch.setattr("shadercache.transform.raise_version.validate", complain)
     with pytest.raises(InputError) as caught:
         raise_versions([given], "legacy_")
     (item,) = caught.value.diagnostics

@@ -12,10 +12,10 @@ from typing import TypeVar
 
 from shadercache.ast.nodes import Module, Name
 from shadercache.diagnostics import InputError
-from shadercache.sema.check_context import Context
-from shadercache.sema.checker import check_in
+from shadercache.sema.context import Tables
 from shadercache.sema.facts import Facts, Stage
 from shadercache.source import Source
+from shadercache.valid.validate import validate
 
 _Key = TypeVar("_Key")
 _Value = TypeVar("_Value")
@@ -48,9 +48,9 @@ def verify_module(
     Raises :class:`InternalError` that lists everything that is wrong.
     """
     source = Source(f"<after {after}>", "")
-    context = Context(module, source, stage, types=_OneMeaning(), symbols=_OneMeaning())
+    tables = Tables(types=_OneMeaning(), symbols=_OneMeaning())
     try:
-        facts = check_in(context)
+        facts = validate(module, source, stage, tables=tables)
     except InputError as error:
         problems = [f"{item.message} [{item.code}]" for item in error.diagnostics]
         raise InternalError(f"invalid after {after}:\n  " + "\n  ".join(problems)) from error

@@ -79,26 +79,6 @@ void main() { }
 //// 4.60 4.4.1 early tests are not for vertex shaders | SC223 [450 vertex]
 layout(early_fragment_tests) in;
 void main() { }
-//// 4.60 4.4.2 strides of a buffer agree | SC223 [450 vertex]
-layout(xfb_stride = 20, xfb_buffer = 0) out;
-layout(xfb_buffer = 0) out A { vec4 a; };
-layout(xfb_stride = 32) out B { vec4 b; };
-void main() { }
-//// 4.60 4.4.2 the last stride counts | SC223 [450 vertex]
-layout(xfb_stride = 20, xfb_stride = 32) out A { vec4 a; };
-layout(xfb_buffer = 0, xfb_stride = 20) out B { vec4 b; };
-void main() { }
-//// 4.60 4.4.2 members go to the buffer of their block | SC223 [450 vertex]
-layout(xfb_buffer = 2) out;
-layout(xfb_buffer = 1) out A { layout(xfb_buffer = 1) vec4 a; };
-out B { layout(xfb_buffer = 2) vec4 b; };
-out C { layout(xfb_buffer = 1) vec4 c; };
-void main() { }
-//// 4.60 4.4.2 offsets are multiples of the size of a component | SC223 SC223 [450 vertex]
-struct S { double d; };
-layout(xfb_offset = 2) out vec4 a;
-layout(xfb_offset = 36) out S s;
-void main() { }
 //// 4.60 4.4.2 feedback is of outputs of vertex shaders | SC223 [450]
 layout(xfb_stride = 16) out;
 void main() { }
@@ -154,17 +134,9 @@ layout(r32f) uniform float x;
 layout(r32f) uniform sampler2D s;
 layout(r32f) uniform image2D i;
 void main() { }
-//// ES 3.10 4.9 most images are read or written | SC221 [310 es]
-layout(rgba8) uniform mediump image2D a;
-layout(rgba8) uniform mediump readonly image2D b;
-layout(r32f) uniform mediump image2D c;
-void main() { }
 //// 4.20 4.9 an array of images has memory qualifiers | ok [420]
 writeonly uniform image2D a[2];
 void main() { imageStore(a[0], ivec2(0), vec4(0.0)); }
-//// 4.60 4.10 a readonly member of a named block | SC209 [450]
-buffer B { readonly float f; float g; } b[2];
-void main() { b[0].g = 1.0; b[1].f = 1.0; }
 //// 4.60 4.3.9 members are stored as their block | SC221 SC221 [450]
 uniform A { uniform float a; };
 uniform B { in float b; };
@@ -181,15 +153,6 @@ void main() { }
 #extension GL_ARB_fragment_shader_interlock : enable
 layout(pixel_interlock_ordered) in;
 void main() { beginInvocationInterlockARB(); endInvocationInterlockARB(); }
-//// ARB_fragment_shader_interlock: under no condition | SC218 [450]
-#extension GL_ARB_fragment_shader_interlock : enable
-void main() { if (true) beginInvocationInterlockARB(); endInvocationInterlockARB(); }
-//// ARB_fragment_shader_interlock: in this order | SC218 [450]
-#extension GL_ARB_fragment_shader_interlock : enable
-void main() { endInvocationInterlockARB(); beginInvocationInterlockARB(); }
-//// ARB_fragment_shader_interlock: before a return | SC218 SC218 [450]
-#extension GL_ARB_fragment_shader_interlock : enable
-void main() { if (true) return; beginInvocationInterlockARB(); endInvocationInterlockARB(); }
 //// ARB_bindless_texture: samplers are made from handles | ok [450]
 #extension GL_ARB_bindless_texture : enable
 uniform uvec2 h;
@@ -214,21 +177,6 @@ buffer B { float a[]; float b[]; };
 void main() { int i = 1; b[i] = 1.0; int n = b.length(); a[i] = 1.0; }
 //// 1.30 7.1 no more clip distances than there are | SC214 [130 vertex]
 void main() { gl_ClipDistance[7] = 1.0; gl_ClipDistance[8] = 1.0; }
-//// 4.60 4.4.6.1 atomic counters have a binding | SC223 [450]
-uniform atomic_uint x;
-void main() { }
-//// 4.60 4.4.6.1 offsets of counters are multiples of 4 | SC223 [450]
-layout(binding = 0, offset = 3) uniform atomic_uint x;
-void main() { }
-//// 4.60 4.4.6.1 counters do not share an offset | SC223 [450]
-layout(binding = 0) uniform atomic_uint x[3], y;
-layout(binding = 0, offset = 8) uniform atomic_uint z;
-void main() { }
-//// 4.60 4.4.6.1 the offset of the next counter | SC223 [450]
-layout(binding = 0, offset = 8) uniform atomic_uint;
-layout(binding = 0) uniform atomic_uint y;
-layout(binding = 0, offset = 8) uniform atomic_uint z;
-void main() { }
 //// 4.60 4.4.6 bindings have no default | SC223 [450]
 layout(binding = 0) uniform;
 void main() { }

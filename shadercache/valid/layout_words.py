@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from shadercache.lang.types import Type
-from shadercache.sema.check_context import NEVER, Context
+from shadercache.sema.language import NEVER, Language
 
 _PACKINGS = ("shared", "packed", "std140", "std430")
 _ORDERS = ("row_major", "column_major")
@@ -137,44 +137,44 @@ class Place:
         return f"{self.form} {self.storage}"
 
 
-def word_problem(word: str, valued: bool, place: Place, context: Context) -> str | None:
+def word_problem(word: str, valued: bool, place: Place, language: Language) -> str | None:
     """Why a layout word cannot stand where it does; ``None`` if it can."""
     if word not in SINCE:
         return f"'{word}' is no layout qualifier"
-    if not _is_known(word, context):
+    if not _is_known(word, language):
         return f"this version of GLSL has no layout qualifier '{word}'"
     if valued != (word in VALUED):
         return f"'{word}' takes no value" if valued else f"'{word}' needs a value: {word} = 0"
-    stages = (_FRAGMENT, _VERTEX) if context.stage == "vertex" else (_VERTEX, _FRAGMENT)
+    stages = (_FRAGMENT, _VERTEX) if language.stage == "vertex" else (_VERTEX, _FRAGMENT)
     if word in stages[0]:
-        return f"a {context.stage} shader has no layout qualifier '{word}'"
-    if word == "std430" and "GL_EXT_scalar_block_layout" in context.extensions:
+        return f"a {language.stage} shader has no layout qualifier '{word}'"
+    if word == "std430" and "GL_EXT_scalar_block_layout" in language.extensions:
         return None
     if str(place) not in _PLACES.get(word, (str(place),)):
         return f"'{word}' does not apply to {_described(place)}"
     only = _ONLY_ON.get(word)
     if only is not None and place.form == "variable" and place.names != (only,):
         return f"'{word}' is for {only}"
-    return _wrong_type(word, place, context)
+    return _wrong_type(word, place, language)
 
 
-def _is_known(word: str, context: Context) -> bool:
+def _is_known(word: str, language: Language) -> bool:
     desktop, es, *extensions = SINCE[word]
-    if context.at_least(desktop, es):
+    if language.at_least(desktop, es):
         return True
     return any(
-        f"GL_{name}" in context.extensions and context.at_least(_NEEDS.get(name, 0), 0)
+        f"GL_{name}" in language.extensions and language.at_least(_NEEDS.get(name, 0), 0)
         for name in extensions
     )
 
 
-def _wrong_type(word: str, place: Place, context: Context) -> str | None:
+def _wrong_type(word: str, place: Place, language: Language) -> str | None:
     kind = place.type
     if kind is None or place.form != "variable" or kind.name.startswith("<"):
         return None
     if word in IMAGE_FORMATS and "image" not in kind.name:
         return f"'{word}' is a format of images, not of {kind}"
-    if word == "binding" and not kind.holds_opaque and not context.bindless:
+    if word == "binding" and not kind.holds_opaque and not language.bindless:
         return f"'binding' is for blocks, samplers, images and atomic counters, not for {kind}"
     if word == "offset" and kind.name != "atomic_uint":
         return f"'offset' is for members of blocks and for atomic counters, not for {kind}"

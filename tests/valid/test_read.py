@@ -6,8 +6,8 @@ import pytest
 
 from shadercache.diagnostics import InputError
 from shadercache.front.read_options import ReadOptions
-from shadercache.sema.read import read
 from shadercache.source import Source
+from shadercache.valid.read import read
 
 HEAD = "#version 330\nout vec4 o;\n"
 

@@ -11,18 +11,15 @@ from shadercache.ast.nodes import Module
 from shadercache.diagnostics import Diagnostic, InputError, Severity
 from shadercache.front.parse import parse, parse_before
 from shadercache.front.read_options import DEFAULTS, ReadOptions
-from shadercache.sema.checker import check
 from shadercache.sema.facts import Facts, Stage
 from shadercache.source import Source
+from shadercache.valid.validate import validate
 
 # Limits: a shader that breaks one is not looked at any more closely.
 _LIMITS = frozenset(("SC105", "SC109", "SC120"))
 # What may be said only when all of the file, or all of its last function, is known.
 _OF_WHOLE_FILES = frozenset(("SC215", "SC217"))
 _OF_WHOLE_FUNCTIONS = frozenset(("SC211", "SC220"))
-
-# What is too deep or too long is that in front of the place, too.
-_LIMITS = frozenset(("SC105", "SC109", "SC120"))
 
 
 def read(
@@ -41,7 +38,7 @@ def read(
         module = parse(source, options)
     except InputError as error:
         raise InputError(_with_earlier(error, source, stage, options)) from None
-    return module, check(module, source, stage, needs_main=needs_main)
+    return module, validate(module, source, stage, needs_main=needs_main)
 
 
 def _with_earlier(
@@ -67,7 +64,7 @@ def _with_earlier(
 def _mistakes(module: Module, source: Source, stage: Stage, offset: int) -> tuple[Diagnostic, ...]:
     """What the check says of the beginning of a shader, without what its rest might put right."""
     try:
-        check(module, source, stage)
+        validate(module, source, stage)
     except InputError as error:
         return tuple(item for item in _in_front(error, offset) if _stays(item, module))
     return ()

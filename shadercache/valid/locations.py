@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from math import prod
 
-from shadercache.ast.nodes import BlockDecl, Node, Qualifiers
+from shadercache.ast.nodes import BlockDecl, Node
 from shadercache.lang.types import StructType, Type
-from shadercache.sema.check_context import ERROR, Context
+from shadercache.sema.problems import ERROR
+from shadercache.sema.storage import PER_VERTEX, of_one_vertex
+from shadercache.valid.subject import Subject
 
 # First version of a location: (stage, storage) -> version; what is missing needs 4.10.
 _LOCATION_SINCE = {("vertex", "in"): 330, ("fragment", "out"): 330}
@@ -20,21 +22,14 @@ _UNIFORM_SINCE = 430
 _ES_SINCE = {"uniform": 310, "interface": 310}
 _MAX_LOCATIONS = 4096  # No implementation has more; those of larger arrays are not looked at.
 _SORTS = {"int": "integers", "uint": "unsigned integers"}
-PER_VERTEX = ("pervertexEXT", "pervertexNV")
-"""Qualifiers of arrays with an element for each vertex of the triangle."""
-
-
-def of_one_vertex(kind: Type, qualifiers: Qualifiers) -> Type:
-    """The type of what a vertex shader passes on: its value at each vertex takes no location more
-    (GLSL_EXT_fragment_shader_barycentric)."""
-    return kind.element if qualifiers.has(*PER_VERTEX) and kind.is_array else kind
 
 
 class Locations:
     """Places variables and members of blocks at locations; no two of them share one."""
 
-    def __init__(self, context: Context) -> None:
-        self._context = context
+    def __init__(self, subject: Subject) -> None:
+        self._subject = subject
+        self._language, self._problems = subject.language, subject.problems
         self._taken: dict[tuple[str, int, int, int], str] = {}
         self._sorts: dict[tuple[int, int], str] = {}
 
@@ -44,66 +39,60 @@ class Locations:
         """``name`` of type ``kind`` stands at the location that its layout gives."""
         for word in ("component", "index"):
             if word in values and "location" not in values:
-                self._context.error("SC223", f"'{word}' needs a 'location' beside it", node)
+                self._problems.error("SC223", f"'{word}' needs a 'location' beside it", node)
         if "location" not in values:
             return
         since = self._since(storage)
-        if self._context.interface_version < since:
-            version = f"GLSL ES {since}" if self._context.es else f"GLSL {since / 100:.2f}"
+        if self._language.interface_version < since:
+            version = f"GLSL ES {since}" if self._language.es else f"GLSL {since / 100:.2f}"
             what = "a uniform" if storage == "uniform" else f"this '{storage}' variable"
-            self._context.error("SC223", f"a location of {what} needs {version}", node)
+            self._problems.error("SC223", f"a location of {what} needs {version}", node)
         elif kind is not ERROR and self._exclusive(storage):
             self._take(node, name, kind, storage, values)
 
     def place_block(
-        self,
-        block: BlockDecl,
-        storage: str,
-        fields: Mapping[str, Type],
-        first: int | None,
-        members: list[dict[str, int]],
+        self, block: BlockDecl, storage: str, first: int | None, members: list[dict[str, int]]
     ) -> None:
         """Members stand one behind the other, unless they say otherwise."""
-        context, at = self._context, first
+        problems, at = self._problems, first
         if at is not None and not self._takes_block_locations():
-            context.error("SC223", "this version of GLSL has no locations of blocks", block)
+            problems.error("SC223", "this version of GLSL has no locations of blocks", block)
         located = ["location" in values for values in members]
         array = bool(block.dims) and not block.qualifiers.has(*PER_VERTEX)
         if storage not in ("in", "out"):
             return
         if any(located) and not all(located) and first is None:
             message = "either all members of a block have a location or none, unless the block has"
-            context.error("SC223", message, block)
+            problems.error("SC223", message, block)
         for decl, values in zip(block.fields, members, strict=True):
             if "location" in values and array:
                 message = "a member of an array of blocks has no location of its own"
-                context.error("SC223", message, block)
+                problems.error("SC223", message, block)
             at = values.get("location", at)
             for node in decl.declarators:
-                kind = of_one_vertex(fields[node.name], decl.qualifiers)
+                kind = of_one_vertex(self._subject.fields(block)[node.name], decl.qualifiers)
                 if at is not None and kind is not ERROR and not array:
                     self._take(node, node.name, kind, storage, {**values, "location": at})
                     at += kind.slots
 
     def _takes_block_locations(self) -> bool:
-        context = self._context
-        enhanced = not context.extensions.isdisjoint(_BLOCK_LOCATIONS)
-        return enhanced or context.at_least(440, 320)
+        enhanced = not self._language.extensions.isdisjoint(_BLOCK_LOCATIONS)
+        return enhanced or self._language.at_least(440, 320)
 
     def _since(self, storage: str) -> int:
-        known = _LOCATION_SINCE.get((self._context.stage, storage))
-        extensions = self._context.extensions
+        known = _LOCATION_SINCE.get((self._language.stage, storage))
+        extensions = self._language.extensions
         if "GL_ARB_enhanced_layouts" in extensions or (known and _LOCATING in extensions):
             return 0
         if storage == "uniform":
-            return _ES_SINCE["uniform"] if self._context.es else _UNIFORM_SINCE
-        if self._context.es:
+            return _ES_SINCE["uniform"] if self._language.es else _UNIFORM_SINCE
+        if self._language.es:
             return 300 if known else _ES_SINCE["interface"]
         return known or _INTERFACE_SINCE
 
     def _exclusive(self, storage: str) -> bool:
         """Do locations belong to one variable? Attributes may share one on the desktop."""
-        return self._context.es or (self._context.stage, storage) != ("vertex", "in")
+        return self._language.es or (self._language.stage, storage) != ("vertex", "in")
 
     def _take(
         self, node: Node, name: str, kind: Type, storage: str, values: Mapping[str, int]
@@ -112,10 +101,10 @@ class Locations:
         if problem is None:
             used = _used(kind, values) if storage != "uniform" else _uniforms(kind, values)
             problem = self._clash(name, storage, values.get("index", 0), used)
-        if problem is None and (self._context.stage, storage) == ("fragment", "out"):
+        if problem is None and (self._language.stage, storage) == ("fragment", "out"):
             problem = self._other_sort(name, kind, values)
         if problem is not None:
-            self._context.error("SC223", problem, node)
+            self._problems.error("SC223", problem, node)
 
     def _clash(
         self, name: str, storage: str, index: int, used: list[tuple[int, int]]

@@ -6,8 +6,8 @@ import pytest
 
 from shadercache.diagnostics import InputError, Severity
 from shadercache.front.read_options import ReadOptions
-from shadercache.sema.read import read
 from shadercache.source import Source
+from shadercache.valid.read import read
 
 
 def told(text: str, options: ReadOptions | None = None) -> list[tuple[int, str]]:

@@ -9,8 +9,8 @@ from sema.tools import checked, initialisers
 
 from shadercache.ast.nodes import Expr, FunctionDef, Literal, Member, Module, Name
 from shadercache.ast.rewriter import map_expressions
-from shadercache.sema.verify_tree import InternalError, verify_module
 from shadercache.source import NOWHERE
+from shadercache.valid.verify_tree import InternalError, verify_module
 
 TEXT = """#version 330
 in vec3 v_a;

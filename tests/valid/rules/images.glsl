@@ -2,19 +2,6 @@
 layout(r32i) uniform iimage2D im;
 layout(rgba8, binding = 3) writeonly uniform image2D w;
 void main() { int i = imageLoad(im, ivec2(0)).x; imageStore(w, ivec2(1), vec4(i)); imageAtomicAdd(im, ivec2(0), 3); }
-//// 4.20 4.4.6 an image that is read needs a format | SC221 [420]
-uniform image2D im;
-void main() { }
-//// 4.20 4.10 writeonly images are not read | SC221 [420]
-writeonly uniform image2D im;
-void main() { imageLoad(im, ivec2(0)); }
-//// 4.20 4.10 readonly images are not written | SC221 [420]
-readonly layout(rgba8) uniform image2D im;
-void main() { imageStore(im, ivec2(0), vec4(1.0)); }
-//// 4.20 4.10 an argument keeps its qualifiers | SC221 [420]
-writeonly uniform image2D im;
-void f(image2D i) { }
-void main() { f(im); }
 //// 4.20 4.10 an argument may get qualifiers | ok [420]
 writeonly uniform image2D im;
 void f(coherent writeonly image2D i) { }
@@ -22,12 +9,6 @@ void main() { f(im); }
 //// 4.30 4.3.7 buffers are read and written | ok [430]
 layout(std430, binding = 0) buffer B { int n; float a[]; } b;
 void main() { b.a[b.n] = float(b.a.length()); atomicAdd(b.n, 1); }
-//// 4.30 4.10 readonly buffers are not written | SC209 [430]
-readonly buffer B { float a[]; };
-void main() { a[1] = 2.0; }
-//// 4.30 4.10 readonly members are not written | SC209 [430]
-buffer B { readonly float a; float b; };
-void main() { b = 1.0; a = 2.0; }
 //// 4.30 4.3.7 buffers are blocks | SC221 [430]
 buffer int n;
 void main() { }
@@ -37,8 +18,6 @@ uniform B { float a; };
 in B2 { float a2; };
 out B3 { float a3; };
 void main() { }
-//// 4.30 8.11 atomic functions are for buffers | SC209 [430]
-void main() { int n; atomicAdd(n, 1); }
 //// 4.20 8.10 atomic counters | ok [420]
 layout(binding = 0, offset = 4) uniform atomic_uint a;
 void main() { uint u = atomicCounterIncrement(a) + atomicCounter(a); memoryBarrier(); }
@@ -57,10 +36,4 @@ out gl_PerVertex { vec4 other; };
 void main() { }
 //// 3.30 7.1 gl_PerVertex is as it is | SC221 [330 vertex]
 out gl_PerVertex { vec4 gl_Position; };
-void main() { }
-//// 4.20 4.4.6 a format is of the sort of the image | SC221 [420]
-layout(r32ui) uniform iimage2D im;
-void main() { }
-//// 4.20 4.10 samplers have no memory qualifiers | SC221 [420]
-readonly uniform sampler2D s;
 void main() { }

@@ -1,0 +1,1 @@
+"""The rules of the language that only reject: nothing else depends on them."""
