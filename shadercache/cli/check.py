@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -22,6 +22,10 @@ from shadercache.cli.reading import (
 )
 from shadercache.diagnostics import Diagnostic, InputError, Severity
 from shadercache.front.read_options import MAX_TOKENS, ReadOptions
+from shadercache.source import Source
+
+_AT_ONCE = 50
+"""Files that the reference compiler is given together: it starts slowly, and may crash."""
 
 VERTEX_SUFFIXES = frozenset((".vert", ".vs", ".vsh"))
 """Files of every other name are fragment shaders: .frag, .fs, .fsh, .glsl, stdin."""
@@ -29,11 +33,12 @@ VERTEX_SUFFIXES = frozenset((".vert", ".vs", ".vsh"))
 
 @dataclass(frozen=True, slots=True)
 class Checked:
-    """A file and what there is to say of it."""
+    """A file and what there is to say of it; it has no source if it cannot be read."""
 
     file: str
     stage: StageName
     diagnostics: tuple[Diagnostic, ...]
+    source: Source | None = None
 
     def count(self, severity: Severity) -> int:
         """How many diagnostics are of this kind."""
@@ -52,6 +57,9 @@ def command(
     include: IncludeOption = None,
     dialect: DialectOption = "glsl",
     max_tokens: TokensOption = MAX_TOKENS,
+    glslang: Annotated[
+        bool, typer.Option(help="Ask glslangValidator as well, where it is installed.")
+    ] = True,
     as_json: Annotated[bool, typer.Option("--json", help="Print everything as JSON.")] = False,
 ) -> None:
     """Read shaders, check names and types, and tell every mistake in them.
@@ -60,12 +68,14 @@ def command(
     if there is an error in any file.
     """
     options = read_options(define, undefine, include, dialect, max_tokens)
-    results = []
-    for name in shaders:
-        checked = _check(name, stage or _stage_of(name), options)
-        results.append(checked)
+    results: list[Checked] = []
+    for first in range(0, len(shaders), _AT_ONCE):
+        names = shaders[first : first + _AT_ONCE]
+        checked = [_check(name, stage or _stage_of(name), options) for name in names]
+        results += _with_findings(checked, options) if glslang else checked
         if not as_json:
-            context.obj.show(checked.diagnostics)
+            for item in results[first:]:
+                context.obj.show(item.diagnostics)
     print(json.dumps(_to_json(results), indent=1) if as_json else summary(results))
     if any(item.count(Severity.ERROR) for item in results):
         raise typer.Exit(1)
@@ -81,12 +91,35 @@ def _check(name: str, stage: StageName, options: ReadOptions) -> Checked:
     from shadercache.valid.read import read
 
     allow_deep_trees()
+    source = None
     try:
         source = read_source(name)
         _, facts = read(source, stage, options)
     except InputError as error:
-        return Checked(name, stage, error.diagnostics)
-    return Checked(name, stage, facts.warnings)
+        return Checked(name, stage, error.diagnostics, source)
+    return Checked(name, stage, facts.warnings, source)
+
+
+def _with_findings(checked: Sequence[Checked], options: ReadOptions) -> list[Checked]:
+    """The files with what the reference compiler finds as well, in the order of the source."""
+    from shadercache.valid.reference_compiler import Question, ask_compiler, find_compiler
+
+    tool = find_compiler()
+    if tool is None:
+        return [*checked]
+    questions = [
+        Question(item.source or Source(item.file, ""), item.stage, item.diagnostics)
+        for item in checked
+    ]
+    return [
+        replace(item, diagnostics=_merged(item.diagnostics, findings)) if findings else item
+        for item, findings in zip(checked, ask_compiler(tool, questions, options), strict=True)
+    ]
+
+
+def _merged(*diagnostics: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
+    whole = [item for part in diagnostics for item in part]
+    return tuple(sorted(whole, key=lambda item: item.span.start if item.span else 0))
 
 
 def summary(results: Sequence[Checked]) -> str:

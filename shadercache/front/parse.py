@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from contextlib import suppress
+from dataclasses import replace
 from threading import Lock
 from typing import Any
 
@@ -34,13 +35,22 @@ def parse(source: Source, options: ReadOptions = DEFAULTS) -> Module:
     Raises :class:`InputError`: with all errors of the preprocessor, or with the first error of
     syntax.
     """
+    prepared = preprocessed(source, options)
+    return _build(source, prepared, prepared.lexemes)
+
+
+def preprocessed(source: Source, options: ReadOptions) -> Preprocessed:
+    """What the parser reads: the lexemes of a shader with what its host puts around them.
+
+    Raises :class:`InputError` with all errors of the preprocessor.
+    """
     host = host_of(source, options.dialect)
     prepared = preprocess(source, options, _default(source, options, host))
     lexemes = without_attributes(prepared.lexemes, prepared.directives)
     if host is not None:
         check_version(Version(prepared.version, prepared.profile), source)
         lexemes = host.surround(lexemes, len(source.text))
-    return _build(source, prepared, lexemes)
+    return replace(prepared, lexemes=lexemes)
 
 
 def parse_before(source: Source, options: ReadOptions, offset: int) -> Module | None:

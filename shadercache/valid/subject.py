@@ -22,10 +22,10 @@ from shadercache.ast.nodes import (
 )
 from shadercache.ast.walk import walk
 from shadercache.lang.types import Type
+from shadercache.sema.constants import Constants
 from shadercache.sema.context import Tables
 from shadercache.sema.facts import Kind, Symbol
 from shadercache.sema.fold import Value
-from shadercache.sema.infer import Inferred
 from shadercache.sema.language import Language
 from shadercache.sema.problems import Problems
 from shadercache.sema.storage import storage_of
@@ -38,35 +38,19 @@ _Variable = tuple[str, Node | None]
 class Subject:
     """A module on trial. A rule that finds something reports it to ``problems``."""
 
-    inferred: Inferred
-
-    @property
-    def module(self) -> Module:
-        """The tree."""
-        return self.inferred.module
-
-    @property
-    def language(self) -> Language:
-        """Its GLSL."""
-        return self.inferred.language
-
-    @property
-    def tables(self) -> Tables:
-        """Names and types."""
-        return self.inferred.tables
-
-    @property
-    def problems(self) -> Problems:
-        """What is wrong with it."""
-        return self.inferred.problems
+    module: Module
+    language: Language
+    tables: Tables
+    constants: Constants
+    problems: Problems
 
     def is_constant(self, expr: Expr) -> bool:
         """Is it a constant expression?"""
-        return expr in self.inferred.constants.expressions
+        return expr in self.constants.expressions
 
     def value(self, expr: Expr) -> Value | None:
         """The value of a constant expression, where it is known."""
-        return self.inferred.constants.values.get(expr)
+        return self.constants.values.get(expr)
 
     def type_of(self, expr: Expr) -> Type:
         """The type of an expression; :data:`ERROR` where it was complained about."""

@@ -100,7 +100,9 @@ def validate(
     """
     with without_collector():
         inferred = infer_tables(module, source, stage, tables)
-        subject = Subject(inferred)
+        subject = Subject(
+            module, inferred.language, inferred.tables, inferred.constants, inferred.problems
+        )
         for rule in RULES:
             rule(subject)
         check_main(subject, needed=needs_main)

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
 
-from .conftest import Shell
+from shadercache.valid.reference_compiler import find_compiler
+
+from .conftest import Outcome, Shell
 
 GOOD = "#version 330\nout vec4 o;\nvoid main() { o = vec4(1.0); }\n"
 BAD = "#version 330\nout vec4 o;\nvoid main() {\n    o = vec3(1.0);\n    o = nothing;\n}\n"
@@ -138,3 +141,97 @@ def test_wrong_options(
     outcome = shell(command, "good.frag", *args)
     assert outcome.status == 2
     assert "[SC008]" in outcome.err and word in outcome.err
+
+
+FEEDBACK = (
+    "#version 450\n#define OFFSET 2\nlayout(xfb_offset = OFFSET) out vec4 a;\n"
+    "void main() {\n    int x = 1.5;\n    gl_Position = vec4(1.0);\n}\n"
+)
+
+
+@pytest.fixture
+def asks(write: Path) -> Path:
+    """The same folder, on a machine that has the reference compiler."""
+    if find_compiler() is None:
+        pytest.skip("glslangValidator is not installed")
+    return write
+
+
+def told(outcome: Outcome) -> list[tuple[int, str]]:
+    """Line and code of each error."""
+    return [
+        (int(line.split(":")[1]), line[line.rindex("[") + 1 : -1])
+        for line in outcome.err.splitlines()
+        if ": error: " in line
+    ]
+
+
+def test_the_reference_compiler_is_asked_as_well(shell: Shell, asks: Path) -> None:
+    (asks / "feedback.vert").write_text(FEEDBACK)
+    outcome = shell("check", "feedback.vert", "good.frag")
+    assert (outcome.status, told(outcome)) == (1, [(3, "SC240"), (5, "SC210")])
+    outcome = shell("check", "--no-glslang", "feedback.vert")
+    assert (outcome.status, told(outcome)) == (1, [(5, "SC210")])
+
+
+def test_it_reads_what_the_parser_reads(shell: Shell, asks: Path) -> None:
+    counter = "layout(binding = B) uniform atomic_uint n;\nlayout(offset = 3, binding = B) "
+    (asks / "counters.glsl").write_text(f"{counter}uniform atomic_uint m;\n")
+    (asks / "main.frag").write_text(
+        '#version 450\n#extension GL_GOOGLE_include_directive : enable\n#include "counters.glsl"\n'
+        "void main() {}\n"
+    )
+    outcome = shell("check", "main.frag", "-D", "B=0")
+    assert told(outcome) == [(2, "SC240")] and "counters.glsl:2:" in outcome.err
+    outcome = shell("check", "-", "-D", "B=0", stdin=(asks / "main.frag").read_bytes())
+    assert [code for _, code in told(outcome)] == ["SC123"]
+    outcome = shell("check", "-", "--stage=vertex", stdin=FEEDBACK.encode())
+    assert told(outcome) == [(3, "SC240"), (5, "SC210")]
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("webgl.frag", "precision mediump float;\nvoid main() { gl_FragColor = vec4(1.0); }\n"),
+        ("toy.frag", TOY),
+        ("empty.frag", "#version 330\n"),
+        ("limit.frag", GOOD.replace("out", "layout(binding = 999) uniform sampler2D s; out")),
+        ("word.frag", GOOD.replace("out", "float float16_t; out").replace("330", "450")),
+    ],
+)
+def test_what_is_accepted_stays_accepted(shell: Shell, asks: Path, name: str, text: str) -> None:
+    (asks / name).write_text(text.replace("330", "450") if "binding" in text else text)
+    assert shell("check", "--dialect=auto", name).status == 0
+
+
+@pytest.mark.parametrize("script", ["kill -SEGV $$", "exit 1", "echo nonsense; exit 2"])
+def test_a_compiler_that_crashes_is_no_error(
+    shell: Shell, write: Path, monkeypatch: pytest.MonkeyPatch, script: str
+) -> None:
+    tool = write / "glslangValidator"
+    tool.write_text(f"#!/bin/sh\n{script}\n")
+    tool.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{write}:{os.environ['PATH']}")
+    assert shell("check", "good.frag", "good.vert").status == 0
+
+
+def test_one_file_that_crashes_it_hides_no_other(
+    shell: Shell, asks: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (asks / "feedback.vert").write_text(FEEDBACK)
+    tool = asks / "glslangValidator"
+    tool.write_text(
+        f'#!/bin/sh\ngrep -q CRASH "$@" && kill -SEGV $$\nexec {find_compiler()} "$@"\n'
+    )
+    tool.chmod(0o755)
+    (asks / "crash.frag").write_text(GOOD.replace("void", "float CRASH; void"))
+    monkeypatch.setenv("PATH", f"{asks}:{os.environ['PATH']}")
+    outcome = shell("check", "feedback.vert", "crash.frag", "good.frag")
+    assert told(outcome) == [(3, "SC240"), (5, "SC210")]
+
+
+def test_no_compiler_is_no_error(
+    shell: Shell, write: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PATH", str(write))
+    assert shell("check", "good.frag").status == 0

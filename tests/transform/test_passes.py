@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from verify_tree import verify_module
+
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 from shadercache.emit.printer import print_module, print_node
@@ -17,7 +19,6 @@ from shadercache.transform.split import split_declarations
 from shadercache.transform.unique_names import make_names_unique
 from shadercache.transform.write_out_matrices import write_out_matrices
 from shadercache.valid.validate import validate
-from shadercache.valid.verify_tree import verify_module
 
 HEAD = "#version 330\nuniform float u_a;\nin vec3 v_a;\nout vec4 color;\n"
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from verify_tree import verify_module
 
 from shadercache.ast.walk import walk
 from shadercache.compiler import Analysis, analyse, rewrite
@@ -15,7 +16,6 @@ from shadercache.source import Source
 from shadercache.transform.legacy_calls import modern_name
 from shadercache.transform.raise_version import Raised, StageTree, raise_versions
 from shadercache.valid.validate import validate
-from shadercache.valid.verify_tree import verify_module
 
 EXTERNAL = (
     "#version 100\n#extension GL_OES_EGL_image_external : require\nprecision mediump float;\n"

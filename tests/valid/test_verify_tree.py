@@ -6,11 +6,11 @@ from dataclasses import replace
 
 import pytest
 from sema.tools import checked, initialisers
+from verify_tree import InternalError, verify_module
 
 from shadercache.ast.nodes import Expr, FunctionDef, Literal, Member, Module, Name
 from shadercache.ast.rewriter import map_expressions
 from shadercache.source import NOWHERE
-from shadercache.valid.verify_tree import InternalError, verify_module
 
 TEXT = """#version 330
 in vec3 v_a;

@@ -1,0 +1,145 @@
+"""What glslangValidator, the reference compiler, finds wrong with a shader: SC240.
+
+It is asked of what the caching never meets, so that no rule for it stands here. It is given what
+the parser reads: macros expanded, files included, with the ``#version`` and the declarations that
+a host adds. So it can read every dialect, and each of its lines stands for a place in the source.
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from shadercache.diagnostics import Diagnostic, InputError, Severity
+from shadercache.front.parse import preprocessed
+from shadercache.front.preprocess import Preprocessed
+from shadercache.front.read_options import ReadOptions
+from shadercache.sema.facts import Stage
+from shadercache.source import Source, Span
+
+_TOOL = "glslangValidator"
+_ERROR = re.compile(r"ERROR: 0:(\d+): (?!'' : compilation terminated)(.*)")
+# Where it lacks an extension or a name of one, or has limits that a driver need not have, nothing
+# that it says is of use. Syntax and names are judged here already.
+_LACKS = re.compile(
+    r"extension not supported|not supported (?:for|with|in) this|syntax error|undeclared identifier"
+    r"|no matching overloaded function|starting with \"gl_\" are reserved|gl_Max\w+|is too large"
+)
+_SUFFIXES = {"fragment": "frag", "vertex": "vert"}
+_SECONDS = 20
+_MAX_LEXEMES = 100_000
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """A shader, and what is known to be wrong with it."""
+
+    source: Source
+    stage: Stage
+    told: Sequence[Diagnostic] = ()
+
+
+def find_compiler() -> str | None:
+    """The path of glslangValidator, where it is installed."""
+    return shutil.which(_TOOL)
+
+
+def ask_compiler(
+    tool: str, questions: Sequence[Question], options: ReadOptions
+) -> list[tuple[Diagnostic, ...]]:
+    """What the compiler finds in each shader: the first error of each line, but of no line of which
+    an error is told already.
+
+    Nothing where it cannot be asked: the shader is broken for the preprocessor or very long, or the
+    compiler crashes or lacks an extension.
+    """
+    texts: list[tuple[str, list[Span]] | None] = [
+        _readable(question.source, options) for question in questions
+    ]
+    with TemporaryDirectory(prefix="shadercache-") as folder:
+        files = {}
+        for number, (question, text) in enumerate(zip(questions, texts, strict=True)):
+            if text is not None:
+                files[number] = Path(folder, f"{number}.{_SUFFIXES[question.stage]}")
+                files[number].write_text(text[0], encoding="utf-8")
+        outputs = _run(tool, files)
+    return [
+        () if text is None else _findings(question, text[1], outputs.get(number, ""))
+        for number, (question, text) in enumerate(zip(questions, texts, strict=True))
+    ]
+
+
+def _run(tool: str, files: dict[int, Path]) -> dict[int, str]:
+    """What the compiler says of each file; all at once, for it starts slowly."""
+    if not files:
+        return {}
+    command = [tool, "-C", *map(str, files.values())]
+    try:
+        done = subprocess.run(
+            command, capture_output=True, text=True, timeout=_SECONDS, check=False
+        )
+    except (OSError, subprocess.SubprocessError):
+        return {}
+    if done.returncode not in (0, 2):  # no verdict: a file makes it crash
+        alone = [_run(tool, {number: file}) for number, file in files.items() if len(files) > 1]
+        return {number: text for one in alone for number, text in one.items()}
+    numbers = {str(file): number for number, file in files.items()}
+    said: dict[int, list[str]] = {}
+    lines: list[str] = []
+    for line in done.stdout.splitlines():
+        if line in numbers:
+            lines = said.setdefault(numbers[line], [])
+        lines.append(line)
+    return {number: "\n".join(lines) for number, lines in said.items()}
+
+
+def _findings(question: Question, places: list[Span], said: str) -> tuple[Diagnostic, ...]:
+    if _LACKS.search(said):
+        return ()
+    source, found = question.source, []
+    errors = [item.span for item in question.told if item.severity is Severity.ERROR]
+    seen = {_line(source, span.start) for span in errors if span is not None}
+    for match in _ERROR.finditer(said):
+        span = places[min(int(match[1]), len(places)) - 1]
+        if _line(source, span.start) not in seen:
+            seen.add(_line(source, span.start))
+            message = f"glslang: {' '.join(match[2].split())}"
+            found.append(Diagnostic("SC240", message, source, span))
+    return tuple(found)
+
+
+def _readable(source: Source, options: ReadOptions) -> tuple[str, list[Span]] | None:
+    """The shader for the compiler, with the place of each line."""
+    try:
+        prepared = preprocessed(source, options)
+    except InputError:
+        return None
+    return _text(prepared, source) if 0 < len(prepared.lexemes.texts) <= _MAX_LEXEMES else None
+
+
+def _text(prepared: Preprocessed, source: Source) -> tuple[str, list[Span]]:
+    """The shader without directives of the preprocessor, and the place of each line."""
+    profile = prepared.profile if prepared.version != 100 else None
+    lines = [f"#version {prepared.version} {profile or ''}".rstrip()]
+    places = [Span(0, 0)]
+    for directive in prepared.directives:
+        lines.append(directive.text)
+        places.append(directive.span)
+    lexemes = prepared.lexemes
+    numbers = [_line(source, start) for start in lexemes.starts]
+    breaks = [at for at, (one, two) in enumerate(pairwise(numbers), 1) if one != two]
+    for first, behind in pairwise((0, *breaks, len(numbers))):
+        lines.append(" ".join(lexemes.texts[first:behind]))
+        places.append(Span(lexemes.starts[first], lexemes.ends[behind - 1]))
+    return "\n".join([*lines, ""]), places
+
+
+def _line(source: Source, offset: int) -> tuple[int, int]:
+    """The file and the line of a place."""
+    return source.part(offset).base, source.position(offset).line
