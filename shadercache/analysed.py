@@ -13,7 +13,7 @@ from shadercache.analysis.candidates import (
     varyings,
 )
 from shadercache.analysis.cost import CostTable
-from shadercache.analysis.effects import EffectTable
+from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.input_reads import input_kinds
 from shadercache.analysis.payload_sets import check_needed, check_set, companion, note_on_overlap
 from shadercache.analysis.refusals import Code

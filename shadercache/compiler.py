@@ -42,7 +42,7 @@ from shadercache.analysis.candidates import (
     reused_builtins,
     varyings,
 )
-from shadercache.analysis.effects import EffectTable
+from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.payload_sets import notes_on
 from shadercache.analysis.restrictions import check_depth, check_size, find_color
 from shadercache.analysis.screen_inputs import Marks, screen_marks

@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 
+import grimp
 import pytest
 
 HEAVY = {"matplotlib", "moderngl", "numpy", "PIL", "rich", "typer"}
@@ -52,3 +53,32 @@ def test_public_names_exist() -> None:
     assert set(shadercache.__all__) <= set(dir(shadercache))
     with pytest.raises(AttributeError, match="no attribute 'nonsense'"):
         _ = shadercache.nonsense
+
+
+def cycles(imports: dict[str, set[str]]) -> list[set[str]]:
+    """The groups of modules that import one another, directly or through others."""
+    reached = {module: set[str]() for module in imports}
+    for start in imports:
+        stack = [start]
+        while stack:
+            for other in imports[stack.pop()] - reached[start]:
+                reached[start].add(other)
+                stack.append(other)
+    groups = ({start, *reached[start]} for start in imports if start in reached[start])
+    found = [{item for item in group if group <= {item, *reached[item]}} for group in groups]
+    return [group for at, group in enumerate(found) if group not in found[:at]]
+
+
+def test_no_modules_import_one_another() -> None:
+    """Imports for type checkers count; but the package's own names are loaded lazily."""
+    graph = grimp.build_graph("shadercache")
+    imports = {
+        module: graph.find_modules_directly_imported_by(module) - {"shadercache"}
+        for module in graph.modules - {"shadercache"}
+    }
+    assert cycles(imports) == []
+
+
+def test_cycles_would_be_found() -> None:
+    imports = {"a": {"b"}, "b": {"c"}, "c": {"b"}, "d": {"a"}}
+    assert cycles(imports) == [{"b", "c"}]

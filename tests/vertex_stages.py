@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from shadercache.analysis.effects import EffectTable
+from shadercache.analysis.effect_table import EffectTable
 from shadercache.ast import nodes as n
 from shadercache.compiler import Analysis, Emission, analyse, rewrite
 from shadercache.front.parse import parse

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import cast
 
-from shadercache.analysis.effects import EffectTable, out_arguments
+from shadercache.analysis.effect_table import EffectTable, out_arguments
 from shadercache.analysis.reaching_definitions import Spine, Step, Trip, counters_of, order_matters
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import EXPRESSIONS, STATEMENTS, children

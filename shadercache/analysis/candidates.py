@@ -19,7 +19,8 @@ from shadercache.analysis.derivative_uses import (
     derivatives,
     discards,
 )
-from shadercache.analysis.effects import Does, EffectTable
+from shadercache.analysis.effect_table import EffectTable
+from shadercache.analysis.effects import Does
 from shadercache.analysis.reaching_definitions import written_anywhere
 from shadercache.analysis.refusals import Code, Refusal
 from shadercache.analysis.slices import DERIVATIVE, Slice, SliceTable

@@ -15,7 +15,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import cast
 
-from shadercache.analysis.effects import Does, Effects, EffectTable, direct_writes, union
+from shadercache.analysis.effect_table import EffectTable, direct_writes
+from shadercache.analysis.effects import Does, Effects, union
 from shadercache.analysis.reaching_definitions import order_matters
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import STATEMENTS, children, walk

@@ -18,7 +18,8 @@ from dataclasses import dataclass
 from itertools import chain
 
 from shadercache.analysis.call_paths import Instance, Place, Use
-from shadercache.analysis.effects import Does, EffectTable, needs_derivative
+from shadercache.analysis.effect_table import EffectTable, needs_derivative
+from shadercache.analysis.effects import Does
 from shadercache.analysis.slices import Slice, SliceTable
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk

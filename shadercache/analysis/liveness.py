@@ -13,18 +13,28 @@ Works by name, backward over the structured statements; a loop or a ``switch`` i
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import Protocol
 
+from shadercache.analysis.effects import Effects, Linked
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import children, walk
-
-if TYPE_CHECKING:
-    from shadercache.analysis.effects import EffectTable
 
 _NONE: frozenset[str] = frozenset()
 
 
-def reads_of(node: n.Node, table: EffectTable) -> frozenset[str]:
+class Summaries(Protocol):
+    """What is known of the pieces and of the functions of a module (an :class:`EffectTable`)."""
+
+    functions: dict[str, n.FunctionDef]
+
+    def of(self, node: n.Node) -> Effects:
+        """The effects of a piece."""
+
+    def linked(self, name: str) -> Linked:
+        """A function with its head."""
+
+
+def reads_of(node: n.Node, table: Summaries) -> frozenset[str]:
     """What evaluating an expression or a statement reads, before it is overwritten by a call."""
     if not any(isinstance(item, n.Call) and item.name in table.functions for item in walk(node)):
         return table.of(node).reads
@@ -36,12 +46,12 @@ def reads_of(node: n.Node, table: EffectTable) -> frozenset[str]:
     return _NONE.union(*(reads_of(part, table) for part in children(node)))
 
 
-def exposed_in(function: n.FunctionDef, table: EffectTable) -> frozenset[str]:
+def exposed_in(function: n.FunctionDef, table: Summaries) -> frozenset[str]:
     """Variables that a function may read before it overwrites them."""
     return _before_all(function.body.body, _NONE, table)
 
 
-def overwritten_in(function: n.FunctionDef, table: EffectTable) -> frozenset[str]:
+def overwritten_in(function: n.FunctionDef, table: Summaries) -> frozenset[str]:
     """Variables that a function overwrites wholly, wherever it returns."""
     found = _NONE
     for stmt in _flat(function.body.body):
@@ -51,7 +61,7 @@ def overwritten_in(function: n.FunctionDef, table: EffectTable) -> frozenset[str
     return found
 
 
-def overwritten_by(node: n.Node, table: EffectTable) -> frozenset[str]:
+def overwritten_by(node: n.Node, table: Summaries) -> frozenset[str]:
     """Variables whose old value is gone behind a plain statement, whatever they held."""
     match node:
         case n.ExprStmt(expr=n.Assign(op="=", target=n.Name(name=name))):
@@ -72,14 +82,14 @@ def _flat(stmts: Iterable[n.Stmt]) -> Iterable[n.Stmt]:
 
 
 def _before_all(
-    stmts: tuple[n.Stmt, ...], live: frozenset[str], table: EffectTable
+    stmts: tuple[n.Stmt, ...], live: frozenset[str], table: Summaries
 ) -> frozenset[str]:
     for stmt in reversed(stmts):
         live = _before(stmt, live, table)
     return live
 
 
-def _before(stmt: n.Stmt, live: frozenset[str], table: EffectTable) -> frozenset[str]:
+def _before(stmt: n.Stmt, live: frozenset[str], table: Summaries) -> frozenset[str]:
     match stmt:
         case n.Block():
             return _before_all(stmt.body, live, table)

@@ -17,13 +17,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
-from shadercache.analysis.effects import (
-    Does,
-    EffectTable,
-    local_names,
-    out_arguments,
-    root_variable,
-)
+from shadercache.analysis.effect_table import EffectTable, out_arguments
+from shadercache.analysis.effects import Does, local_names, root_variable
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.walk import children, walk

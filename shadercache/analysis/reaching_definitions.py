@@ -12,7 +12,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from shadercache.analysis.effects import Does, Effects, EffectTable, local_names
+from shadercache.analysis.effect_table import EffectTable
+from shadercache.analysis.effects import Does, Effects, local_names
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import children
 from shadercache.source import NOWHERE

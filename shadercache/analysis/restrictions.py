@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from shadercache.analysis.effects import NO_EFFECTS, Does, EffectTable
+from shadercache.analysis.effect_table import EffectTable
+from shadercache.analysis.effects import NO_EFFECTS, Does
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import EXPRESSIONS, walk
 from shadercache.diagnostics import Diagnostic, InputError

@@ -23,7 +23,8 @@ from typing import cast
 from shadercache.analysis.call_paths import Instance
 from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.cost import UNKNOWN_TRIPS, CostTable
-from shadercache.analysis.effects import Does, EffectTable
+from shadercache.analysis.effect_table import EffectTable
+from shadercache.analysis.effects import Does
 from shadercache.analysis.liveness import overwritten_by
 from shadercache.analysis.path_costs import Context, Cut, PathCosts, Walked
 from shadercache.ast import nodes as n

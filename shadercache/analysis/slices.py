@@ -18,7 +18,8 @@ from itertools import compress
 from shadercache.analysis.call_paths import Instance, Place
 from shadercache.analysis.control_dependence import Flow, Inside
 from shadercache.analysis.cost import CostTable
-from shadercache.analysis.effects import Does, EffectTable
+from shadercache.analysis.effect_table import EffectTable
+from shadercache.analysis.effects import Does
 from shadercache.analysis.reaching_definitions import written_anywhere
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import cast
 
-from shadercache.analysis.effects import EffectTable, out_arguments
+from shadercache.analysis.effect_table import EffectTable, out_arguments
 from shadercache.analysis.terms import Term, Terms
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import EXPRESSIONS, children

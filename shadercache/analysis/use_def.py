@@ -14,7 +14,7 @@ from bisect import bisect_left
 from dataclasses import dataclass
 
 from shadercache.analysis.call_paths import Instance
-from shadercache.analysis.effects import EffectTable
+from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.reaching_definitions import Step, order_matters
 from shadercache.ast import nodes as n
 from shadercache.ast.rewriter import map_expressions_keyed

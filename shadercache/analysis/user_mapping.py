@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from shadercache.analysis.effects import Does, EffectTable
+from shadercache.analysis.effect_table import EffectTable
+from shadercache.analysis.effects import Does
 from shadercache.analysis.reaching_definitions import written_anywhere
 from shadercache.ast import nodes as n
 from shadercache.diagnostics import Diagnostic, InputError

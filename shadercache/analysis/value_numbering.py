@@ -16,7 +16,7 @@ from typing import cast
 
 from shadercache.analysis.call_paths import Instance, Place, Use
 from shadercache.analysis.candidates import Candidate, Candidates
-from shadercache.analysis.effects import EffectTable, needs_derivative, out_arguments
+from shadercache.analysis.effect_table import EffectTable, needs_derivative, out_arguments
 from shadercache.analysis.reaching_definitions import written_anywhere
 from shadercache.analysis.use_def import Definition, Definitions
 from shadercache.ast import nodes as n

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from shadercache.analysis.effects import EffectTable
+from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.restrictions import busy_initialisers
 from shadercache.analysis.vertex_inputs import (
     PLACES,

@@ -9,7 +9,8 @@ from functools import cached_property
 
 from shadercache.analysis.candidates import Candidate, Candidates
 from shadercache.analysis.derivative_uses import SharedUse, evaluation_order
-from shadercache.analysis.effects import Does, EffectTable
+from shadercache.analysis.effect_table import EffectTable
+from shadercache.analysis.effects import Does
 from shadercache.analysis.loops import decided_loops
 from shadercache.analysis.precision import PrecisionTable
 from shadercache.ast import nodes as n

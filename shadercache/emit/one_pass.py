@@ -7,7 +7,8 @@ from functools import partial
 
 from shadercache.analysis.call_paths import Use
 from shadercache.analysis.derivative_uses import SharedUse
-from shadercache.analysis.effects import Does, EffectTable
+from shadercache.analysis.effect_table import EffectTable
+from shadercache.analysis.effects import Does
 from shadercache.ast import nodes as n
 from shadercache.emit.assemble import Shader, call_all, variable
 from shadercache.emit.builder import PassBuilder

@@ -19,7 +19,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
-from shadercache.analysis.effects import EffectTable
+from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.stages import Links
 from shadercache.analysis.vertex_inputs import OUTPUTS, kept_numbers, variable_fate
 from shadercache.ast import nodes as n

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from shadercache.ast.nodes import Directive
-from shadercache.front.scanner import Lexemes
+from shadercache.front.preprocess import Lexemes
 
 _EXTENSIONS = (
     "GL_EXT_control_flow_attributes",  # The beginning of ..._attributes2, too.

@@ -16,7 +16,7 @@ from bisect import bisect_left, bisect_right
 from dataclasses import dataclass
 
 from shadercache.ast.nodes import Comment
-from shadercache.front.scanner import Lexemes
+from shadercache.front.preprocess import Lexemes
 from shadercache.source import Source, Span
 
 _COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)

@@ -18,9 +18,16 @@ from functools import cache
 from pathlib import Path
 
 from shadercache.diagnostics import Diagnostic, InputError
+from shadercache.front.preprocess import (
+    Lexemes,
+    Version,
+    clean,
+    joins_comments,
+    read_version,
+    spellings,
+    version_line,
+)
 from shadercache.front.read_options import Dialect
-from shadercache.front.scanner import Lexemes, clean, joins_comments, spellings
-from shadercache.front.version import Version, read_version, version_line
 from shadercache.source import Source, Span
 
 FOLDER = Path(__file__).with_name("glsl")

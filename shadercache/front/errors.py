@@ -16,7 +16,7 @@ from shadercache.ast.nodes import FunctionProto
 from shadercache.diagnostics import Diagnostic
 from shadercache.front import other_languages as foreign
 from shadercache.front.build_declarations import FullType, Head
-from shadercache.front.scanner import is_word
+from shadercache.front.preprocess import is_word
 from shadercache.front.tokens import Language, Token, TokenStream
 from shadercache.front.unexpected import CLOSERS, PAIRS, Unexpected, gather
 from shadercache.lang import unsupported

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from difflib import get_close_matches
 
 from shadercache.diagnostics import Diagnostic
-from shadercache.front.scanner import is_word
+from shadercache.front.preprocess import is_word
 from shadercache.front.unexpected import Unexpected
 from shadercache.lang.words import type_names
 

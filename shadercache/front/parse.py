@@ -13,11 +13,16 @@ from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.front.attributes import without_attributes
 from shadercache.front.comment_text import find_comments
 from shadercache.front.dialects import Host, check_version, host_of
-from shadercache.front.preprocess import Preprocessed, preprocess, preprocess_broken
+from shadercache.front.preprocess import (
+    NO_VERSION,
+    Lexemes,
+    Preprocessed,
+    Version,
+    preprocess,
+    preprocess_broken,
+)
 from shadercache.front.read_options import DEFAULTS, ReadOptions
 from shadercache.front.recovery import beginnings
-from shadercache.front.scanner import Lexemes
-from shadercache.front.version import NO_VERSION, Version
 from shadercache.front.webgl import WEBGL, is_webgl
 from shadercache.source import Source, Span
 

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from shadercache.front.scanner import Lexemes
+from shadercache.front.preprocess import Lexemes
 
 _PAIRS = {")": "(", "]": "[", "}": "{"}
 

@@ -16,7 +16,7 @@ from lark.lexer import Lexer, LexerState
 from lark.parsers.lalr_parser_state import ParserState
 
 from shadercache.diagnostics import Diagnostic, InputError
-from shadercache.front.scanner import MAX_WORD, Lexemes, is_number, is_word
+from shadercache.front.preprocess import MAX_WORD, Lexemes, is_number, is_word
 from shadercache.lang import words
 from shadercache.lang.unsupported import extension_of_number
 from shadercache.source import Source, Span

@@ -14,9 +14,8 @@ import re
 from itertools import pairwise
 
 from shadercache.front.dialects import host_of
-from shadercache.front.preprocess import preprocess_broken
+from shadercache.front.preprocess import NO_VERSION, Version, preprocess_broken, version_line
 from shadercache.front.read_options import ReadOptions
-from shadercache.front.version import NO_VERSION, Version, version_line
 from shadercache.lang.words import PRECISIONS, type_names
 from shadercache.source import Source
 

@@ -18,7 +18,8 @@ from collections.abc import Collection, Mapping
 from dataclasses import replace
 from typing import TypeAlias, TypeVar
 
-from shadercache.analysis.effects import EffectTable, root_variable
+from shadercache.analysis.effect_table import EffectTable
+from shadercache.analysis.effects import root_variable
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.walk import walk

@@ -20,7 +20,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from shadercache.analysis.cost import FETCH, CostTable
-from shadercache.analysis.effects import EffectTable
+from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.precision import PrecisionTable
 from shadercache.analysis.reaching_definitions import order_matters
 from shadercache.ast import nodes as n

@@ -22,7 +22,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import cast
 
-from shadercache.analysis.effects import EffectTable, Linked
+from shadercache.analysis.effect_table import EffectTable
+from shadercache.analysis.effects import Linked
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.walk import children

@@ -15,7 +15,8 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TypeAlias, cast
 
-from shadercache.analysis.effects import NO_EFFECTS, Does, Effects, EffectTable, union
+from shadercache.analysis.effect_table import EffectTable
+from shadercache.analysis.effects import NO_EFFECTS, Does, Effects, union
 from shadercache.ast import nodes as n
 from shadercache.ast.rewriter import Rewriter
 from shadercache.ast.walk import children, walk

@@ -22,13 +22,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import cast
 
-from shadercache.analysis.effects import (
-    Does,
-    EffectTable,
-    Linked,
-    out_arguments,
-    root_variable,
-)
+from shadercache.analysis.effect_table import EffectTable, out_arguments
+from shadercache.analysis.effects import Does, Linked, root_variable
 from shadercache.analysis.liveness import overwritten_by, reads_of
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo

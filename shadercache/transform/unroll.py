@@ -23,7 +23,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TypeVar
 
-from shadercache.analysis.effects import EffectTable
+from shadercache.analysis.effect_table import EffectTable
 from shadercache.ast import nodes as n
 from shadercache.ast.rewriter import Rewriter
 from shadercache.ast.walk import EXPRESSIONS, children, walk

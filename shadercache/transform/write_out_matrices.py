@@ -20,7 +20,8 @@ from dataclasses import replace
 from functools import reduce
 from typing import TypeAlias, cast
 
-from shadercache.analysis.effects import EffectTable, Linked
+from shadercache.analysis.effect_table import EffectTable
+from shadercache.analysis.effects import Linked
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.rewriter import Rewriter

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from shadercache.analysis.cost import CostTable
-from shadercache.analysis.effects import EffectTable
+from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.shared_work import OverlapTable
 from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import InputError

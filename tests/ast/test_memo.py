@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 import shadercache.ast.memo as memo_module
-from shadercache.analysis.effects import EffectTable
+from shadercache.analysis.effect_table import EffectTable
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.compiler import analyse, rewrite

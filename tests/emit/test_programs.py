@@ -13,7 +13,8 @@ from jsonschema import Draft202012Validator
 from shaders import analysed, find
 
 import shadercache
-from shadercache.analysis.effects import Does, EffectTable
+from shadercache.analysis.effect_table import EffectTable
+from shadercache.analysis.effects import Does
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 from shadercache.compiler import Analysis, Emission, analyse, rewrite

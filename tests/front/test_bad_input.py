@@ -14,7 +14,7 @@ from shadercache.ast.walk import walk
 from shadercache.diagnostics import InputError
 from shadercache.emit.printer import print_module
 from shadercache.front.parse import parse
-from shadercache.front.scanner import spellings
+from shadercache.front.preprocess import spellings
 from shadercache.source import Source
 
 LANGUAGE = (Path(__file__).parent / "shaders" / "language.frag").read_text()

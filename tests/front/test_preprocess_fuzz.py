@@ -6,9 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from shadercache.diagnostics import InputError
-from shadercache.front.preprocess import preprocess
+from shadercache.front.preprocess import preprocess, spellings
 from shadercache.front.read_options import ReadOptions
-from shadercache.front.scanner import spellings
 from shadercache.source import Source
 
 OPTIONS = ReadOptions(max_tokens=5000)

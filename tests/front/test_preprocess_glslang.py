@@ -11,7 +11,7 @@ import pytest
 from preprocessing import run
 
 from shadercache.diagnostics import InputError
-from shadercache.front.scanner import spellings
+from shadercache.front.preprocess import spellings
 
 pytestmark = pytest.mark.skipif(
     shutil.which("glslangValidator") is None, reason="glslangValidator is not installed"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from preprocessing import errors, problem, rejected, run, words
 
-from shadercache.front.version import DESKTOP, ES
+from shadercache.front.preprocess import DESKTOP, ES
 
 
 @pytest.mark.parametrize("version", DESKTOP)

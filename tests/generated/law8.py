@@ -11,7 +11,8 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import cast
 
-from shadercache.analysis.effects import Does, EffectTable, needs_derivative
+from shadercache.analysis.effect_table import EffectTable, needs_derivative
+from shadercache.analysis.effects import Does
 from shadercache.analysis.loops import LOOPS, hanging_names
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import children, walk

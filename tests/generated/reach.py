@@ -11,14 +11,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator
 
 from shadercache.analysis.candidates import Candidate
-from shadercache.analysis.effects import (
-    Does,
-    EffectTable,
-    local_names,
-    needs_derivative,
-    out_arguments,
-    root_variable,
-)
+from shadercache.analysis.effect_table import EffectTable, needs_derivative, out_arguments
+from shadercache.analysis.effects import Does, local_names, root_variable
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import children, walk
 

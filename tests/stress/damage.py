@@ -7,8 +7,8 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
+from shadercache.front.preprocess import spellings
 from shadercache.front.read_options import Dialect
-from shadercache.front.scanner import spellings
 
 from .cases import START, Case, Stage
 

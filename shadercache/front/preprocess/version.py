@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from shadercache.front.directive_errors import MistakeError
+from shadercache.front.preprocess.directive_errors import MistakeError
 
 DESKTOP = (110, 120, 130, 140, 150, 330, 400, 410, 420, 430, 440, 450, 460)
 ES = (100, 300, 310, 320)

@@ -21,8 +21,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from shadercache.diagnostics import shortened
-from shadercache.front.directive_errors import LIMIT_HINT, MistakeError, RunawayError
-from shadercache.front.scanner import MAX_WORD, is_word, spellings
+from shadercache.front.preprocess.directive_errors import LIMIT_HINT, MistakeError, RunawayError
+from shadercache.front.preprocess.scanner import MAX_WORD, is_word, spellings
 
 MAX_NESTING = 100
 """Calls of macros that may stand in one another's arguments."""

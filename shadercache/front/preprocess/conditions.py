@@ -12,8 +12,8 @@ import operator
 import re
 from collections.abc import Callable, Container, Sequence
 
-from shadercache.front.directive_errors import MistakeError
-from shadercache.front.scanner import is_word
+from shadercache.front.preprocess.directive_errors import MistakeError
+from shadercache.front.preprocess.scanner import is_word
 
 _INTEGER = re.compile(r"0[xX][0-9a-fA-F]+|0[0-7]*|[1-9][0-9]*")
 _UNARY: dict[str, Callable[[int], int]] = {

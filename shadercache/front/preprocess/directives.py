@@ -11,19 +11,17 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from pathlib import Path
 
 from shadercache.ast.nodes import Directive
-from shadercache.front import include
-from shadercache.front.conditions import evaluate
-from shadercache.front.directive_errors import MistakeError, RunawayError
-from shadercache.front.extensions import INCLUDES, read_extension
-from shadercache.front.macros import define
-from shadercache.front.scanner import is_word, spellings
+from shadercache.front.preprocess import include
+from shadercache.front.preprocess.conditions import evaluate
+from shadercache.front.preprocess.directive_errors import MistakeError, RunawayError
+from shadercache.front.preprocess.extensions import INCLUDES, read_extension
+from shadercache.front.preprocess.macros import define
+from shadercache.front.preprocess.scanner import is_word, spellings
+from shadercache.front.preprocess.state import State
 from shadercache.source import Span
-
-if TYPE_CHECKING:
-    from shadercache.front.preprocess import Reader
 
 _FILE_NAME = re.compile(r'"[^"\n]*"$')
 _FIXED = frozenset(("__LINE__", "__FILE__", "__VERSION__", "defined"))
@@ -41,46 +39,46 @@ class Line:
 # --- conditions -----------------------------------------------------------------------------------
 
 
-def _if(reader: Reader, line: Line) -> None:
-    groups = reader.file.groups
+def _if(state: State, line: Line) -> None:
+    groups = state.file.groups
     if not groups.live:
         groups.skip(line.span)
         return
     try:
-        groups.begin(line.span, reader.value(line.rest) != 0)
+        groups.begin(line.span, state.value(line.rest) != 0)
     except MistakeError:
         groups.skip(line.span)
         raise
 
 
-def _ifdef(reader: Reader, line: Line) -> None:
-    groups = reader.file.groups
+def _ifdef(state: State, line: Line) -> None:
+    groups = state.file.groups
     if not groups.live or is_word(line.rest):
-        groups.begin(line.span, (line.rest in reader.macros) == (line.name == "ifdef"))
+        groups.begin(line.span, (line.rest in state.macros) == (line.name == "ifdef"))
     else:
         groups.skip(line.span)
         raise MistakeError("SC121", f"#{line.name} is followed by the name of a macro")
 
 
-def _elif(reader: Reader, line: Line) -> None:
-    groups = reader.file.groups
+def _elif(state: State, line: Line) -> None:
+    groups = state.file.groups
     try:
-        holds = groups.asks and reader.value(line.rest) != 0
+        holds = groups.asks and state.value(line.rest) != 0
     except MistakeError:
         groups.go_on("elif", None)
         raise
     groups.go_on("elif", holds)
 
 
-def _else(reader: Reader, line: Line) -> None:
-    reader.file.groups.go_on("else", True)
-    if reader.file.groups.around:
+def _else(state: State, line: Line) -> None:
+    state.file.groups.go_on("else", True)
+    if state.file.groups.around:
         _expect_nothing(line)
 
 
-def _endif(reader: Reader, line: Line) -> None:
-    reader.file.groups.end()
-    if reader.file.groups.live:
+def _endif(state: State, line: Line) -> None:
+    state.file.groups.end()
+    if state.file.groups.live:
         _expect_nothing(line)
 
 
@@ -90,7 +88,7 @@ def _expect_nothing(line: Line) -> None:
         raise MistakeError("SC121", f"nothing may follow #{line.name}", hint)
 
 
-CONDITIONALS: dict[str, Callable[[Reader, Line], None]] = {
+CONDITIONALS: dict[str, Callable[[State, Line], None]] = {
     "if": _if,
     "ifdef": _ifdef,
     "ifndef": _ifdef,
@@ -103,85 +101,86 @@ CONDITIONALS: dict[str, Callable[[Reader, Line], None]] = {
 # --- other directives -----------------------------------------------------------------------------
 
 
-def _misplaced_version(reader: Reader, line: Line) -> None:
+def _misplaced_version(state: State, line: Line) -> None:
     raise MistakeError("SC100", "#version must come first, and only once")
 
 
-def _extension(reader: Reader, line: Line) -> None:
+def _extension(state: State, line: Line) -> None:
     name, behaviour = read_extension(line.rest)
     if behaviour == "disable":
-        reader.enabled.discard(name)
+        state.enabled.discard(name)
     else:
-        reader.enabled.add(name)
+        state.enabled.add(name)
     if name not in INCLUDES:
-        reader.directives.append(Directive(line.span, f"#extension {name} : {behaviour}"))
+        state.directives.append(Directive(line.span, f"#extension {name} : {behaviour}"))
 
 
-def _pragma(reader: Reader, line: Line) -> None:
+def _pragma(state: State, line: Line) -> None:
     if line.rest == "once":
-        reader.once.add(reader.file.part)
+        state.once.add(state.file.part)
     else:
-        reader.directives.append(Directive(line.span, " ".join(f"#pragma {line.rest}".split())))
+        state.directives.append(Directive(line.span, " ".join(f"#pragma {line.rest}".split())))
 
 
-def _define(reader: Reader, line: Line) -> None:
+def _define(state: State, line: Line) -> None:
     macro = define(line.rest)
-    _check_name(reader, macro.name)
-    if reader.macros.setdefault(macro.name, macro) != macro:
+    _check_name(state, macro.name)
+    if state.macros.setdefault(macro.name, macro) != macro:
         message = f"macro '{macro.name}' is defined again in another way"
         raise MistakeError("SC108", message, f"#undef {macro.name} first")
 
 
-def _undef(reader: Reader, line: Line) -> None:
+def _undef(state: State, line: Line) -> None:
     if not is_word(line.rest):
         raise MistakeError("SC108", "#undef is followed by the name of a macro")
-    _check_name(reader, line.rest)
-    reader.macros.pop(line.rest, None)
+    _check_name(state, line.rest)
+    state.macros.pop(line.rest, None)
 
 
-def _check_name(reader: Reader, name: str) -> None:
+def _check_name(state: State, name: str) -> None:
     if name in _FIXED or name.startswith("GL_"):
         raise MistakeError("SC108", f"the macro name '{name}' belongs to the language")
-    if "__" in name and reader.version.number == 100:
+    if "__" in name and state.version.number == 100:
         message = f"the macro name '{name}' has two underscores, which GLSL ES 1.00 reserves"
         raise MistakeError("SC108", message)
 
 
-def _error(reader: Reader, line: Line) -> None:
+def _error(state: State, line: Line) -> None:
     raise MistakeError("SC108", f"#error {line.rest}".rstrip())
 
 
-def _line(reader: Reader, line: Line) -> None:
+def _line(state: State, line: Line) -> None:
     """``#line line`` or ``#line line file``; both are expressions."""
     rest = _FILE_NAME.sub("", line.rest)
-    if rest != line.rest and "GL_GOOGLE_cpp_style_line_directive" not in reader.enabled:
+    if rest != line.rest and "GL_GOOGLE_cpp_style_line_directive" not in state.enabled:
         hint = "#extension GL_GOOGLE_cpp_style_line_directive : require"
         raise MistakeError("SC108", "the file of a #line is a number", hint)
-    words = reader.expander.expand_all(spellings(rest))
+    words = state.expander.expand_all(spellings(rest))
     if len(words) > 1 and words[-1].isdecimal() and _ends_value(words[-2]):
-        reader.set_file_number(words.pop())
-    number = evaluate(words, reader.version.es)
+        state.set_file_number(words.pop())
+    number = evaluate(words, state.version.es)
     # Before GLSL 3.30, `#line n` gave n to itself and not to the line that follows.
-    following = number if reader.version.counts_next_line else number + 1
-    reader.file.shift = following - reader.source.position(line.span.end).line - 1
+    following = number if state.version.counts_next_line else number + 1
+    state.file.shift = following - state.source.position(line.span.end).line - 1
 
 
 def _ends_value(word: str) -> bool:
     return word == ")" or word[0] == "_" or word[0].isalnum()
 
 
-def _include(reader: Reader, line: Line) -> None:
+def _include(state: State, line: Line) -> Path:
+    """The file that is to be read next."""
     # As it was written, if it has to be: "a//b" is no comment.
-    number, column = reader.source.position(line.span.start)
-    name, quoted = include.name_of(line.rest, reader.file.part.line(number)[column - 1 :])
-    if len(reader.files) > include.MAX_DEPTH:
+    number, column = state.source.position(line.span.start)
+    name, quoted = include.name_of(line.rest, state.file.part.line(number)[column - 1 :])
+    if len(state.files) > include.MAX_DEPTH:
         message = f"more than {include.MAX_DEPTH} files include one another here"
         raise RunawayError("SC123", message, "does a file include itself?")
-    beside = reader.file.folder if quoted else None
-    reader.read_included(include.find(name, beside, reader.options.include_folders))
+    beside = state.file.folder if quoted else None
+    return include.find(name, beside, state.options.include_folders)
 
 
-HANDLERS: dict[str, Callable[[Reader, Line], None]] = {
+HANDLERS: dict[str, Callable[[State, Line], Path | None]] = {
     "version": _misplaced_version,
     "extension": _extension,
     "pragma": _pragma,

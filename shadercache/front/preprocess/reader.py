@@ -21,21 +21,29 @@ from __future__ import annotations
 
 import re
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 from shadercache.ast.nodes import Directive
 from shadercache.diagnostics import Diagnostic, InputError, shortened
-from shadercache.front import include
-from shadercache.front.conditional_groups import Groups
-from shadercache.front.conditions import evaluate, replace_defined
-from shadercache.front.directive_errors import LIMIT_HINT, MistakeError, RunawayError, StopReading
-from shadercache.front.directives import CONDITIONALS, HANDLERS, Line
-from shadercache.front.extensions import extension_macros
-from shadercache.front.macros import Expander, Macro, define
+from shadercache.foreign_files import is_file
+from shadercache.front.preprocess import include
+from shadercache.front.preprocess.directive_errors import (
+    LIMIT_HINT,
+    MistakeError,
+    RunawayError,
+    StopReading,
+)
+from shadercache.front.preprocess.directives import CONDITIONALS, HANDLERS, Line
+from shadercache.front.preprocess.macros import define
+from shadercache.front.preprocess.scanner import (
+    Lexemes,
+    clean,
+    joins_comments,
+)
+from shadercache.front.preprocess.state import OpenFile, State
+from shadercache.front.preprocess.version import NO_VERSION, Version, check_place, read_version
 from shadercache.front.read_options import DEFAULTS, ReadOptions
-from shadercache.front.scanner import CleanText, Lexemes, clean, joins_comments, spellings
-from shadercache.front.version import NO_VERSION, Version, check_place, read_version
 from shadercache.source import Source, Span
 
 MAX_ERRORS = 100
@@ -57,19 +65,6 @@ class Preprocessed:
     lexemes: Lexemes
 
 
-@dataclass(slots=True)
-class _File:
-    """A file that is being read: the user's own, or one that is included."""
-
-    part: Source
-    text: CleanText
-    folder: Path | None
-    groups: Groups = field(default_factory=Groups)
-    # What `#line` says: how much to add to the numbers of lines, and the number of the file.
-    shift: int = 0
-    number: str = "0"
-
-
 def preprocess(
     source: Source, options: ReadOptions = DEFAULTS, default: Version = NO_VERSION
 ) -> Preprocessed:
@@ -88,48 +83,29 @@ def preprocess_broken(
     source: Source, options: ReadOptions, default: Version
 ) -> tuple[Preprocessed, list[Diagnostic]]:
     """:func:`preprocess` for a file that may be broken: what can be made of it, and its errors."""
-    reader = Reader(source, options, default)
+    reader = _Reader(source, options, default)
     with suppress(StopReading):
         reader.read_source()
     # A file that is included twice has each mistake once.
     errors = {(error.span, error.message): error for error in reader.errors}.values()
-    version = reader.version
-    directives = tuple(reader.directives)
+    version = reader.state.version
+    directives = tuple(reader.state.directives)
     prepared = Preprocessed(version.number, version.profile, directives, reader.lexemes)
     return prepared, sorted(errors, key=lambda error: error.span or Span(-1, -1))
 
 
-class Reader:
-    """What is known while the files are read from top to bottom."""
+class _Reader:
+    """Reads the files from top to bottom."""
 
     def __init__(self, source: Source, options: ReadOptions, default: Version) -> None:
         self.source = source
         self.options = options
-        self.joined = joins_comments(source.text)
-        self.version = default
+        self.state = State(source, options, default)
+        self.expander, self.macros = self.state.expander, self.state.macros
         self.errors: list[Diagnostic] = []
-        self.directives: list[Directive] = []
         self.lexemes = Lexemes()
-        self.expander = Expander(options.max_tokens, self.line_number)
-        self.macros = self.expander.macros
-        self.enabled: set[str] = set()
-        self.files: list[_File] = []
-        self.once: set[Source] = set()
-        self.place = Span(0, 0)  # Of the directive or macro that is being read.
-        self.room = include.MAX_TEXT
-
-    @property
-    def file(self) -> _File:
-        return self.files[-1]
-
-    def line_number(self) -> str:
-        """What ``__LINE__`` stands for here."""
-        return str(self.source.position(self.place.start).line + self.file.shift)
-
-    def set_file_number(self, number: str) -> None:
-        """Change what ``__FILE__`` stands for."""
-        self.file.number = number
-        self.macros["__FILE__"] = Macro("__FILE__", None, (number,))
+        self._joined = joins_comments(source.text)
+        self._room = include.MAX_TEXT
 
     def tell(self, mistake: MistakeError, span: Span) -> None:
         """Note a mistake, and go on if that makes sense."""
@@ -142,46 +118,40 @@ class Reader:
 
     def read_source(self) -> None:
         """Read the user's own file."""
-        text = clean(self.source, self.joined, self.errors, self.source)
+        text = clean(self.source, self._joined, self.errors, self.source)
         path = Path(self.source.name)
-        self.files.append(_File(self.source, text, path.parent if _is_file(path) else None))
+        folder = path.parent if is_file(path) else None
+        self.state.files.append(OpenFile(self.source, text, folder))
         begin = 0
         if match := _VERSION.match(text.text):
             begin = match.end()
             span = text.span(match.start(1), match.start(1) + len(match[1].rstrip()))
             try:
-                self.version = read_version(match[2].strip())
-                check_place(self.version, self.source.text[: span.start])
+                self.state.version = read_version(match[2].strip())
+                check_place(self.state.version, self.source.text[: span.start])
             except MistakeError as mistake:
                 self.tell(mistake, span)
-        self.define_first_macros()
+        self.state.define_first_macros()
+        self.define_macros()
         self.expander.allow(len(self.source.text))
         self.read_file(begin)
 
     def read_included(self, path: Path) -> None:
         """Read a file that an ``#include`` names, unless it is to be read once only."""
-        text = include.read(path, self.room)
-        self.room -= max(len(text), include.MIN_TEXT)
-        part = self.source.include(str(path), text, self.place.start)
-        if part not in self.once:
-            cleaned = clean(part, self.joined, self.errors, self.source)
-            self.files.append(_File(part, cleaned, path.parent))
-            self.set_file_number("0")
+        state, text = self.state, include.read(path, self._room)
+        self._room -= max(len(text), include.MIN_TEXT)
+        part = self.source.include(str(path), text, state.place.start)
+        if part not in state.once:
+            cleaned = clean(part, self._joined, self.errors, self.source)
+            state.files.append(OpenFile(part, cleaned, path.parent))
+            state.set_file_number("0")
             self.expander.allow(len(text))
             self.read_file(0)
-            self.files.pop()
-            self.set_file_number(self.file.number)
+            state.files.pop()
+            state.set_file_number(state.file.number)
 
-    def define_first_macros(self) -> None:
-        """Define what is a macro before the first line."""
-        version, es = self.version.number, self.version.es
-        for name in (*self.version.macros, *extension_macros(version, es)):
-            self.macros[name] = Macro(name, None, ("1",), "1")
-        self.macros["__VERSION__"] = Macro("__VERSION__", None, (str(version),))
-        self.set_file_number("0")
-        self.macros["__LINE__"] = Macro("__LINE__", None, ())
-        for name in self.options.undefined:
-            self.macros.pop(name, None)
+    def define_macros(self) -> None:
+        """Define the macros that the user's options ask for."""
         for name, value in self.options.defines:
             try:
                 macro = define(f"{name} {value}")
@@ -193,7 +163,7 @@ class Reader:
 
     def read_file(self, at: int) -> None:
         """Read the innermost open file from an offset on."""
-        text, groups = self.file.text.text, self.file.groups
+        text, groups = self.state.file.text.text, self.state.file.groups
         for match in _DIRECTIVE.finditer(text, at):
             if groups.live:
                 self.read_code(at, match.start())
@@ -211,7 +181,7 @@ class Reader:
         """Add the lexemes between two directives, macros expanded."""
         lexemes, limit = self.lexemes, self.options.max_tokens
         first = len(lexemes.texts)
-        lexemes.scan(self.file.text, start, end, limit)
+        lexemes.scan(self.state.file.text, start, end, limit)
         if not self.macros.keys().isdisjoint(set(lexemes.texts[first:])):
             found = lexemes.cut(first)
             self.expand(found)
@@ -227,14 +197,14 @@ class Reader:
             if index < at or text not in self.macros:
                 continue
             self.lexemes.add(found, at, index)
-            self.place = Span(found.starts[index], found.ends[index])
+            self.state.place = Span(found.starts[index], found.ends[index])
             try:
                 made = self.expander.expand_use(found.texts, index)
             except MistakeError as mistake:
-                self.tell(mistake, self.place)
+                self.tell(mistake, self.state.place)
                 made = []
             at = self.expander.behind
-            self.lexemes.repeat(made, self.place.start, found.ends[at - 1])
+            self.lexemes.repeat(made, self.state.place.start, found.ends[at - 1])
         self.lexemes.add(found, at, len(found.texts))
 
     # --- directives
@@ -243,14 +213,14 @@ class Reader:
         """Obey a directive, or skip it."""
         raw = match[0].rstrip()
         start = match.start() + raw.index("#")
-        span = self.place = self.file.text.span(start, match.start() + len(raw))
+        span = self.state.place = self.state.file.text.span(start, match.start() + len(raw))
         parts = _PARTS.match(raw)
         assert parts is not None
         line = Line(parts[1], parts[2], span)
         try:
             if line.name in CONDITIONALS:
-                CONDITIONALS[line.name](self, line)
-            elif self.file.groups.live:
+                CONDITIONALS[line.name](self.state, line)
+            elif self.state.file.groups.live:
                 self.obey(line)
         except MistakeError as mistake:
             self.tell(mistake, span)
@@ -266,17 +236,6 @@ class Reader:
             raise MistakeError("SC108", f"there is no directive #{name}")
         if not line.rest.isascii() and line.name not in _ANY_CHARACTER:
             raise MistakeError("SC101", "a directive holds a character that is not ASCII")
-        if handler is not None:
-            handler(self, line)
-
-    def value(self, rest: str) -> int:
-        """The value of an expression in a directive."""
-        words = self.expander.expand_all(replace_defined(spellings(rest), self.macros))
-        return evaluate(words, self.version.es)
-
-
-def _is_file(path: Path) -> bool:
-    try:
-        return path.is_file()
-    except (OSError, ValueError):
-        return False
+        included = None if handler is None else handler(self.state, line)
+        if included is not None:
+            self.read_included(included)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from shadercache.front.directive_errors import MistakeError
+from shadercache.front.preprocess.directive_errors import MistakeError
 from shadercache.source import Span
 
 

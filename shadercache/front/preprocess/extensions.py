@@ -9,7 +9,7 @@ import re
 from functools import cache
 from pathlib import Path
 
-from shadercache.front.directive_errors import MistakeError
+from shadercache.front.preprocess.directive_errors import MistakeError
 
 _FILE = Path(__file__).with_name("extensions.txt")
 _EXTENSION = re.compile(r"(\w+)\s*:\s*(\w+)", re.ASCII)

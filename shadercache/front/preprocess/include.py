@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from shadercache.diagnostics import shortened
-from shadercache.front.directive_errors import MistakeError, RunawayError
+from shadercache.front.preprocess.directive_errors import MistakeError, RunawayError
 
 MAX_DEPTH = 50
 """Files that may be open inside one another."""
