@@ -168,6 +168,7 @@ def test_help_names_every_verb(machine: Machine, verb: str) -> None:
     verbs = [
         "setup",
         "demo",
+        "quick",
         "test",
         "nightly",
         "verify-all",

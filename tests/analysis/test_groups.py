@@ -126,6 +126,7 @@ def test_text_for_the_cpu() -> None:
     assert cpu("v_uv.x") is None, "nothing for the CPU"
 
 
+@pytest.mark.slow
 def test_long_chains_of_definitions_end() -> None:
     chain = "".join(f"float k{i} = k{i - 1} * 1.5 + k{i - 1};" for i in range(1, 2000))
     analysis = analysed(

@@ -104,6 +104,7 @@ def test_call_paths_are_capped() -> None:
     assert str(2**20) in error.value.diagnostics[0].message
 
 
+@pytest.mark.slow
 def test_calls_in_a_row_are_capped() -> None:
     functions = ["float f0(float x) { return x; }"]
     functions += [f"float f{i}(float x) {{ return f{i - 1}(x); }}" for i in range(1, 10_000)]
@@ -135,6 +136,7 @@ def test_statements_on_all_call_paths_are_capped() -> None:
     ("terms", "names", "found"),
     [(50_000, 1, "100004 expressions, 3 names"), (5_000, 5_000, "10004 expressions, 5002 names")],
 )
+@pytest.mark.slow
 def test_the_length_of_a_shader_is_capped(terms: int, names: int, found: str) -> None:
     uniforms = "".join(f"uniform float u{number};\n" for number in range(names))
     total = " + ".join(f"u{number % names}" for number in range(terms))

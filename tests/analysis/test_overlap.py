@@ -83,6 +83,7 @@ def test_what_does_not_fit_is_not_carried() -> None:
 
 
 @pytest.mark.parametrize("name", CACHEABLE)
+@pytest.mark.slow
 def test_no_pass_of_a_set_costs_more_than_is_told(name: str) -> None:
     analysis = analysed(name)
     nodes = list(one_of_each((n for n in analysis.nodes if n.legal), analysis.groups))
@@ -101,6 +102,7 @@ def test_no_pass_costs_more_than_is_told(name: str) -> None:
 
 
 @pytest.mark.parametrize("scene", ["dragon", "trashcan"])
+@pytest.mark.slow
 def test_no_pass_of_the_corpus_costs_more_than_is_told(scene: str) -> None:
     path = Path(__file__).parents[2] / "corpus" / scene / f"{scene}.frag"
     analysis = analyse(Source(path.name, path.read_text(encoding="utf-8")))

@@ -48,6 +48,7 @@ def test_corpus(path: Path) -> None:
 
 
 @pytest.mark.parametrize("number", range(60))
+@pytest.mark.slow
 def test_generated_shaders(number: int) -> None:
     shader = quick_shader(sorted(DIALECTS)[number % len(DIALECTS)], number)
     try:

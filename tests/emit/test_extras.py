@@ -58,6 +58,7 @@ def test_nothing_is_kept_unasked() -> None:
 
 
 @pytest.mark.parametrize("name", PAYLOADS)
+@pytest.mark.slow
 def test_every_type_with_an_id_has_valid_programs(name: str) -> None:
     path = Path(shadercache.__file__).with_name("manifest.schema.json")
     validator = Draft202012Validator(json.loads(path.read_text(encoding="utf-8")))

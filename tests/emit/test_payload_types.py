@@ -101,6 +101,7 @@ def test_the_masks_mark_what_must_not_be_blended() -> None:
 
 
 @pytest.mark.parametrize("name", PAYLOADS)
+@pytest.mark.slow
 def test_every_program_is_valid_and_holds_nothing_unused(name: str) -> None:
     path = Path(shadercache.__file__).with_name("manifest.schema.json")
     validator = Draft202012Validator(json.loads(path.read_text(encoding="utf-8")))
@@ -157,6 +158,7 @@ def beside(analysis: Analysis, node: Candidate) -> list[Candidate]:
 
 @pytest.mark.skipif(shutil.which("glslangValidator") is None, reason="needs glslang-tools")
 @pytest.mark.parametrize("head", [DESKTOP, ES], ids=["330", "es"])
+@pytest.mark.slow
 def test_glslang_accepts_every_program_without_a_warning(head: str, tmp_path: Path) -> None:
     files: list[str] = []
     modes: tuple[Mode, ...] = ("plain", "proof")

@@ -138,6 +138,7 @@ EXPRESSIONS = st.recursive(st.one_of(NAMES, LITERALS), operations, max_leaves=25
 
 @settings(max_examples=300, deadline=None)
 @given(EXPRESSIONS)
+@pytest.mark.slow
 def test_random_expressions(expr: Expr) -> None:
     text = print_node(expr)
     (statement,) = statements(in_main(text + ";"))
@@ -167,6 +168,7 @@ SIMPLE = st.sampled_from(["a", "b", ""]).map(
 
 @settings(max_examples=300, deadline=None)
 @given(st.recursive(SIMPLE, bodies, max_leaves=12))
+@pytest.mark.slow
 def test_random_statements(statement: Stmt) -> None:
     text = print_node(statement)
     (again,) = statements(in_main(text))
@@ -238,6 +240,7 @@ def test_a_negative_literal_that_a_pass_made() -> None:
     assert print_node(Binary(NOWHERE, "-", minus, minus)) == "-1.0 - -1.0"
 
 
+@pytest.mark.slow
 def test_a_long_chain() -> None:
     text = "a" + " + a" * 100_000 + ";"
     assert reprinted(text) == text

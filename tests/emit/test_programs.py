@@ -257,6 +257,7 @@ def test_glslang_accepts_every_program_without_a_warning(
 
 
 @pytest.mark.parametrize("scene", ["dragon", "trashcan"])
+@pytest.mark.slow
 def test_corpus_programs_hold_nothing_unused(scene: str) -> None:
     texts = {
         kind: Source(f"{scene}.{kind}", data_path("corpus", scene, f"{scene}.{kind}").read_text())

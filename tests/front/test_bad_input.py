@@ -135,6 +135,7 @@ def test_what_nests_within_the_limits_is_taken(text: str) -> None:
     ],
     ids=lambda value: str(value)[:12],
 )
+@pytest.mark.slow
 def test_long_is_not_deep(text: str, nodes: int) -> None:
     module = survive(in_main(text))
     assert module is not None
@@ -165,6 +166,7 @@ def test_initialiser_lists_nest_within_the_limits() -> None:
     assert text in print_module(module)
 
 
+@pytest.mark.slow
 def test_many_lines_are_taken() -> None:
     assert survive(START + "float x = a + 1.0; // line\n" * 20_000) is not None
 

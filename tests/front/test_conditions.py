@@ -182,6 +182,7 @@ def test_groups_that_are_wrong(text: str, expected: list[str]) -> None:
     ],
     ids=lambda text: text[:12],
 )
+@pytest.mark.slow
 def test_conditions_may_be_deep_and_long(text: str) -> None:
     assert words(text) == "a"
 

@@ -134,6 +134,7 @@ def test_files_that_include_themselves(tmp_path: Path) -> None:
         assert message == "more than 50 files include one another here"
 
 
+@pytest.mark.slow
 def test_included_files_are_limited_in_all(tmp_path: Path) -> None:
     chain = {f"t{n}": f"#include <t{n + 1}.glsl>\n" * 2 for n in range(40)}
     write(tmp_path, **chain, t40="", big="// comment\n" * 100_000)

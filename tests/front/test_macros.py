@@ -229,6 +229,7 @@ DOUBLING = "".join(f"#define A{n + 1} A{n} A{n}\n" for n in range(60))
     ],
     ids=lambda text: text[:16],
 )
+@pytest.mark.slow
 def test_macros_cannot_ask_for_billions_of_words(text: str) -> None:
     (found,) = errors("#version 330\n" + text)
     assert found.split()[1] in ("SC109", "SC124")
@@ -266,6 +267,7 @@ def test_a_pasted_word_cannot_grow_for_ever() -> None:
     ],
     ids=lambda text: text[:16],
 )
+@pytest.mark.slow
 def test_long_chains_of_macros_are_taken(text: str) -> None:
     assert words(text)
 

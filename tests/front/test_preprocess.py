@@ -259,6 +259,7 @@ def test_a_file_far_beyond_the_limit_is_not_read_to_its_end() -> None:
 @pytest.mark.parametrize(
     "line", ["vec3 a = b + c * 2.0;\n", "#ifdef b\nvec3 a = b;\n#endif\n", "vec3 a = SQ(c + d);\n"]
 )
+@pytest.mark.slow
 def test_a_long_file_takes_a_few_seconds_at_the_most(line: str) -> None:
     head = "#define b (q + 1)\n#define SQ(x) ((x)*(x))\n"
     assert words(head + line * (1_000_000 // len(line)))

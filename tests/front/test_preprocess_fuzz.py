@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -9,6 +10,8 @@ from shadercache.diagnostics import InputError
 from shadercache.front.preprocess import preprocess, spellings
 from shadercache.front.read_options import ReadOptions
 from shadercache.source import Source
+
+pytestmark = pytest.mark.slow
 
 OPTIONS = ReadOptions(max_tokens=5000)
 NAMES = ["A", "B", "F", "G", "GL_ES", "__LINE__", "defined"]

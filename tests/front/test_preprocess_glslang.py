@@ -106,6 +106,7 @@ def test_conditions(expression: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("body", WRONG)
+@pytest.mark.slow
 def test_mistakes(body: str, tmp_path: Path) -> None:
     text = f"#version 450\n{body}\n"
     assert (ours(text), reference(text, tmp_path)) == (None, None)
