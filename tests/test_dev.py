@@ -50,9 +50,16 @@ class Machine:
         path.write_text(f'#!/bin/sh\necho "{command} $*" >>"{self.log}"\n{script}\n')
         path.chmod(0o755)
 
-    def has_environment(self) -> None:
-        """Add a .venv whose pip does nothing."""
-        self.has("python", folder=self.root / ".venv" / "bin")
+    def has_environment(self, python: str = "") -> None:
+        """Add a .venv whose pip does nothing but what ``python`` says, and which runs nothing."""
+        for command, script in (("python", python), ("shadercache", "")):
+            self.has(command, script, self.root / ".venv" / "bin")
+
+    def installed(self) -> list[str]:
+        """What pip was told to install since the log was emptied, which this does."""
+        calls = [call for call in self.calls("python") if " install " in call]
+        self.log.write_text("")
+        return [call.split()[-1] for call in calls]
 
     def dev(self, *arguments: str) -> subprocess.CompletedProcess[str]:
         return subprocess.run(
@@ -159,6 +166,72 @@ def test_new_requirements_are_installed(machine: Machine) -> None:
         file.write("# changed\n")
     assert machine.dev("setup").returncode == 0
     assert any("install" in call for call in machine.calls("python"))
+
+
+def test_the_demo_installs_less_than_the_tests(machine: Machine) -> None:
+    machine.has_environment()
+    demo = machine.dev("demo", "--full")
+    assert demo.returncode == 0, demo.stderr
+    assert machine.calls("shadercache") == ["shadercache demo -o out/demo --full"]
+    assert machine.installed() == ["."]
+    machine.has("glslangValidator")
+    for verb, installed in (("demo", []), ("setup", [".[dev]"]), ("setup", []), ("demo", [])):
+        assert machine.dev(verb).returncode == 0
+        assert machine.installed() == installed, verb
+
+
+def test_new_requirements_are_installed_for_either(machine: Machine) -> None:
+    machine.has("glslangValidator")
+    machine.has_environment()
+    machine.dev("setup")
+    machine.installed()
+    with (machine.root / "pyproject.toml").open("a") as file:
+        file.write("# changed\n")
+    for verb, installed in (("demo", ["."]), ("setup", [".[dev]"]), ("demo", [])):
+        assert machine.dev(verb).returncode == 0
+        assert machine.installed() == installed, verb
+
+
+@pytest.mark.parametrize(("verb", "wanted"), [("demo", "."), ("setup", ".[dev]")])
+def test_where_pip_fails_the_next_run_tries_again(machine: Machine, verb: str, wanted: str) -> None:
+    machine.has("glslangValidator")
+    machine.has_environment('case "$*" in *install*) echo no network >&2; exit 1 ;; esac')
+    for _ in range(2):
+        done = machine.dev(verb)
+        assert done.returncode == 3
+        assert "no network" in done.stderr
+        assert "pip could not install" in done.stderr
+        assert machine.installed() == [wanted]
+        assert not machine.calls("shadercache")
+    machine.has_environment()
+    assert machine.dev(verb).returncode == 0
+    assert machine.installed() == [wanted]
+
+
+def test_when_the_rest_cannot_be_installed_the_demo_still_runs(machine: Machine) -> None:
+    machine.has("glslangValidator")
+    machine.has_environment()
+    machine.dev("demo")
+    machine.has_environment('case "$*" in *install*) exit 1 ;; esac')
+    assert machine.dev("setup").returncode == 3
+    machine.installed()
+    assert machine.dev("demo").returncode == 0
+    assert machine.installed() == []
+
+
+def test_a_half_made_environment_is_made_anew(machine: Machine) -> None:
+    machine.has("glslangValidator")
+    machine.has_environment("exit 1")  # no pip: it was interrupted
+    (machine.root / ".venv" / "rest").touch()
+    make = f"""case "$*" in
+    "-m venv "*) /bin/mkdir -p "$3/bin"; ln -s /bin/true "$3/bin/python" ;;
+    *) exec "{sys.executable}" "$@" ;;
+    esac"""
+    machine.has("python3", make)
+    done = machine.dev("setup")
+    assert done.returncode == 0, done.stderr
+    assert "making .venv" in done.stderr
+    assert not (machine.root / ".venv" / "rest").exists()
 
 
 @pytest.mark.parametrize("verb", ["", "help", "--help"])
