@@ -1,15 +1,27 @@
-"""``shadercache demo``: the main job on both corpus scenes, with pictures and a table."""
+"""``shadercache demo``: the main job on both corpus scenes, with pictures and a table.
+
+It measures the costliest value of each scene, and ends as soon as the ratios are known well enough.
+``--full`` measures three values for all frames and prints every column.
+"""
 
 from __future__ import annotations
 
-import sys
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from shadercache.cli.io import folder
-from shadercache.cli.measuring import parse_size, result_table, step_progress, summary
+from shadercache.cli.measuring import (
+    HEADER,
+    SHORT_HEADER,
+    parse_size,
+    result_table,
+    step_progress,
+    summary,
+)
 from shadercache.cli.scenes import choose_nodes, find_scene
 from shadercache.cli.write_pictures import write_pictures
 from shadercache.diagnostics import input_error
@@ -17,16 +29,22 @@ from shadercache.options import CacheFormat, Options
 
 if TYPE_CHECKING:
     from shadercache.gpu.context import Gpu
-    from shadercache.measure.measurement import Measurement, NodeResult, Shot
+    from shadercache.measure.measurement import Measurement, MeasureOptions, NodeResult, Shot
     from shadercache.report.contact_sheet import SheetRow
-    from shadercache.scene.description import Scene
+    from shadercache.scene.description import Demo, Scene
+    from shadercache.scene.mesh import Mesh
 
 SCENES = ("dragon", "trashcan")
+HALF_WIDTH, SECONDS = 0.03, 30.0
+"""The short demo ends a scene when its ratios are known to 3 %, or after so long."""
 
 
 def command(
+    full: Annotated[
+        bool, typer.Option("--full", help="Three values of each scene, all frames, every column.")
+    ] = False,
     size: Annotated[str, typer.Option(metavar="W[xH]", help="Picture size.")] = "1024",
-    frames: Annotated[int, typer.Option(min=2, help="Frames of each run.")] = 64,
+    frames: Annotated[int, typer.Option(min=2, help="Frames of each run, at most.")] = 64,
     cache_format: Annotated[
         CacheFormat, typer.Option("--format", help="Texel format of the cache.")
     ] = "rgba16f",
@@ -38,70 +56,81 @@ def command(
         typer.Option("-o", "--output", metavar="DIR", parser=folder, help="Folder for results."),
     ] = Path("out/demo"),
 ) -> None:
-    """Rewrite both scenes' shaders at three nodes each, run every variant beside the original.
+    """Rewrite both scenes' shaders, run every variant beside the original, print the table.
 
-    Prints the table and writes, for each scene, the pictures, a contact sheet and the raw numbers.
+    Writes, for each scene, a contact sheet and the raw numbers; with --full all pictures as well.
     """
     from shadercache.gpu.context import open_context
     from shadercache.measure.result_files import environment, to_json, write_json
     from shadercache.scene.description import load_scene
+    from shadercache.scene.mesh import load_mesh
 
     extent = parse_size(size)
+    dragon = load_mesh(mesh) if mesh else None
     with open_context() as gpu:
         for name in SCENES:
             scene = load_scene(find_scene(name))
-            found = _measure(
-                gpu, scene, extent, frames, cache_format, mesh if name == "dragon" else None
-            )
-            print(f"{scene.title}\n{summary(found)}; cache {cache_format}\n")
-            print(result_table(found, lambda node: node.label) + "\n", flush=True)
+            if scene.demo is None:
+                raise input_error("SC508", f"{scene.path} has no [demo]")
+            how = _options(extent, frames, scene.demo, full)
+            labels = scene.demo.nodes if full else scene.demo.nodes[-1:]
+            replaced = dragon if name == "dragon" else None
+            found = _measure(gpu, scene, labels, Options(cache_format=cache_format), how, replaced)
             write_json(out / f"{name}.json", to_json(found, environment(gpu)))
-            _write_pictures(out, scene, found)
-            print(f"pictures and {out / name}.png written", file=sys.stderr)
+            _write_pictures(out, scene, found, full)
+            print(f"{scene.title}\nthe picture: {out / name}.png")
+            print(f"{summary(found)}\ncache {cache_format}; {_precision(found)}\n")
+            columns = HEADER if full else SHORT_HEADER
+            print(result_table(found, lambda node: node.label, columns) + "\n", flush=True)
+
+
+def _options(extent: tuple[int, int], frames: int, demo: Demo, full: bool) -> MeasureOptions:
+    from shadercache.measure.measurement import MeasureOptions
+    from shadercache.measure.stopping import StopRule
+
+    how = MeasureOptions(extent, frames, period=demo.period, block=demo.block, curves=0)
+    if full:
+        return replace(how, picture_frame=frames - 1)
+    stop = StopRule(HALF_WIDTH, SECONDS)
+    return replace(how, picture_frame=how.first_compared, stop=stop)
 
 
 def _measure(
     gpu: Gpu,
     scene: Scene,
-    extent: tuple[int, int],
-    frames: int,
-    cache_format: CacheFormat,
-    mesh: Path | None,
+    labels: Sequence[str],
+    options: Options,
+    how: MeasureOptions,
+    mesh: Mesh | None,
 ) -> Measurement:
     from shadercache.linking.scene_shaders import analyse_scene
     from shadercache.measure.entries import make_entry
     from shadercache.measure.measure import measure
-    from shadercache.measure.measurement import MeasureOptions
-    from shadercache.scene.mesh import load_mesh
 
-    demo = scene.demo
-    if demo is None:
-        raise input_error("SC508", f"{scene.path} has no [demo]")
     scene, analysis = analyse_scene(scene)
-    options = Options(cache_format=cache_format)
     entries = [
         make_entry(analysis, label, node, options)
-        for label, node in choose_nodes(scene, analysis, demo.nodes)
+        for label, node in choose_nodes(scene, analysis, labels)
     ]
-    how = MeasureOptions(
-        extent,
-        frames,
-        period=demo.period,
-        block=demo.block,
-        picture_frame=frames - 1,
-        curves=0,
-    )
     with step_progress(f"measuring {scene.name}") as tell:
-        return measure(gpu, scene, entries, how, tell, load_mesh(mesh) if mesh else None)
+        return measure(gpu, scene, entries, how, tell, mesh)
 
 
-def _write_pictures(out: Path, scene: Scene, found: Measurement) -> None:
-    """All pictures of all variants, and a sheet with the fastest variant of each node."""
+def _precision(found: Measurement) -> str:
+    from shadercache.measure.stopping import widest
+
+    ratios = (variant.speedup for node in found.nodes for variant in node.variants)
+    return f"every ratio to within {widest(ratios):.1%} (95 % interval)"
+
+
+def _write_pictures(out: Path, scene: Scene, found: Measurement, full: bool) -> None:
+    """A sheet with the fastest variant of each node; if ``full`` all pictures of all variants."""
     from shadercache.report.contact_sheet import contact_sheet
     from shadercache.report.images import write_png
 
-    for shot in found.shots:
-        write_pictures(out / scene.name, shot, ["all"])
+    if full:
+        for shot in found.shots:
+            write_pictures(out / scene.name, shot, ["all"])
     shots = {(shot.label, shot.algorithm): shot for shot in found.shots}
     rows = [_sheet_row(node, shots) for node in found.nodes]
     write_png(out / f"{scene.name}.png", contact_sheet(scene.title, rows))

@@ -39,6 +39,8 @@ HEADER = (
     "eff.",
 )
 RIGHT = "P/T ratio hits RMSE eff."
+SHORT_HEADER = ("node", "P/T", "variant", "time ms", "ratio", "interval", "hits", "RMSE", "PSNR dB")
+"""The columns that a first look needs."""
 
 
 def parse_size(text: str) -> tuple[int, int]:
@@ -95,7 +97,11 @@ def step_progress(label: str) -> Iterator[Callable[[int, int, str], None]]:
         yield tell
 
 
-def result_table(measurement: Measurement, label: Callable[[NodeResult], str]) -> str:
+def result_table(
+    measurement: Measurement,
+    label: Callable[[NodeResult], str],
+    columns: Sequence[str] = HEADER,
+) -> str:
     """All variants of all nodes, nodes in ascending P/T, as text."""
     nodes = sorted(measurement.nodes, key=lambda node: node.ratio or 0.0)
     rows = [
@@ -103,7 +109,8 @@ def result_table(measurement: Measurement, label: Callable[[NodeResult], str]) -
         for node in nodes
         for first, variant in _marked(node.variants)
     ]
-    return format_table(HEADER, rows, right=RIGHT)
+    chosen = [HEADER.index(name) for name in columns]
+    return format_table(columns, [tuple(row[at] for at in chosen) for row in rows], right=RIGHT)
 
 
 def summary(measurement: Measurement) -> str:
@@ -125,9 +132,9 @@ def summary(measurement: Measurement) -> str:
     lines += [_worth(gain) for gain in measurement.gains]
     options = measurement.options
     lines.append(
-        f"{options.size[0]}x{options.size[1]}, {options.frames} frames, period {options.period}, "
-        f"block {options.block}; errors over covered pixels of frames "
-        f"{options.first_compared + 1}-{options.frames}; clock: {measurement.clock}"
+        f"{options.size[0]}x{options.size[1]}, {measurement.frames} frames, "
+        f"period {options.period}, block {options.block}; errors over covered pixels of frames "
+        f"{options.first_compared + 1}-{measurement.frames}; clock: {measurement.clock}"
     )
     lines += [f"note: {note}" for note in measurement.notes]
     return "\n".join(lines)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
+from time import monotonic
 
 import numpy as np
 
@@ -19,6 +20,7 @@ from shadercache.measure.hit_curves import outcome_curve, skipped_of
 from shadercache.measure.measurement import Entry, Group, Measurement, MeasureOptions, Shot
 from shadercache.measure.probe import Probe
 from shadercache.measure.statistics import timing
+from shadercache.measure.stopping import COMPARED
 from shadercache.measure.timed_runs import TimedOriginal, TimedParts, TimedVariant
 from shadercache.measure.worth_caching import weigh
 from shadercache.render.render_scene import RenderScene
@@ -137,10 +139,13 @@ class _GroupRun:
         for parts in self._parts:
             parts.warm_up(0, self._clock)
         tell(1, "timing")
+        begun = monotonic()
         with no_collection():
             for frame in range(self._options.frames):
                 self._draw(frame)
                 tell(frame + 2, "timing")
+                if self._may_stop(frame, monotonic() - begun):
+                    break
             for frame in self._few_frames:
                 for lane in self._lanes:
                     lane.time_reset(self._clock, frame, self._reference)
@@ -169,6 +174,12 @@ class _GroupRun:
                 parts.time_payload(self._clock, frame)
             if probed:
                 parts.probe(self._clock, frame)
+
+    def _may_stop(self, frame: int, elapsed: float) -> bool:
+        stop = self._options.stop
+        if stop is None or frame + 1 < self._options.first_compared + COMPARED:
+            return False
+        return stop.is_met(elapsed, (lane.speedup(self._reference) for lane in self._lanes))
 
     def _shot(self, lane: TimedVariant) -> Shot:
         probe = Probe(

@@ -11,6 +11,7 @@ import numpy as np
 from shadercache.measure.image_error import ErrorStats, Pixels
 from shadercache.measure.probe import Probe
 from shadercache.measure.statistics import Ratio, Timing
+from shadercache.measure.stopping import StopRule
 from shadercache.render.bundle import Bundle
 
 
@@ -44,6 +45,7 @@ class MeasureOptions:
     ``picture_frame``: the frame whose pictures are kept; None keeps none.
     ``curves``: of at most so many nodes what becomes of the pixels is counted in every frame.
     ``weigh``: first find out which objects with shaders of their own are worth caching.
+    ``stop``: end before the last frame, but not before eight images have been compared.
     """
 
     size: tuple[int, int] = (1024, 1024)
@@ -58,6 +60,7 @@ class MeasureOptions:
     picture_frame: int | None = None
     curves: int = 8
     weigh: bool = True
+    stop: StopRule | None = None
 
     @property
     def first_compared(self) -> int:
@@ -228,6 +231,11 @@ class Measurement:
     shots: tuple[Shot, ...]
     notes: tuple[str, ...] = ()
     gains: tuple[CachingGain, ...] = ()
+
+    @property
+    def frames(self) -> int:
+        """How many frames were drawn, the reset frame included."""
+        return 1 + max(len(group.original.samples) for group in self.groups)
 
     @cached_property
     def nodes(self) -> tuple[NodeResult, ...]:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from shadercache.gpu.clock import Clock
 from shadercache.measure.image_error import ErrorSum, Pixels
 from shadercache.measure.measurement import Curve, Entry, MeasureOptions, NodeResult, VariantResult
-from shadercache.measure.statistics import Timing, paired_ratio, timing
+from shadercache.measure.statistics import Ratio, Timing, paired_ratio, timing
 from shadercache.render.render_scene import RenderScene
 from shadercache.render.variant_runner import (
     NEVER,
@@ -152,12 +152,18 @@ class TimedVariant:
         pixels = self.runner.world.targets.pixels()
         self._frame_rmse.append(self._error.add(reference.pixels, pixels, reference.covered))
 
+    def speedup(self, reference: TimedOriginal) -> Ratio:
+        """The original's time over this variant's, without the reset frame."""
+        frames = [frame for frame in self.times if frame > 0]
+        original = [reference.original[frame] for frame in frames]
+        return paired_ratio(original, [self.times[frame] for frame in frames])
+
     def result(self, reference: TimedOriginal, hit: dict[int, float]) -> VariantResult:
         """What was measured; ``hit`` are the seconds of the hit part at the probed frames."""
         frames = [frame for frame in self.times if frame > 0]
         original = [reference.original[frame] for frame in frames]
         times = [self.times[frame] for frame in frames]
-        speedup = paired_ratio(original, times)
+        speedup = self.speedup(reference)
         floor = self._floor(reference, hit)
         return VariantResult(
             algorithm=self.runner.algorithm,
