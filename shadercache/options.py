@@ -11,9 +11,9 @@ from shadercache.diagnostics import usage_error
 Mode: TypeAlias = Literal["plain", "proof"]
 CacheFormat: TypeAlias = Literal["rgba16f", "rgba32f"]
 
-FetchForm: TypeAlias = Literal["whole", "level", "gradient"]
+FetchForm: TypeAlias = Literal["whole", "level"]
 """What one pass does ahead of its branch of a payload's texture fetch with implicit level of
-detail: all of it, its level of detail, or the gradients of its coordinates."""
+detail: all of it, or its level of detail."""
 
 MappingKind: TypeAlias = Literal["surface", "screen", "user"]
 """Where a fragment finds what the previous frame stored: where its point of the surface was then,
@@ -97,8 +97,8 @@ class Options:
     ``mode``: ``plain`` is what is shipped, ``proof`` forbids the driver to rearrange arithmetic.
     ``cache_format``: the texture format of the cache. ``epsilon``: the hit test's accepted
     difference of depths, relative to the depth. ``fetches``: what one pass does ahead of its branch
-    of a payload's texture fetches; ``level`` needs GLSL 4.00 and isotropic filtering, ``gradient``
-    is not exact. ``cache``: how payloads are looked up, stored and refreshed.
+    of a payload's texture fetches; ``level`` needs GLSL 4.00 and isotropic filtering. ``cache``:
+    how payloads are looked up, stored and refreshed.
     """
 
     mode: Mode = "plain"

@@ -47,7 +47,7 @@ FetchesOption: TypeAlias = Annotated[
     FetchForm,
     typer.Option(
         help="What one pass does ahead of its branch of the payload's texture fetches: all of it; "
-        "its level (needs isotropic filtering, GLSL 4.00); its gradients (not exact)."
+        "its level (needs isotropic filtering, GLSL 4.00)."
     ),
 ]
 CacheOption: TypeAlias = Annotated[

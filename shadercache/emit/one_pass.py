@@ -15,7 +15,7 @@ from shadercache.emit.builder import PassBuilder
 from shadercache.emit.keep_globals import call_keeping
 from shadercache.options import FetchForm
 from shadercache.sema.facts import Symbol
-from shadercache.transform.hoist_fetches import variables_of
+from shadercache.transform.hoist_fetches import type_ahead
 from shadercache.transform.reachable import names_in
 from shadercache.transform.rename import rename
 from shadercache.transform.specialise import Clones, Cut
@@ -54,7 +54,7 @@ def _made(builder: PassBuilder, kept: tuple[Symbol, ...]) -> Shader:
     if kept:
         extra.append(keep(builder.own("compute"), [builder.own(compute)]))
     clones.append(builder.shaded("use", names))
-    extra += [item for fetch in builder.fetches for item in _fetched(builder, *fetch)]
+    extra += [_fetched(builder, *fetch) for fetch in builder.fetches]
     made = builder.finish("passes/one", clones, extra, both=True)
     return (
         _at_least(made, _QUERIES) if any(form == "level" for *_, form in builder.fetches) else made
@@ -134,12 +134,11 @@ def _unfit_ahead(builder: PassBuilder) -> str | None:
     return None
 
 
-def _fetched(builder: PassBuilder, use: SharedUse, name: str, form: FetchForm) -> list[n.VarDecl]:
-    """The variables that hold what was done ahead, as precise as the fetch."""
-    fetch, types = use.place.expr, builder.program.facts.types
-    precision = builder.precisions.of(fetch)
-    made = variables_of(fetch, form, name, types)
-    return [variable(kind, item, precision) for item, kind in made.items()]
+def _fetched(builder: PassBuilder, use: SharedUse, name: str, form: FetchForm) -> n.VarDecl:
+    """The variable that holds what was done ahead, as precise as the fetch."""
+    fetch = use.place.expr
+    kind = type_ahead(fetch, form, builder.program.facts.types)
+    return variable(kind, name, builder.precisions.of(fetch))
 
 
 def _highp(builder: PassBuilder) -> str | None:

@@ -296,8 +296,7 @@ class _Body:
         given = self.given.get(cut.expr)
         if given is not None:  # a fetch that was made ahead, in whole or in part
             value = left_over(value, given.form, given.variable)
-        ahead = done_ahead(value, cut.form, cut.variable)
-        return [_assign(name, part) for name, part in ahead.items()]
+        return [_assign(cut.variable, done_ahead(value, cut.form))]
 
     def _unless_reused(self, *stmts: n.Stmt) -> n.Stmt:
         reuse = n.Name(NOWHERE, self.prefix + "reuse")

@@ -175,9 +175,8 @@ class Verifier:
     ) -> None:
         """Render the originals. Raises as ``RenderScene`` and ``BoundPass``.
 
-        ``fetches``: as in :class:`Options`; proof mode takes none that are not exact: gradients,
-        and levels where the driver tells others than it fetches at. ``cache``: how variants look
-        up, store and refresh.
+        ``fetches``: as in :class:`Options`; proof mode takes whole ones where the driver tells
+        other levels than it fetches at. ``cache``: how variants look up, store and refresh.
         """
         self.analysis, self.fetches, self.cache = analysis, fetches, cache
         self.world = RenderScene(
