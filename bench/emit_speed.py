@@ -30,11 +30,11 @@ from typing import Any
 
 from bench.nodes_speed import listing, listing_table, listing_targets
 from shadercache.ast.large import allow_deep_trees
+from shadercache.caching.configuration import Configuration, Mode, by_every_algorithm
 from shadercache.cli.tables import format_table
 from shadercache.compiler import Analysis, analyse, rewrite
 from shadercache.gpu.context import open_context
 from shadercache.measure.result_files import environment, machine_name, write_json
-from shadercache.options import Mode, Options
 from shadercache.source import Source
 
 HERE = Path(__file__).resolve().parent
@@ -94,11 +94,10 @@ def emission(nodes: int, rounds: int) -> list[Sample]:
 def _emit(analysis: Analysis, mode: Mode, count: int) -> list[float]:
     offered = [node for node in analysis.nodes if node.offered]
     chosen = offered[:: max(1, len(offered) // count)][:count]
-    options = Options(mode)
     times = []
     for node in chosen:
         begin = time.process_time()
-        made = rewrite(analysis, node, options)
+        made = rewrite(analysis, by_every_algorithm(Configuration((node.id,), mode=mode)))
         times.append((time.process_time() - begin) * 2 / len(made.files))
     return times
 

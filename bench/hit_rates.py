@@ -10,15 +10,15 @@ import argparse
 from dataclasses import dataclass
 from pathlib import Path
 
-from shadercache.cli.scenes import cache_options
+from shadercache.caching.configuration import Configuration, Refresh
+from shadercache.cli.scenes import configured
 from shadercache.files import write_bytes
 from shadercache.gpu.context import open_context
-from shadercache.linking.object_programs import ObjectPrograms
+from shadercache.linking.linker import Linker
 from shadercache.linking.scene_shaders import open_scene
-from shadercache.measure.entries import make_entry
-from shadercache.measure.hit_curves import outcome_curve
-from shadercache.measure.measurement import Curve, MeasureOptions
-from shadercache.options import Options
+from shadercache.measure.hit_curves import outcome_curves
+from shadercache.measure.measurement import Curve
+from shadercache.measure.subjects import subjects_of
 from shadercache.paths import data_path
 from shadercache.render.render_scene import RenderScene
 from shadercache.report.plots import plot_curves
@@ -41,16 +41,14 @@ def curves_of(name: str, asked: Asked) -> dict[str, Curve]:
     scene, analysis = open_scene(data_path("corpus", name, "scene.toml"))
     (node,) = scene.nodes.values()
     frames = min(scene.motion.frames, asked.frames or scene.motion.frames)
-    how = MeasureOptions((asked.size, asked.size), frames, period=asked.period)
+    linker = Linker(scene, analysis)
     found: dict[str, Curve] = {}
-    programs = ObjectPrograms()
-    with open_context() as gpu, RenderScene(gpu, scene, how.size, programs=programs) as world:
+    size = (asked.size, asked.size)
+    with open_context() as gpu, RenderScene(gpu, linker.scene, size) as world:
         for choice in CHOICES:
-            options = Options(cache=cache_options(scene, [choice]))
-            entry = make_entry(analysis, choice, analysis.node(node), options, (2,))
-            curve = outcome_curve(world, entry, how)
-            assert curve is not None
-            found[choice] = curve
+            base = Configuration((node,), refresh=Refresh(period=asked.period))
+            chosen = configured(scene, base, [choice])
+            [found[choice]] = outcome_curves(world, subjects_of(linker, choice, [chosen]), frames)
     return found
 
 
@@ -66,9 +64,7 @@ def main() -> None:
     for name in SCENES:
         curves = curves_of(name, asked)
         title = f"{name}, {asked.size} x {asked.size}"
-        write_bytes(
-            given.output / f"{name}-{asked.size}.png", plot_curves(title, curves, asked.period)
-        )
+        write_bytes(given.output / f"{name}-{asked.size}.png", plot_curves(title, curves))
         for choice, curve in curves.items():
             worst = min(curve.hit[1:])
             print(

@@ -1,27 +1,37 @@
 """What leaving out idle passes saves: a scene at rest, nothing refreshed on purpose.
 
-``python -m bench.idle [--scene dragon] [--size 512]``: two runs of each algorithm take turns, and
-one of them draws all of its passes.
+``python -m bench.idle [--scene dragon] [--size 512]``: each algorithm is drawn twice in turns, and
+once with all of its passes.
 """
 
 from __future__ import annotations
 
 import argparse
 from dataclasses import replace
-from functools import partial
 
-from shadercache.gpu.clock import no_collection, pick_clock
+from shadercache.caching.configuration import Configuration, Refresh, by_every_algorithm
 from shadercache.gpu.context import open_context
+from shadercache.linking.linker import Linker
 from shadercache.linking.scene_shaders import open_scene
-from shadercache.measure.entries import make_entry
+from shadercache.measure.measure import measure
+from shadercache.measure.measurement import MeasureOptions
 from shadercache.measure.statistics import paired_ratio
-from shadercache.options import Options, read_cache_options
+from shadercache.measure.subjects import Subject, VariantSubject, subjects_of
 from shadercache.paths import data_path
 from shadercache.render.empty_passes import EmptyPasses
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import RunOptions, VariantRunner
 
-FRAMES, SETTLED = 28, 4
+SETTLED = 4
+"""The first frames, in which all passes are drawn."""
+
+
+class Busy(VariantSubject):
+    """A variant that leaves nothing out."""
+
+    def prepare(self, world: RenderScene) -> None:
+        """As if something might always be due."""
+        super().prepare(world)
+        self.runner._idle = EmptyPasses(Refresh(), world.sample_counter)
 
 
 def main() -> None:
@@ -32,25 +42,22 @@ def main() -> None:
     parser.add_argument("--size", type=int, default=512)
     given = parser.parse_args()
     scene, analysis = open_scene(data_path("corpus", given.scene, "scene.toml"))
-    options = Options(cache=read_cache_options(["refresh=none"]))
-    entry = make_entry(analysis, given.node, analysis.node(scene.nodes[given.node]), options)
     still = replace(scene, motion=replace(scene.motion, degrees_per_frame=0.0))
+    linker = Linker(still, analysis)
+    chosen = Configuration((scene.nodes[given.node],), refresh=Refresh("none"))
+    subjects: list[Subject] = []
+    for idle in subjects_of(linker, given.node, by_every_algorithm(chosen)):
+        busy = Busy(f"{given.node}, all passes", idle.configuration, idle.objects)
+        subjects += [idle, busy]
+    subjects.sort(key=lambda subject: subject.label)
     with open_context() as gpu, RenderScene(gpu, still, (given.size, given.size)) as world:
-        clock = pick_clock(gpu)
-        for algorithm in entry.chosen:
-            run = RunOptions(moving=False)
-            with (
-                VariantRunner(world, entry.bundle, algorithm, run) as idle,
-                VariantRunner(world, entry.bundle, algorithm, run) as busy,
-            ):
-                busy._idle = EmptyPasses({}, world.sample_counter)  # one that leaves nothing out
-                times: tuple[list[float], list[float]] = ([], [])
-                with no_collection():
-                    for frame in range(FRAMES):
-                        for runner, kept in zip((busy, idle), times, strict=True):
-                            kept.append(clock.time(partial(runner.draw, frame)))
-                ratio = paired_ratio(times[0][SETTLED:], times[1][SETTLED:])
-                print(f"{algorithm}: {ratio.median:.2f}x [{ratio.low:.2f}-{ratio.high:.2f}]")
+        found = measure(world, linker.originals(), subjects, MeasureOptions(28, curves=0))
+    rested, drawn = (node.variants for node in found.nodes)
+    for idle_result, busy_result in zip(rested, drawn, strict=True):
+        slow, fast = (item.timing.samples[SETTLED:] for item in (busy_result, idle_result))
+        ratio = paired_ratio(slow, fast)
+        name = idle_result.configuration.algorithm
+        print(f"{name}: {ratio.median:.2f}x [{ratio.low:.2f}-{ratio.high:.2f}]")
 
 
 if __name__ == "__main__":

@@ -10,23 +10,22 @@ from __future__ import annotations
 
 import argparse
 from dataclasses import dataclass, replace
+from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
 
+from shadercache.caching.configuration import DEFAULT_EPSILON, Configuration, HitTest, Refresh
+from shadercache.caching.settings import with_settings
 from shadercache.gpu.context import Gpu, open_context
+from shadercache.linking.linker import Linker
 from shadercache.linking.scene_shaders import open_scene
-from shadercache.measure.entries import make_entry
-from shadercache.options import DEFAULT_EPSILON, Options, read_cache_options
+from shadercache.measure.measure import measure
+from shadercache.measure.measurement import MeasureOptions
+from shadercache.measure.subjects import VariantSubject
 from shadercache.paths import data_path
-from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import (
-    CoverageRunner,
-    OriginalRunner,
-    RunOptions,
-    VariantRunner,
-)
+from shadercache.render.variant_runner import CoverageRunner, render_original
 from shadercache.scene.description import Scene
 from shadercache.scene.graphics_state import GraphicsState
 
@@ -58,39 +57,48 @@ def fine(image: Image) -> Image:
     return found
 
 
-def run(
-    gpu: Gpu, scene: Scene, bundle: Bundle, size: int, engine: GraphicsState, period: int
-) -> Found:
+class Watched(VariantSubject):
+    """A variant whose images are kept from a frame on."""
+
+    def watch(self, start: int) -> Self:
+        """Keep images from then on."""
+        self.start, self.images = start, list[Image]()
+        return self
+
+    def draw(self, frame: int) -> None:
+        """Draw a frame, and keep it if it counts."""
+        super().draw(frame)
+        if frame >= self.start:
+            self.images.append(self.runner.world.targets.image()[..., :3].astype(np.float64))
+
+
+def run(gpu: Gpu, linker: Linker, configuration: Configuration, scene: Scene, size: int) -> Found:
     """Draw until the age of payloads has settled, then over all places of the jitter."""
-    frames = range(2 * period, 2 * period + PLACES)
-    hits: list[float] = []
-    pairs: list[tuple[Image, Image]] = []
-    with (
-        RenderScene(gpu, replace(scene, engine=engine), (size, size), "rgba32f") as world,
-        OriginalRunner(world, bundle) as original,
-        CoverageRunner(world, bundle) as cover,
-        VariantRunner(world, bundle, "2-pass", RunOptions(period)) as runner,
-    ):
-        covered = cover.coverage(0)
-        for frame in range(frames.stop):
-            if frame in frames:
-                mask = runner.hit_mask(frame)
-                hits.append(float((mask == bundle.mask_values["hit"]).sum() / (mask > 0).sum()))
-                covered &= cover.coverage(frame)
-                image = original.image(frame)[..., :3].astype(np.float64)
-                pairs.append((image, runner.image(frame)[..., :3].astype(np.float64)))
-            else:
-                runner.draw(frame)
+    start = 2 * configuration.refresh.period
+    frames = range(start, start + PLACES)
+    objects = linker.link(linker.assign(configuration))
+    subject = Watched("cached", configuration, objects).watch(start)
+    how = MeasureOptions(frames.stop)
+    with RenderScene(gpu, scene, (size, size), "rgba32f") as world:
+        with CoverageRunner(world, *linker.originals()) as cover:
+            covered = np.logical_and.reduce([cover.coverage(frame) for frame in (0, *frames)])
+        truth = [
+            image[..., :3].astype(np.float64)
+            for image in render_original(world, linker.originals(), frames)
+        ]
+        [node] = measure(world, linker.originals(), [subject], how).nodes
+    images = subject.images
     inner = covered[1:-1, 1:-1]
-    detail = [[float((fine(image)[inner] ** 2).sum()) for image in pair] for pair in pairs]
-    whole, kept = np.sum(detail, axis=0)
-    apart = [np.mean((a[covered] - b[covered]) ** 2) for a, b in pairs]
-    means = [np.mean([pair[side][covered] for pair in pairs], axis=0) for side in (0, 1)]
+    whole, kept = (
+        sum(float((fine(image)[inner] ** 2).sum()) for image in of) for of in (truth, images)
+    )
+    apart = [one - other for one, other in zip(truth, images, strict=True)]
+    means = [np.mean([image[covered] for image in of], axis=0) for of in (truth, images)]
     return Found(
-        hits=float(np.mean(hits)),
-        rmse=float(np.sqrt(np.mean(apart))),
+        hits=float(np.mean(node.curves[0].hit[start:])),
+        rmse=float(np.sqrt(np.mean([np.mean(off[covered] ** 2) for off in apart]))),
         rmse_of_mean=float(np.sqrt(np.mean((means[0] - means[1]) ** 2))),
-        blur=float(1.0 - kept / whole),
+        blur=1.0 - kept / whole,
     )
 
 
@@ -105,14 +113,19 @@ def main() -> None:
     parser.add_argument("--cache", action="append", default=[])
     given = parser.parse_args()
     scene, analysis = open_scene(data_path("corpus", given.scene, "scene.toml"))
-    node = analysis.node(scene.nodes[given.node])
-    options = Options(epsilon=given.epsilon, cache=read_cache_options(given.cache))
-    bundle = make_entry(analysis, given.node, node, options).bundle
+    linker = Linker(scene, analysis)
+    chosen = Configuration(
+        (scene.nodes[given.node],),
+        refresh=Refresh(period=given.period),
+        hit_test=HitTest(epsilon=given.epsilon),
+    )
+    chosen = with_settings(chosen, given.cache)
     still = replace(scene, motion=replace(scene.motion, degrees_per_frame=0.0))
     with open_context() as gpu:
         for way, made in (("at rest", still), ("1 degree", scene)):
             for name, engine in CASES.items():
-                found = run(gpu, made, bundle, given.size, engine, given.period)
+                jittered = replace(made, engine=engine)
+                found = run(gpu, linker, chosen, jittered, given.size)
                 print(
                     f"{way}, {name}: hits {found.hits:.1%}, RMSE {found.rmse:.4f}, "
                     f"of the mean {found.rmse_of_mean:.4f}, blur {found.blur:.1%}",

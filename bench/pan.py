@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from shadercache.compiler import rewrite
+from shadercache.caching.configuration import Configuration
 from shadercache.gpu.context import Gpu
+from shadercache.linking.linker import Linker
 from shadercache.linking.scene_shaders import open_scene
-from shadercache.options import CacheOptions, Options
-from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import RunOptions, VariantRunner
+from shadercache.render.variant_runner import VariantRunner
 
 SHADER = Path(__file__).parent / "shaders" / "pan.frag"
 NODE = "vec3(u_frame, gl_FragCoord.xy) * 1.0"
@@ -40,27 +38,27 @@ class Ages:
 def pan(
     gpu: Gpu,
     velocity: tuple[float, float],
-    cache: CacheOptions,
-    how: RunOptions,
+    configuration: Configuration,
     size: tuple[int, int] = (128, 128),
+    moving: bool = True,
 ) -> Iterator[VariantRunner]:
     """The picture, with a runner of its two-pass variant in RGBA32F."""
     scene, analysis = open_scene(SHADER, mapping="user")
-    scene = dataclasses.replace(scene, constants={**scene.constants, "u_velocity": velocity})
+    scene = replace(scene, constants={**scene.constants, "u_velocity": velocity})
     node = next(node for node in analysis.nodes if node.text == NODE)
-    options = Options(cache_format="rgba32f", cache=cache)
-    found = rewrite(analysis, node, options, (2,), unprofitable=True)
-    bundle = Bundle(found.manifest, found.files)
+    storage = replace(configuration.storage, format="rgba32f")
+    linker = Linker(scene, analysis)
+    chosen = replace(configuration, nodes=(node.id,), storage=storage)
     with (
         RenderScene(gpu, scene, size, "rgba32f") as world,
-        VariantRunner(world, bundle, "2-pass", how) as runner,
+        VariantRunner(world, *linker.link(linker.assign(chosen)), moving=moving) as runner,
     ):
         yield runner
 
 
 def ages(runner: VariantRunner, frames: int, warm: int | None = None) -> Ages:
     """Run for so many frames; those after ``warm`` (else three periods) count."""
-    period = runner.options.period
+    period = runner.configuration.refresh.period
     start = 3 * period if warm is None else warm
     values = runner.bundle.mask_values
     on_purpose = [values[name] for name in ("refresh", "old") if name in values]

@@ -7,23 +7,22 @@ cost and save on corpus scenes. ``docs/NUMERICS.md`` has them with what follows.
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable, Iterator, Sequence
-from functools import partial
-from time import process_time
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from bench.pan import ages, pan
+from shadercache.caching.configuration import Configuration, Refresh, RefreshSchedule
 from shadercache.cli.tables import format_table
-from shadercache.compiler import rewrite
-from shadercache.gpu.clock import no_collection
 from shadercache.gpu.context import Gpu, open_context
+from shadercache.linking.linker import Linker
 from shadercache.linking.scene_shaders import analyse_scene
-from shadercache.options import CacheOptions, Options, RefreshSchedule
+from shadercache.measure.measure import measure
+from shadercache.measure.measurement import MeasureOptions, NodeResult
+from shadercache.measure.statistics import paired_ratio
+from shadercache.measure.subjects import Subject, subjects_of
 from shadercache.paths import data_path
-from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import OriginalRunner, RunOptions, VariantRunner
 from shadercache.scene.description import load_scene
 
 SCHEDULES: tuple[RefreshSchedule, ...] = ("stratified", "random", "tiled", "surface", "none")
@@ -42,8 +41,8 @@ def evenness(gpu: Gpu) -> Iterator[tuple[str, ...]]:
         for size in SIZES:
             shares = []
             for period in PERIODS:
-                how = RunOptions(period=period)
-                with pan(gpu, (0.0, 0.0), CacheOptions(refresh=schedule), how, size) as runner:
+                chosen = Configuration(refresh=Refresh(schedule, period))
+                with pan(gpu, (0.0, 0.0), chosen, size) as runner:
                     due = runner.bundle.mask_values["refresh"]
                     runner.draw(0)
                     counts = [
@@ -58,10 +57,10 @@ def growing_old(gpu: Gpu, period: int, frames: int) -> Iterator[tuple[str, ...]]
     """Mean and greatest age, and what is refreshed, at each velocity and over all."""
     for guarded in (False, True):
         for schedule in (*ON_SCREEN, *(("none",) if guarded else ())):
-            cache = CacheOptions(refresh=schedule, age=guarded)
+            chosen = Configuration(refresh=Refresh(schedule, period, age=guarded))
             rows = []
             for velocity in VELOCITIES:
-                with pan(gpu, velocity, cache, RunOptions(period=period), (192, 192)) as runner:
+                with pan(gpu, velocity, chosen, (192, 192)) as runner:
                     found = ages(runner, frames)
                 share = float(np.mean(found.refreshed)) * period / (1.0 - found.missed)
                 burst = max(found.refreshed) * period
@@ -79,70 +78,42 @@ def _row(schedule: str, guarded: bool, velocity: str, *values: float) -> tuple[s
 
 
 def on_scenes(gpu: Gpu, size: int, frames: int) -> Iterator[tuple[str, ...]]:
-    """Processor time against the random schedule's, what is refreshed, and the error, in turns."""
+    """Time against the random schedule's, what is refreshed, and the error, in turns."""
+    chosen = [Refresh(schedule) for schedule in SCHEDULES]
+    chosen += [Refresh(schedule, age=True) for schedule in ("stratified", "random", "none")]
     for name in ("dragon", "trashcan"):
         scene, analysis = analyse_scene(load_scene(data_path("corpus", name)))
         assert scene.demo is not None
         label = scene.demo.nodes[-1]
-        node = analysis.nodes_of(scene.nodes.get(label, label))
-        chosen = [CacheOptions(refresh=s) for s in SCHEDULES]
-        chosen += [CacheOptions(refresh=s, age=True) for s in ("stratified", "random", "none")]
-        with RenderScene(gpu, scene, (size, size)) as world:
-            bundles = []
-            for cache in chosen:
-                found = rewrite(analysis, node, Options(cache=cache), (2,), unprofitable=True)
-                bundles.append(Bundle(found.manifest, found.files))
-            runs = [VariantRunner(world, bundle, "2-pass", RunOptions(32)) for bundle in bundles]
-            with OriginalRunner(world, bundles[0]) as original:
-                table = _drawn(gpu, runs, original, frames)
-            for runner in runs:
-                runner.release()
-        for cache, row in zip(chosen, table, strict=True):
-            guard = "on" if cache.age else "off"
-            yield name, cache.refresh, guard, *row
+        node = scene.nodes.get(label, label)
+        linker = Linker(scene, analysis)
+        subjects: list[Subject] = []
+        for refresh in chosen:
+            configuration = Configuration(tuple(node.split("+")), refresh=refresh)
+            subjects += subjects_of(linker, _name(refresh), [configuration])
+        how = MeasureOptions(frames, frames // 2, probe_every=1, group=len(subjects), curves=0)
+        with RenderScene(gpu, linker.scene, (size, size)) as world:
+            found = measure(world, linker.originals(), subjects, how)
+        base = found.nodes[chosen.index(Refresh("random"))].variants[0].timing.samples
+        for refresh, result in zip(chosen, found.nodes, strict=True):
+            yield name, refresh.schedule, "on" if refresh.age else "off", *_told(result, base)
 
 
-def _drawn(
-    gpu: Gpu, runs: Sequence[VariantRunner], original: OriginalRunner, frames: int
-) -> list[tuple[str, ...]]:
-    times: list[list[float]] = [[] for _ in runs]
-    shares: list[list[float]] = [[] for _ in runs]
-    hits: list[list[float]] = [[] for _ in runs]
-    errors: list[list[float]] = [[] for _ in runs]
-    with no_collection():
-        for frame in range(frames):
-            image = original.image(frame)[..., :3].astype(np.float64)
-            covered = original.image(frame)[..., 3] > 0.0
-            for place, runner in enumerate(runs):
-                if frame >= frames // 2:
-                    mask = runner.hit_mask(frame)
-                    values = runner.bundle.mask_values
-                    due = [values[word] for word in ("refresh", "old") if word in values]
-                    shares[place].append(float(np.isin(mask[mask > 0], due).mean()))
-                    hits[place].append(float((mask[mask > 0] == values["hit"]).mean()))
-                times[place].append(_processor_time(gpu, partial(runner.draw, frame)))
-                off = runner.world.targets.image()[..., :3] - image
-                errors[place].append(float((off[covered] ** 2).mean()))
-    base = np.array(times[SCHEDULES.index("random")][2:])
-    return [
-        (
-            f"{np.median(np.array(times[i][2:]) / base):.3f}",
-            f"{np.mean(hits[i]):.4f}",
-            f"{32 * np.mean(shares[i]):.3f}",
-            f"{32 * max(shares[i]):.3f}",
-            f"{np.sqrt(np.mean(errors[i][frames // 2 :])):.4f}",
-        )
-        for i in range(len(runs))
-    ]
+def _name(refresh: Refresh) -> str:
+    return f"{refresh.schedule}, age {refresh.age}"
 
 
-def _processor_time(gpu: Gpu, draw: Callable[[], None]) -> float:
-    """Seconds of all cores: on a renderer that runs on them no other work disturbs that."""
-    gpu.ctx.finish()
-    start = process_time()
-    draw()
-    gpu.ctx.finish()
-    return process_time() - start
+def _told(result: NodeResult, base: Sequence[float]) -> tuple[str, ...]:
+    [variant] = result.variants
+    period = variant.configuration.refresh.period
+    share = variant.outcomes["refresh"] + variant.outcomes.get("old", 0.0)
+    return (
+        f"{1.0 / paired_ratio(base, variant.timing.samples).median:.3f}",
+        f"{variant.hit_rate:.4f}",
+        f"{period * share:.3f}",
+        f"{period * variant.burst:.3f}",
+        f"{variant.error.rmse:.4f}",
+    )
 
 
 def main() -> None:

@@ -10,20 +10,20 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from shadercache.caching.configuration import Configuration
     from shadercache.compiler import analyse, rewrite
     from shadercache.diagnostics import Diagnostic, DiagnosticError
     from shadercache.front.parse import parse
     from shadercache.measure.measure import measure
-    from shadercache.options import Options
     from shadercache.source import Source
     from shadercache.verify.parallel import verify_in_parallel as verify
 
 __version__ = "0.1.0"
 
 __all__ = [
+    "Configuration",
     "Diagnostic",
     "DiagnosticError",
-    "Options",
     "Source",
     "__version__",
     "analyse",
@@ -34,9 +34,9 @@ __all__ = [
 ]
 
 _HOME = {
+    "Configuration": "shadercache.caching.configuration:Configuration",
     "Diagnostic": "shadercache.diagnostics:Diagnostic",
     "DiagnosticError": "shadercache.diagnostics:DiagnosticError",
-    "Options": "shadercache.options:Options",
     "Source": "shadercache.source:Source",
     "analyse": "shadercache.compiler:analyse",
     "measure": "shadercache.measure.measure:measure",

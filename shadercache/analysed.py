@@ -15,6 +15,7 @@ from shadercache.analysis.candidates import (
 from shadercache.analysis.cost import CostTable
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.input_reads import input_kinds
+from shadercache.analysis.mapping import MappingKind
 from shadercache.analysis.payload_sets import check_needed, check_set, companion, note_on_overlap
 from shadercache.analysis.refusals import Code
 from shadercache.analysis.shared_work import OverlapTable, Parts
@@ -33,7 +34,6 @@ from shadercache.emit.vertex import VertexEmitter
 from shadercache.front.dialects import surrounded
 from shadercache.front.read_options import ReadOptions
 from shadercache.front.webgl import WEBGL, names_version
-from shadercache.options import MappingKind
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.infer import infer
 from shadercache.source import Source

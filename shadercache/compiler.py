@@ -43,6 +43,7 @@ from shadercache.analysis.candidates import (
     varyings,
 )
 from shadercache.analysis.effect_table import EffectTable
+from shadercache.analysis.mapping import MappingKind
 from shadercache.analysis.payload_sets import notes_on
 from shadercache.analysis.restrictions import check_depth, check_size, find_color
 from shadercache.analysis.screen_inputs import Marks, screen_marks
@@ -53,6 +54,7 @@ from shadercache.analysis.vertex_checks import POSITION, check_position, check_v
 from shadercache.ast import nodes as n
 from shadercache.ast.large import allow_deep_trees
 from shadercache.ast.walk import walk
+from shadercache.caching.configuration import Configuration, Mode
 from shadercache.diagnostics import Diagnostic, InputError, input_error
 from shadercache.emit import program_set
 from shadercache.emit.builder import FragmentProgram
@@ -62,7 +64,6 @@ from shadercache.emit.printer import print_node
 from shadercache.front.read_options import ReadOptions
 from shadercache.front.webgl import is_webgl
 from shadercache.manifest import Setting, build_manifest, needed_manifest, original_manifest
-from shadercache.options import ALGORITHMS, CacheOptions, MappingKind, Mode, Options, marks_depths
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.infer import infer
 from shadercache.source import Source
@@ -201,31 +202,32 @@ def _marks(fragment: StageSide, mapping: MappingKind, vertex: _VertexStage | Non
 
 def rewrite(
     analysis: Analysis,
-    node: Candidate | Sequence[Candidate],
-    options: Options | None = None,
-    algorithms: tuple[int, ...] = ALGORITHMS,
+    configurations: Configuration | Sequence[Configuration],
     *,
     unprofitable: bool = False,
 ) -> Emission:
-    """The programs that cache ``node``, by the given algorithms, with their manifest.
+    """The programs of a configuration, or of several that differ in their algorithm alone, with
+    their manifest.
 
     Several nodes are cached together: they share the cache's texels, the look-up and the refresh.
     A node that is refused only as cheaper than a fetch is rewritten where ``unprofitable`` is set.
-    Raises :class:`InputError` with the refusal's code for any other refused node, SC402 without a
-    vertex shader, SC407 where an algorithm that was asked for alone cannot be used for the node,
-    SC408 where a name that has to stay is a keyword in proof mode, SC419 where levels of detail
-    cannot be asked for, SC430 where the cache has no room for what its options keep, SC440 where
-    there are no triangles to refresh by, SC415 to SC417 for nodes that cannot be cached together.
+    Raises :class:`UsageError` SC010 or SC011 for a node that does not exist, :class:`InputError`
+    with the refusal's code for any other refused node, SC402 without a vertex shader, SC407 where
+    an algorithm that was asked for alone cannot be used for the node, SC408 where a name that has
+    to stay is a keyword in proof mode, SC419 where levels of detail cannot be asked for, SC430
+    where the cache has no room for what is kept beside the payload, SC440 where there are no
+    triangles to refresh by, SC415 to SC417 for nodes that cannot be cached together.
     """
-    nodes = (node,) if isinstance(node, Candidate) else tuple(node)
-    analysis.require_all(nodes, unprofitable)
-    options = options or Options()
-    _check_names(analysis, options.mode, options.fetches == "level")
-    _check_schedule(analysis, options.cache)
-    _check_room(analysis, nodes, options.cache)
-    programs = program_set.emit_programs(
-        analysis.program, analysis.vertex_emitter, nodes, options, algorithms
+    wanted = (
+        (configurations,) if isinstance(configurations, Configuration) else tuple(configurations)
     )
+    chosen = wanted[0]
+    nodes = analysis.nodes_of("+".join(chosen.nodes))
+    analysis.require_all(nodes, unprofitable)
+    _check_names(analysis, chosen.mode, chosen.fetches == "level")
+    _check_schedule(analysis, chosen)
+    _check_room(analysis, nodes, chosen)
+    programs = program_set.emit_programs(analysis.program, analysis.vertex_emitter, nodes, wanted)
     if not programs.variants:
         raise InputError(_unfit(analysis, nodes, programs))
     sources = analysis.fragment, analysis.vertex_source
@@ -237,10 +239,10 @@ def rewrite(
         analysis.unchanged_for(*nodes),
         analysis.renamed,
     )
-    manifest = build_manifest(*sources, nodes, options, programs, setting)
+    manifest = build_manifest(*sources, nodes, chosen, programs, setting)
     notes = notes_on(nodes, analysis.fragment)
-    if options.cache.depth == "ndc":  # of other depths it depends on the scene
-        notes += depth_warnings(options, *USUAL_RANGE)
+    if chosen.storage.depth == "ndc":  # of other depths it depends on the scene
+        notes += depth_warnings(chosen, *USUAL_RANGE)
     return Emission(programs.files, manifest, notes)
 
 
@@ -249,20 +251,20 @@ def emit_original(analysis: Analysis, mode: Mode = "plain") -> Emission:
 
     In plain mode nothing is changed but the layout; proof mode also makes every value precise.
     """
-    options = Options(mode)
     _check_names(analysis, mode)
-    programs = program_set.emit_original(analysis.program, analysis.vertex_emitter, options)
-    return Emission(programs.files, original_manifest(programs, options))
+    programs = program_set.emit_original(analysis.program, analysis.vertex_emitter, mode)
+    return Emission(programs.files, original_manifest(programs, mode))
 
 
-def emit_needed(analysis: Analysis, nodes: Sequence[Candidate], options: Options) -> Emission:
+def emit_needed(analysis: Analysis, configuration: Configuration) -> Emission:
     """The program that tells which pixels have payloads of the nodes, and which of them are fit.
 
     It is part of no variant: who counts hits needs it to know how many there must be.
     """
     vertex = analysis.vertex_emitter
-    programs = program_set.emit_needed(analysis.program, vertex, nodes, options)
-    return Emission(programs.files, needed_manifest(programs, options))
+    nodes = analysis.nodes_of("+".join(configuration.nodes))
+    programs = program_set.emit_needed(analysis.program, vertex, nodes, configuration)
+    return Emission(programs.files, needed_manifest(programs, configuration.mode))
 
 
 def _check_names(analysis: Analysis, mode: Mode, queries: bool = False) -> None:
@@ -290,9 +292,9 @@ def _check_names(analysis: Analysis, mode: Mode, queries: bool = False) -> None:
         raise InputError(problems)
 
 
-def _check_schedule(analysis: Analysis, options: CacheOptions) -> None:
+def _check_schedule(analysis: Analysis, configuration: Configuration) -> None:
     """SC440: is there a surface, with triangles that have numbers, to refresh by?"""
-    if options.refresh != "surface":
+    if configuration.refresh.schedule != "surface":
         return
     fragment = analysis.program.module
     if analysis.mapping != "surface":
@@ -304,14 +306,16 @@ def _check_schedule(analysis: Analysis, options: CacheOptions) -> None:
     raise input_error("SC440", message, "take --cache refresh=stratified")
 
 
-def _check_room(analysis: Analysis, nodes: Sequence[Candidate], options: CacheOptions) -> None:
-    """SC430: does what the options keep beside the payload fit into the two texels?"""
-    if options.depth == "ndc" and marks_depths(options):
+def _check_room(
+    analysis: Analysis, nodes: Sequence[Candidate], configuration: Configuration
+) -> None:
+    """SC430: does what is kept beside the payload fit into the two texels?"""
+    if configuration.storage.depth == "ndc" and configuration.filter.marks_depths:
         message = (
             "the filter marks texels by the sign of their depth, which depths from -1 to 1 use"
         )
         raise input_error("SC432", message, "take filter=bilinear or another depth")
-    layout = Layout(tuple(node.type for node in nodes), extras=extras_of(options))
+    layout = Layout(tuple(node.type for node in nodes), extras=extras_of(configuration))
     if layout.fits:
         return
     kept = " and ".join(extra.name for extra in layout.extras)
@@ -323,9 +327,9 @@ def _check_room(analysis: Analysis, nodes: Sequence[Candidate], options: CacheOp
 def _unfit(
     analysis: Analysis, nodes: Sequence[Candidate], programs: program_set.ProgramSet
 ) -> Diagnostic:
-    passes, reason = next(iter(programs.refused.items()))
+    name, reason = next(iter(programs.refused.items()))
     texts = " and ".join(f"'{node.text}'" for node in nodes)
-    message = f"{texts} cannot be cached by {passes}-pass: {reason}"
+    message = f"{texts} cannot be cached by {name}: {reason}"
     return Diagnostic("SC407", message, analysis.fragment, nodes[0].expr.span)
 
 

@@ -23,20 +23,21 @@ from typing import Any
 import shadercache
 from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.value_numbering import one_of_each
+from shadercache.caching.configuration import Configuration
 from shadercache.cli.progress import progress
-from shadercache.cli.scenes import cache_options
+from shadercache.cli.scenes import configured
 from shadercache.compiler import Analysis
 from shadercache.diagnostics import DiagnosticError
 from shadercache.files import write_bytes
 from shadercache.gpu.context import open_context
 from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.measure.result_files import environment, machine_name
-from shadercache.options import DEFAULT_CACHE, CacheOptions
 from shadercache.paths import data_path
 from shadercache.scene.animation import Rows
 from shadercache.scene.description import Scene, load_scene
 from shadercache.verify.parallel import verify_in_parallel
 from shadercache.verify.verifier import MAX_TIES, Difference, Verdict, Verifier
+from tests.configured import DEFAULT
 
 SCHEMA_VERSION = 1
 WHOLE = ("dragon", "trashcan")
@@ -59,7 +60,7 @@ class Report:
     head: dict[str, Any]
     every: Sequence[Candidate]
     chosen: Sequence[Candidate]
-    cache: CacheOptions = DEFAULT_CACHE
+    cached: Configuration = DEFAULT
     rows: dict[str, Row] = field(default_factory=dict)
     saved: float = 0.0
 
@@ -187,7 +188,7 @@ def prepare(path: Path, output: Path | None, resume: bool) -> Report:
         head,
         analysis.nodes,
         nodes_of(scene, analysis),
-        cache_options(scene, None),
+        configured(scene, DEFAULT, None),
     )
     if resume:
         report.rows = earlier_rows(report)
@@ -228,7 +229,7 @@ def verify(path: Path, report: Report, jobs: int, limit: int | None) -> None:
                     _say(f"{verdict.node} ({verdict.path}): {', '.join(verdict.broken)}")
 
             at_once = max(1, min(jobs, len(left)))
-            verify_in_parallel(path, left, at_once, told=told, cache=report.cache)
+            verify_in_parallel(path, left, at_once, told=told, configuration=report.cached)
     finally:
         report.save()
 

@@ -15,17 +15,16 @@ import numpy as np
 
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.ast import nodes as n
-from shadercache.compiler import Analysis, Emission, analyse, rewrite
+from shadercache.compiler import Analysis, Emission, analyse
 from shadercache.front.parse import parse
 from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import with_aliases
-from shadercache.options import Options
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import RunOptions, VariantRunner
 from shadercache.scene.description import Scene, load_scene
 from shadercache.source import Source
 from tests.cases.scenery import ring
+from tests.configured import configured, rewritten, variant
 
 REPORTS = Path(__file__).parent / "reports"
 SIZE = (64, 64)
@@ -88,11 +87,11 @@ def scene_of(folder: Path, name: str, analysis: Analysis) -> Scene:
 def hit_rate(gpu: Gpu, scene: Scene, analysis: Analysis, text: str) -> float:
     """Share of the visible pixels whose payload is found again after a frame of motion."""
     node = next(node for node in analysis.nodes if node.text == text)
-    emission = rewrite(analysis, node, Options(cache_format="rgba32f"))
+    emission = rewritten(analysis, node, configured(form="rgba32f"))
     bundle = Bundle(emission.manifest, emission.files)
     with (
         RenderScene(gpu, scene, SIZE, "rgba32f") as world,
-        VariantRunner(world, bundle, "2-pass", RunOptions(NEVER)) as runner,
+        variant(world, bundle, "2-pass", period=NEVER) as runner,
     ):
         runner.draw(0)
         mask = runner.hit_mask(1)

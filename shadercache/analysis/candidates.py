@@ -21,6 +21,7 @@ from shadercache.analysis.derivative_uses import (
 )
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.effects import Does
+from shadercache.analysis.mapping import MappingKind
 from shadercache.analysis.reaching_definitions import written_anywhere
 from shadercache.analysis.refusals import Code, Refusal
 from shadercache.analysis.slices import DERIVATIVE, Slice, SliceTable
@@ -28,7 +29,6 @@ from shadercache.ast import nodes as n
 from shadercache.ast.walk import expressions
 from shadercache.diagnostics import shortened
 from shadercache.lang.types import Type
-from shadercache.options import MappingKind
 from shadercache.sema.facts import Facts
 from shadercache.source import NOWHERE, Source, Span
 

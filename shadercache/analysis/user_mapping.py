@@ -11,10 +11,10 @@ from collections.abc import Iterator
 
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.effects import Does
+from shadercache.analysis.mapping import CURRENT_CLIP, PREVIOUS_CLIP
 from shadercache.analysis.reaching_definitions import written_anywhere
 from shadercache.ast import nodes as n
 from shadercache.diagnostics import Diagnostic, InputError
-from shadercache.options import CURRENT_CLIP, PREVIOUS_CLIP
 from shadercache.source import Source
 
 

@@ -1,4 +1,4 @@
-"""``shadercache bench``: every offered node by three algorithms (seed 003, figure 8)."""
+"""``shadercache bench``: every offered node by every algorithm (seed 003, figure 8)."""
 
 from __future__ import annotations
 
@@ -9,6 +9,13 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from shadercache.caching.configuration import (
+    DEFAULT_EPSILON,
+    CacheFormat,
+    Configuration,
+    HitTest,
+    Storage,
+)
 from shadercache.cli.io import folder
 from shadercache.cli.measuring import (
     WeighOption,
@@ -32,14 +39,14 @@ from shadercache.cli.reading import (
     UnrollOption,
     read_options,
 )
-from shadercache.cli.scenes import cache_options, choose_nodes, find_scene, split_list
+from shadercache.cli.scenes import choose_nodes, configured, find_scene, split_list
 from shadercache.cli.tables import shorten
 from shadercache.front.read_options import MAX_TOKENS
-from shadercache.options import DEFAULT_EPSILON, CacheFormat, Options
 
 if TYPE_CHECKING:
     from shadercache.analysis.candidates import Candidate
     from shadercache.measure.measurement import Measurement, NodeResult
+    from shadercache.measure.subjects import VariantSubject
 
 
 def command(
@@ -87,27 +94,29 @@ def command(
     ] = Path("out/bench"),
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON, not a table.")] = False,
 ) -> None:
-    """Measure nodes by 1, 2 and 3 passes: P/T, time, ratio to the original, hit rate, error.
+    """Measure nodes by every algorithm: P/T, time, ratio to the original, hit rate, error.
 
     Of offered nodes that have the same value only the first is measured, and marked with their
     number. --nodes measures what it is given.
 
-    Everything is drawn interleaved in one process; the ratio's interval is a 95 % bootstrap.
-    Writes JSON (with raw samples), CSV and plots for each period and block into DIR; of few nodes
-    also the hit rate of every frame.
+    All periods and blocks are drawn interleaved in one process; the ratio's interval is a 95 %
+    bootstrap. Writes JSON (with raw samples), CSV and plots into DIR; of few nodes also the hit
+    rate of every frame.
     """
     from shadercache.analysis.value_numbering import one_of_each
     from shadercache.gpu.context import open_context
+    from shadercache.linking.linker import Linker
     from shadercache.linking.scene_shaders import open_scene
     from shadercache.linking.user_places import at_home
-    from shadercache.measure.entries import make_entry
     from shadercache.measure.measure import measure
     from shadercache.measure.measurement import MeasureOptions
     from shadercache.measure.result_files import environment, to_json
+    from shadercache.measure.subjects import subjects_of, with_refreshes
+    from shadercache.render.render_scene import RenderScene
     from shadercache.scene.mesh import replacement_mesh
 
     algorithms, extent = parse_passes(passes), parse_size(size)
-    choices = [(n, k) for n in parse_periods(period) for k in parse_blocks(block)]
+    periods, blocks = parse_periods(period), parse_blocks(block)
     reading = read_options(define, undefine, include, dialect, max_tokens, unroll)
     scene, analysis = open_scene(find_scene(target), reading, mapping)
     equal: dict[Candidate, int] = {}
@@ -118,35 +127,40 @@ def command(
         offered = [node for node in analysis.nodes if node.offered]
         equal = one_of_each(offered, analysis.groups)
         chosen = [(node.id, (node,)) for node in (offered if every_node else equal)]
-    options = Options(
-        cache_format=cache_format,
-        epsilon=epsilon,
-        fetches=fetches,
-        cache=cache_options(scene, cache),
+    base = configured(
+        scene,
+        Configuration(
+            hit_test=HitTest(epsilon=epsilon), storage=Storage(cache_format), fetches=fetches
+        ),
+        cache,
     )
-    entries = [
-        replace(
-            make_entry(analysis, label, found, options, algorithms, unprofitable=True),
-            equal=1 if every_node else equal.get(found[0], 1),
-        )
-        for label, found in chosen
-    ]
+    linker = Linker(scene, analysis)
+    subjects: list[VariantSubject] = []
+    for label, found in chosen:
+        payload = replace(base, nodes=tuple(item.id for item in found))
+        wanted = [
+            replace(one, algorithm=name)
+            for one in with_refreshes(payload, periods, blocks)
+            for name in algorithms
+        ]
+        count = 1 if every_node else equal.get(found[0], 1)
+        subjects += subjects_of(linker, label, wanted, count)
     replacement = replacement_mesh(scene, mesh)
-    reports: list[dict[str, Any]] = []
-    with open_context() as gpu, at_home(analysis):
-        where = environment(gpu)
-        for every, edge in choices:
-            how = MeasureOptions(extent, frames, period=every, block=edge, weigh=weigh)
-            with step_progress(f"{scene.name}, period {every}, block {edge}") as tell:
-                found = measure(gpu, scene, entries, how, tell, replacement)
-            report = to_json(found, where)
-            _store(out, found, report)
-            reports.append(report)
-            if not as_json:
-                print(f"mapping: {analysis.mapping}")
-                print(f"{summary(found)}\n\n{result_table(found, _label)}\n")
+    how = MeasureOptions(frames, weigh=weigh)
+    with (
+        open_context() as gpu,
+        at_home(analysis),
+        RenderScene(gpu, linker.scene, extent, mesh=replacement) as world,
+    ):
+        with step_progress(scene.name) as tell:
+            measured = measure(world, linker.originals(), subjects, how, tell)
+        report = to_json(measured, environment(gpu))
+    _store(out, measured, report)
     if as_json:
-        print(json.dumps(reports, indent=1))
+        print(json.dumps(report, indent=1))
+    else:
+        print(f"mapping: {analysis.mapping}")
+        print(f"{summary(measured)}\n\n{result_table(measured, _label)}\n")
 
 
 def _label(node: NodeResult) -> str:
@@ -161,8 +175,7 @@ def _store(out: Path, found: Measurement, report: dict[str, Any]) -> None:
     from shadercache.measure.result_files import to_csv, write_json
     from shadercache.report.plots import plot_error, plot_hits, plot_time
 
-    options = found.options
-    stem = f"{found.scene}-n{options.period}-k{options.block}"
+    stem = found.scene
     write_json(out / f"{stem}.json", report)
     write_bytes(out / f"{stem}.csv", to_csv(found).encode())
     write_bytes(out / f"{stem}-time.png", plot_time(found))

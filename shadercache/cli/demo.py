@@ -13,6 +13,12 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from shadercache.caching.configuration import (
+    CacheFormat,
+    Configuration,
+    Storage,
+    by_every_algorithm,
+)
 from shadercache.cli.io import folder
 from shadercache.cli.measuring import (
     HEADER,
@@ -25,14 +31,13 @@ from shadercache.cli.measuring import (
 from shadercache.cli.scenes import choose_nodes, find_scene
 from shadercache.cli.write_pictures import write_pictures
 from shadercache.diagnostics import input_error
-from shadercache.options import CacheFormat, Options
 
 if TYPE_CHECKING:
-    from shadercache.gpu.context import Gpu
+    from shadercache.linking.linker import Linker
     from shadercache.measure.measurement import Measurement, MeasureOptions, NodeResult, Shot
+    from shadercache.measure.subjects import VariantSubject
     from shadercache.report.contact_sheet import SheetRow
     from shadercache.scene.description import Demo, Scene
-    from shadercache.scene.mesh import Mesh
 
 SCENES = ("dragon", "trashcan")
 HALF_WIDTH, SECONDS = 0.03, 30.0
@@ -61,7 +66,9 @@ def command(
     Writes, for each scene, a contact sheet and the raw numbers; with --full all pictures as well.
     """
     from shadercache.gpu.context import open_context
+    from shadercache.measure.measure import measure
     from shadercache.measure.result_files import environment, to_json, write_json
+    from shadercache.render.render_scene import RenderScene
     from shadercache.scene.description import load_scene
     from shadercache.scene.mesh import load_mesh
 
@@ -72,10 +79,15 @@ def command(
             scene = load_scene(find_scene(name))
             if scene.demo is None:
                 raise input_error("SC508", f"{scene.path} has no [demo]")
-            how = _options(extent, frames, scene.demo, full)
+            how = _options(frames, full)
             labels = scene.demo.nodes if full else scene.demo.nodes[-1:]
             replaced = dragon if name == "dragon" else None
-            found = _measure(gpu, scene, labels, Options(cache_format=cache_format), how, replaced)
+            linker, subjects = _subjects(scene, scene.demo, labels, cache_format)
+            with (
+                RenderScene(gpu, linker.scene, extent, mesh=replaced) as world,
+                step_progress(f"measuring {scene.name}") as tell,
+            ):
+                found = measure(world, linker.originals(), subjects, how, tell)
             write_json(out / f"{name}.json", to_json(found, environment(gpu)))
             _write_pictures(out, scene, found, full)
             print(f"{scene.title}\nthe picture: {out / name}.png")
@@ -84,36 +96,32 @@ def command(
             print(result_table(found, lambda node: node.label, columns) + "\n", flush=True)
 
 
-def _options(extent: tuple[int, int], frames: int, demo: Demo, full: bool) -> MeasureOptions:
+def _options(frames: int, full: bool) -> MeasureOptions:
     from shadercache.measure.measurement import MeasureOptions
     from shadercache.measure.stopping import StopRule
 
-    how = MeasureOptions(extent, frames, period=demo.period, block=demo.block, curves=0)
+    how = MeasureOptions(frames, curves=0)
     if full:
         return replace(how, picture_frame=frames - 1)
     stop = StopRule(HALF_WIDTH, SECONDS)
     return replace(how, picture_frame=how.first_compared, stop=stop)
 
 
-def _measure(
-    gpu: Gpu,
-    scene: Scene,
-    labels: Sequence[str],
-    options: Options,
-    how: MeasureOptions,
-    mesh: Mesh | None,
-) -> Measurement:
+def _subjects(
+    scene: Scene, demo: Demo, labels: Sequence[str], cache_format: CacheFormat
+) -> tuple[Linker, list[VariantSubject]]:
+    """Every variant of the values with these names."""
+    from shadercache.linking.linker import Linker
     from shadercache.linking.scene_shaders import analyse_scene
-    from shadercache.measure.entries import make_entry
-    from shadercache.measure.measure import measure
+    from shadercache.measure.subjects import subjects_of
 
-    scene, analysis = analyse_scene(scene)
-    entries = [
-        make_entry(analysis, label, node, options)
-        for label, node in choose_nodes(scene, analysis, labels)
-    ]
-    with step_progress(f"measuring {scene.name}") as tell:
-        return measure(gpu, scene, entries, how, tell, mesh)
+    linker = Linker(*analyse_scene(scene))
+    base = Configuration(storage=Storage(cache_format)).with_refresh(demo.period, demo.block)
+    subjects = []
+    for label, nodes in choose_nodes(scene, linker.analysis, labels):
+        chosen = replace(base, nodes=tuple(item.id for item in nodes))
+        subjects += subjects_of(linker, label, by_every_algorithm(chosen))
+    return linker, subjects
 
 
 def _precision(found: Measurement) -> str:
@@ -131,7 +139,7 @@ def _write_pictures(out: Path, scene: Scene, found: Measurement, full: bool) -> 
     if full:
         for shot in found.shots:
             write_pictures(out / scene.name, shot, ["all"])
-    shots = {(shot.label, shot.algorithm): shot for shot in found.shots}
+    shots = {(shot.label, shot.configuration.algorithm): shot for shot in found.shots}
     rows = [_sheet_row(node, shots) for node in found.nodes]
     write_png(out / f"{scene.name}.png", contact_sheet(scene.title, rows))
 
@@ -146,5 +154,6 @@ def _sheet_row(node: NodeResult, shots: dict[tuple[str, str], Shot]) -> SheetRow
         f"({best.speedup.low:.2f}-{best.speedup.high:.2f}), hits {best.hit_rate:.1%}, "
         f"RMSE {best.error.rmse:.4f}, PSNR {best.error.psnr:.1f} dB"
     )
-    heading = f"{node.label}, {best.algorithm}: {node.text}"
-    return SheetRow(shots[node.label, best.algorithm], heading, caption)
+    algorithm = best.configuration.algorithm
+    heading = f"{node.label}, {algorithm}: {node.text}"
+    return SheetRow(shots[node.label, algorithm], heading, caption)

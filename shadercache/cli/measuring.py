@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from shadercache.caching.algorithms import ALGORITHMS
 from shadercache.cli.progress import progress
 from shadercache.cli.tables import format_table
 from shadercache.diagnostics import usage_error
@@ -22,6 +23,9 @@ WeighOption = Annotated[
         help="Of several objects, leave those to their originals where caching gains nothing.",
     ),
 ]
+
+PASSES = (*(item.word for item in ALGORITHMS), "all")
+"""What ``--passes`` takes."""
 
 HEADER = (
     "node",
@@ -60,9 +64,15 @@ def parse_numbers(text: str, name: str, least: int, most: int) -> list[int]:
     raise usage_error("SC008", f"'{text}' is no value for {name}", hint)
 
 
-def parse_passes(text: str) -> tuple[int, ...]:
-    """``all`` or ``1,2,3`` as algorithms. Raises :class:`UsageError` SC008."""
-    return (1, 2, 3) if text == "all" else tuple(parse_numbers(text, "--passes", 1, 3))
+def parse_passes(text: str) -> tuple[str, ...]:
+    """``all`` or words of the table of algorithms, such as ``1,2``, as their names. Raises
+    :class:`UsageError` SC008."""
+    known = {item.word: item.name for item in ALGORITHMS}
+    words = list(known) if text == "all" else [word for word in text.split(",") if word]
+    if words and all(word in known for word in words):
+        return tuple(known[word] for word in words)
+    hint = f"give 'all', or some of {', '.join(known)}, separated by commas"
+    raise usage_error("SC008", f"'{text}' is no value for --passes", hint)
 
 
 def parse_periods(text: str) -> list[int]:
@@ -105,7 +115,7 @@ def result_table(
     """All variants of all nodes, nodes in ascending P/T, as text."""
     nodes = sorted(measurement.nodes, key=lambda node: node.ratio or 0.0)
     rows = [
-        _row(node, variant, label(node) if first else "")
+        _row(node, variant, label(node) if first else "", measurement.name(variant.configuration))
         for node in nodes
         for first, variant in _marked(node.variants)
     ]
@@ -130,14 +140,19 @@ def summary(measurement: Measurement) -> str:
                 f"{skipped.uncached} drawn by their originals"
             )
     lines += [_worth(gain) for gain in measurement.gains]
-    options = measurement.options
+    options, size = measurement.options, measurement.size
+    periods, blocks = (sorted(set(found)) for found in zip(*measurement.refreshes, strict=True))
     lines.append(
-        f"{options.size[0]}x{options.size[1]}, {measurement.frames} frames, "
-        f"period {options.period}, block {options.block}; errors over covered pixels of frames "
+        f"{size[0]}x{size[1]}, {measurement.frames} frames, period {_listed(periods)}, "
+        f"block {_listed(blocks)}; errors over covered pixels of frames "
         f"{options.first_compared + 1}-{measurement.frames}; clock: {measurement.clock}"
     )
     lines += [f"note: {note}" for note in measurement.notes]
     return "\n".join(lines)
+
+
+def _listed(numbers: Sequence[int]) -> str:
+    return " and ".join(map(str, numbers))
 
 
 def _worth(gain: CachingGain) -> str:
@@ -155,13 +170,13 @@ def _marked(variants: Sequence[VariantResult]) -> Iterator[tuple[bool, VariantRe
         yield place == 0, variant
 
 
-def _row(node: NodeResult, variant: VariantResult, label: str) -> tuple[str, ...]:
+def _row(node: NodeResult, variant: VariantResult, label: str, name: str) -> tuple[str, ...]:
     ratio, error = variant.speedup, variant.error
     psnr = "exact" if error.rmse == 0.0 else f"{error.psnr:.1f}"
     return (
         label,
         f"{node.ratio:.3f}" if label and node.ratio is not None else "",
-        variant.algorithm,
+        name,
         f"{variant.timing.median * 1e3:.1f}",
         f"{variant.timing.p95 * 1e3:.0f}/{variant.timing.p99 * 1e3:.0f}",
         f"{variant.reset:.2f}x",

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
+from shadercache.analysis.mapping import PREVIOUS_CLIP
 from shadercache.cli.io import read_source
 from shadercache.cli.nodes_json import changes_of, print_nodes
 from shadercache.cli.reading import (
@@ -23,7 +24,6 @@ from shadercache.cli.reading import (
 from shadercache.cli.scenes import find_scene
 from shadercache.cli.tables import format_table, shorten, terminal_width
 from shadercache.front.read_options import MAX_TOKENS
-from shadercache.options import PREVIOUS_CLIP
 
 if TYPE_CHECKING:
     from shadercache.analysis.candidates import Candidate

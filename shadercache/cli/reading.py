@@ -9,9 +9,11 @@ from typing import Annotated, Literal, TypeAlias
 
 import typer
 
+from shadercache.analysis.mapping import MappingKind
+from shadercache.caching.settings import cache_choices
 from shadercache.diagnostics import usage_error
 from shadercache.front.read_options import MAX_TOKENS, Dialect, ReadOptions
-from shadercache.options import FetchForm, MappingKind, cache_choices
+from shadercache.transform.hoist_fetches import FetchForm
 
 _NAME = re.compile(r"[A-Za-z_]\w*(\([^()]*\))?", re.ASCII)
 _FIXED = frozenset(("defined", "__LINE__", "__FILE__", "__VERSION__"))

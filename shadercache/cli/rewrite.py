@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated
 
 import typer
+from click import Choice
 
+from shadercache.caching.configuration import CacheFormat, Configuration, Mode, Storage
+from shadercache.caching.settings import with_settings
 from shadercache.cli.io import MANIFEST, atomic_folder, folder, read_pair
+from shadercache.cli.measuring import PASSES, parse_passes
 from shadercache.cli.reading import (
     CacheOption,
     DefineOption,
@@ -23,7 +28,6 @@ from shadercache.cli.reading import (
 )
 from shadercache.diagnostics import usage_error
 from shadercache.front.read_options import MAX_TOKENS
-from shadercache.options import ALGORITHMS, CacheFormat, Mode, Options, read_cache_options
 
 if TYPE_CHECKING:
     from shadercache.compiler import Emission
@@ -45,7 +49,8 @@ def command(
         typer.Option(metavar="FILE", help="Vertex shader; if left out, FRAG with .vert."),
     ] = None,
     passes: Annotated[
-        Literal["1", "2", "3", "all"], typer.Option(help="Geometry passes of the variant.")
+        str,
+        typer.Option(click_type=Choice(PASSES), help="Geometry passes of the variant."),
     ] = "all",
     cache_format: Annotated[
         CacheFormat, typer.Option("--format", help="Texel format of the cache.")
@@ -85,18 +90,17 @@ def command(
     nodes = analysis.nodes_of("+".join(node))
     analysis.require_all(nodes, unprofitable)
     told = () if carry else analysis.overlap_notes(nodes)
-    emission = rewrite(
-        analysis,
-        analysis.carrying(nodes) if carry else nodes,
-        Options(
-            mode=mode,
-            cache_format=cache_format,
+    chosen = with_settings(
+        Configuration(
+            nodes=tuple(item.id for item in (analysis.carrying(nodes) if carry else nodes)),
+            storage=Storage(cache_format),
             fetches=fetches,
-            cache=read_cache_options(cache or ()),
+            mode=mode,
         ),
-        algorithms=ALGORITHMS if passes == "all" else (int(passes),),
-        unprofitable=unprofitable,
+        cache or (),
     )
+    wanted = [replace(chosen, algorithm=name) for name in parse_passes(passes)]
+    emission = rewrite(analysis, wanted, unprofitable=unprofitable)
     _write(emission, out)
     context.obj.show((*analysis.notes, *emission.notes, *told))
     print(

@@ -6,11 +6,22 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
+from click import Choice
 
+from shadercache.caching.configuration import (
+    DEFAULT_EPSILON,
+    CacheFormat,
+    Configuration,
+    HitTest,
+    Refresh,
+    Storage,
+)
 from shadercache.cli.io import folder
 from shadercache.cli.measuring import (
+    PASSES,
     WeighOption,
     parse_blocks,
+    parse_passes,
     parse_periods,
     parse_size,
     result_table,
@@ -29,10 +40,9 @@ from shadercache.cli.reading import (
     UnrollOption,
     read_options,
 )
-from shadercache.cli.scenes import cache_options, choose_nodes, find_scene
+from shadercache.cli.scenes import choose_nodes, configured, find_scene
 from shadercache.cli.write_pictures import write_pictures
 from shadercache.front.read_options import MAX_TOKENS
-from shadercache.options import DEFAULT_EPSILON, CacheFormat, Options
 
 
 def command(
@@ -44,7 +54,9 @@ def command(
         list[str],
         typer.Option(metavar="ID", help="Node id, or a name from the scene; several are one set."),
     ],
-    passes: Annotated[int, typer.Option(min=1, max=3, help="Passes of the variant.")] = 2,
+    passes: Annotated[
+        str, typer.Option(click_type=Choice(PASSES[:-1]), help="Passes of the variant.")
+    ] = "2",
     frame: Annotated[
         int, typer.Option(min=1, max=65_535, help="Frame whose pictures are written.")
     ] = 63,
@@ -94,11 +106,13 @@ def command(
     """
     from shadercache.emit.depth_range import depth_warnings
     from shadercache.gpu.context import open_context
+    from shadercache.linking.linker import Linker
     from shadercache.linking.scene_shaders import open_scene
     from shadercache.linking.user_places import at_home
-    from shadercache.measure.entries import make_entry
     from shadercache.measure.measure import measure
     from shadercache.measure.measurement import MeasureOptions
+    from shadercache.measure.subjects import subjects_of
+    from shadercache.render.render_scene import RenderScene
     from shadercache.scene.mesh import replacement_mesh
 
     extent = parse_size(size)
@@ -106,20 +120,31 @@ def command(
     reading = read_options(define, undefine, include, dialect, max_tokens, unroll)
     scene, analysis = open_scene(find_scene(target), reading, mapping)
     [(label, chosen)] = choose_nodes(scene, analysis, ["+".join(node)])
-    options = Options(
-        cache_format=cache_format,
-        epsilon=epsilon,
-        fetches=fetches,
-        cache=cache_options(scene, cache),
+    analysis.require_all(chosen, unprofitable)
+    configuration = configured(
+        scene,
+        Configuration(
+            nodes=tuple(item.id for item in chosen),
+            algorithm=parse_passes(passes)[0],
+            refresh=Refresh(period=every, block=edge),
+            hit_test=HitTest(epsilon=epsilon),
+            storage=Storage(cache_format),
+            fetches=fetches,
+        ),
+        cache,
     )
-    context.obj.show(depth_warnings(options, scene.camera.near, scene.camera.far))
-    entry = make_entry(analysis, label, chosen, options, (passes,), unprofitable=unprofitable)
-    how = MeasureOptions(
-        extent, frame + 1, period=every, block=edge, picture_frame=frame, weigh=weigh
-    )
+    context.obj.show(depth_warnings(configuration, scene.camera.near, scene.camera.far))
+    linker = Linker(scene, analysis)
+    subjects = subjects_of(linker, label, [configuration])
+    how = MeasureOptions(frame + 1, picture_frame=frame, weigh=weigh)
     replacement = replacement_mesh(scene, mesh)
-    with open_context() as gpu, at_home(analysis), step_progress(f"running {label}") as tell:
-        found = measure(gpu, scene, [entry], how, tell, replacement)
+    with (
+        open_context() as gpu,
+        at_home(analysis),
+        RenderScene(gpu, linker.scene, extent, mesh=replacement) as world,
+        step_progress(f"running {label}") as tell,
+    ):
+        found = measure(world, linker.originals(), subjects, how, tell)
     print(f"mapping: {analysis.mapping}")
     print(f"{summary(found)}\n\n{result_table(found, lambda item: item.label)}\n")
     for shot in found.shots:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from shadercache.caching.configuration import Configuration
+from shadercache.caching.settings import with_settings
 from shadercache.diagnostics import usage_error
-from shadercache.options import CacheOptions, read_cache_options
 from shadercache.paths import data_path
 
 if TYPE_CHECKING:
@@ -62,15 +62,13 @@ def choose_nodes(
     ]
 
 
-def cache_options(scene: Scene, settings: Sequence[str] | None) -> CacheOptions:
-    """The options of ``--cache``. Objects that share a cache are told apart by their numbers,
-    unless ``ids=off`` is said. Raises :class:`UsageError` SC028."""
-    chosen = read_cache_options(settings or ())
-    said = any(
-        part.strip().startswith("ids") for text in settings or () for part in text.split(",")
-    )
-    cached = sum(item.cached for item in scene.objects)
-    return chosen if said or cached < 2 else replace(chosen, ids=True)
+def configured(
+    scene: Scene, configuration: Configuration, settings: Sequence[str] | None
+) -> Configuration:
+    """A configuration with the settings of ``--cache``. Objects that share a cache are told apart
+    by their numbers, unless ``ids=off`` is said. Raises :class:`UsageError` SC028."""
+    several = ["ids=on"] if sum(item.cached for item in scene.objects) > 1 else []
+    return with_settings(configuration, [*several, *(settings or ())])
 
 
 def split_list(values: Iterable[str]) -> list[str]:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from shadercache.caching.configuration import Configuration
 from shadercache.cli.progress import progress
 from shadercache.cli.reading import (
     CacheOption,
@@ -22,7 +23,7 @@ from shadercache.cli.reading import (
     UnrollOption,
     read_options,
 )
-from shadercache.cli.scenes import cache_options, choose_nodes, find_scene
+from shadercache.cli.scenes import choose_nodes, configured, find_scene
 from shadercache.cli.tables import format_table, shorten, terminal_width
 from shadercache.front.read_options import MAX_TOKENS
 
@@ -88,7 +89,7 @@ def command(
     options = read_options(define, undefine, include, dialect, max_tokens, unroll)
     path = find_scene(target)
     scene, analysis = open_scene(path, options, mapping)
-    cached = cache_options(scene, cache)
+    configuration = configured(scene, Configuration(), cache)
     if node:
         chosen = [found for _, found in choose_nodes(scene, analysis, node)]
     else:
@@ -112,7 +113,7 @@ def command(
             lambda _: advance(1),
             options,
             mapping,
-            cached,
+            configuration,
         )
     report = _report(scene.name, about, round_trip, ties, verdicts, equal)
     report["mapping"] = analysis.mapping

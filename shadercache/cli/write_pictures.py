@@ -19,7 +19,7 @@ def write_pictures(folder: Path, shot: Shot, views: Sequence[str] = ("hits",)) -
     from shadercache.report.debug_views import chosen_views, view_picture
     from shadercache.report.images import difference_picture, picture, write_png
 
-    stem = f"{re.sub(r'[^A-Za-z0-9._-]+', '-', shot.label)}-{shot.algorithm}"
+    stem = f"{re.sub(r'[^A-Za-z0-9._-]+', '-', shot.label)}-{shot.configuration.algorithm}"
     original, cached = picture(shot.original), picture(shot.cached)
     shown = {
         "original": original,

@@ -12,13 +12,15 @@ from shadercache.analysis.derivative_uses import SharedUse, evaluation_order
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.effects import Does
 from shadercache.analysis.loops import decided_loops
+from shadercache.analysis.mapping import CURRENT_CLIP, MappingKind
 from shadercache.analysis.precision import PrecisionTable
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
+from shadercache.caching.configuration import Configuration
+from shadercache.caching.settings import written_settings
 from shadercache.emit.assemble import Shader, interface, merge, with_locations, without_main
 from shadercache.emit.layout import Layout, extras_of
 from shadercache.emit.runtime import Located, load_part, runtime_names
-from shadercache.options import CURRENT_CLIP, DEFAULT_CACHE, CacheOptions, FetchForm, MappingKind
 from shadercache.sema.facts import Facts
 from shadercache.transform.drop_parameters import drop_parameters
 from shadercache.transform.drop_results import drop_results
@@ -76,17 +78,19 @@ class PassBuilder:
         self,
         program: FragmentProgram,
         nodes: Sequence[Candidate],
-        fetches: FetchForm = "whole",
-        cache: CacheOptions = DEFAULT_CACHE,
+        configuration: Configuration | None = None,
     ) -> None:
-        self.program, self.nodes, self.cache = program, tuple(nodes), cache
+        """Nothing hangs on the configuration's own nodes and algorithm: it says how, not what."""
+        self.program, self.nodes = program, tuple(nodes)
+        chosen = configuration or Configuration()
+        self.settings = tuple(written_settings(chosen).items())
         precisions = PrecisionTable(program.module, program.facts)
         self.precisions = precisions
         self.layout = Layout(
             tuple(node.type for node in nodes),
             program.module.profile == "es",
             tuple(precisions.of(node.expr) for node in nodes),
-            extras_of(cache),
+            extras_of(chosen),
         )
         self.payloads = self.layout.variables(program.prefix + "payload")
         stores = ("store", "store_2") if self.layout.second else ("store",)
@@ -97,7 +101,7 @@ class PassBuilder:
         self._clones: dict[str, Clones] = {}
         types = program.facts.types
         self.fetches = [
-            (use, self.own(f"fetch_{i}"), form_of(use.place.expr, fetches, types))
+            (use, self.own(f"fetch_{i}"), form_of(use.place.expr, chosen.fetches, types))
             for i, use in enumerate(_fetches(program.candidates, self.nodes))
         ]
 
@@ -165,7 +169,7 @@ class PassBuilder:
         # What lies beside the payload in the cache is no part of what the payload alone costs.
         alone = template in ("passes/payload_alone", "passes/needed")
         layout = replace(self.layout, extras=()) if alone else self.layout
-        options = (layout, prefix, self.whole, self.program.located, self.cache, looks)
+        options = (layout, prefix, self.whole, self.program.located, self.settings, looks)
         parts = [load_part(name, *options) for name in names]
         user = insert_clones(self.program.module, *clones)
         if template in _LATE and self.decides_loops:

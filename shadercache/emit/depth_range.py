@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from shadercache.caching.configuration import CacheFormat, Configuration, DepthKind
 from shadercache.diagnostics import Diagnostic, Severity
 from shadercache.emit.layout import precision_of
-from shadercache.options import CacheFormat, DepthKind, Options
 
 SCALE = 16.0
 """What 1/w is multiplied by where it is kept (``macros.glsl``)."""
@@ -47,10 +47,10 @@ def resolved_until(
     return low
 
 
-def depth_warnings(options: Options, near: float, far: float) -> tuple[Diagnostic, ...]:
+def depth_warnings(configuration: Configuration, near: float, far: float) -> tuple[Diagnostic, ...]:
     """SC431 where the cache cannot tell depths apart in all of a perspective's range."""
-    depth, form = options.cache.depth, options.cache_format
-    until = resolved_until(depth, form, options.epsilon, near, far)
+    depth, form = configuration.storage.depth, configuration.storage.format
+    until = resolved_until(depth, form, configuration.hit_test.epsilon, near, far)
     if until >= far:
         return ()
     message = (

@@ -23,8 +23,8 @@ from functools import cached_property
 from itertools import groupby
 
 from shadercache.analysis.candidates import FIRST_TEXEL, SECOND_TEXEL
+from shadercache.caching.configuration import CacheFormat, Configuration
 from shadercache.lang.types import FLOAT, INT, Type
-from shadercache.options import CacheFormat, CacheOptions
 
 _XYZW = "xyzw"
 _LOCALS = ["texel", "texel_2"]
@@ -86,16 +86,16 @@ def precision_of(texel: str) -> Precision:
     return PRECISIONS["16f" if texel.endswith("16f") else "32f"]
 
 
-EXTRAS = {"ids": Extra("id", INT, "object"), "age": Extra("age", FLOAT, "age")}
-"""Option of :class:`CacheOptions` -> what it keeps beside the payloads."""
+ID, AGE = Extra("id", INT, "object"), Extra("age", FLOAT, "age")
 
 MOST_IN_HALF = 2**11
 """Integers up to this are exact in half floats; in floats those up to 2^24."""
 
 
-def extras_of(options: CacheOptions) -> tuple[Extra, ...]:
-    """What the chosen options keep in each texel, in the order in which it lies there."""
-    return tuple(extra for option, extra in EXTRAS.items() if getattr(options, option))
+def extras_of(configuration: Configuration) -> tuple[Extra, ...]:
+    """What is kept in each texel beside the payloads, in the order in which it lies there."""
+    kept = ((configuration.hit_test.ids, ID), (configuration.refresh.age, AGE))
+    return tuple(extra for chosen, extra in kept if chosen)
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""One pass: look up, else compute; then shade."""
+"""The maker of one pass: look up, else compute; then shade."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from shadercache.analysis.effects import Does
 from shadercache.ast import nodes as n
 from shadercache.emit.assemble import Shader, call_all, variable
 from shadercache.emit.builder import PassBuilder
+from shadercache.emit.fragment import FragmentEmitter
 from shadercache.emit.keep_globals import call_keeping
-from shadercache.options import FetchForm
 from shadercache.sema.facts import Symbol
-from shadercache.transform.hoist_fetches import type_ahead
+from shadercache.transform.hoist_fetches import FetchForm, type_ahead
 from shadercache.transform.reachable import names_in
 from shadercache.transform.rename import rename
 from shadercache.transform.specialise import Clones, Cut
@@ -24,7 +24,7 @@ _QUERIES = 400
 """The version of GLSL that has ``textureQueryLod``."""
 
 
-def one_pass(builder: PassBuilder) -> Shader:
+def shade_or_reuse(builder: PassBuilder) -> Shader:
     """One pass: look up, else compute; then shade."""
     if builder.whole:
         return builder.finish("passes/here", [builder.shaded("fill")], both=True)
@@ -84,12 +84,13 @@ def _left_changed(builder: PassBuilder, made: Shader) -> tuple[Symbol, ...]:
     return tuple(s for s in declared if s.kind == "global" and s.name in written)
 
 
-def unfit_for_one_pass(builder: PassBuilder) -> str | None:
+def unfit(emitter: FragmentEmitter) -> str | None:
     """Why the nodes cannot be cached in one pass, if so."""
-    return _unfit_here(builder) if builder.whole else _unfit_ahead(builder)
+    found = _unfit_here(emitter) if emitter.whole else _unfit_ahead(emitter)
+    return found or _unfit_as_made(emitter, emitter.made(shade_or_reuse))
 
 
-def unfit_as_made(builder: PassBuilder, made: Shader) -> str | None:
+def _unfit_as_made(builder: PassBuilder, made: Shader) -> str | None:
     """The same, as the pass that was made shows it."""
     table = EffectTable(made.module, builder.program.memo)
     compute, shared = builder.own("compute"), Does.DERIVATIVE | Does.IMPLICIT_LOD

@@ -1,29 +1,37 @@
-"""All programs of a node, or of a set of nodes: which passes each algorithm has, and their files.
+"""All programs of a node, or of a set of nodes: the passes of each algorithm, and their files.
 
-The table of algorithms here is the one place that knows them; an engine, and the harness, learns
-from the manifest what to do.
+An engine, and the harness, learns from the manifest what to do.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from shadercache.analysis.candidates import Candidate
+from shadercache.caching.algorithms import (
+    CACHE,
+    COLOR,
+    CURRENT,
+    MASK,
+    PREVIOUS,
+    Algorithm,
+    AlgorithmPass,
+    algorithm,
+)
+from shadercache.caching.configuration import Configuration, Mode
+from shadercache.caching.settings import written_settings
 from shadercache.emit.assemble import Shader, interface
 from shadercache.emit.builder import FragmentProgram, exact_original
-from shadercache.emit.fragment import FragmentEmitter
+from shadercache.emit.fragment import FragmentEmitter, function_named
 from shadercache.emit.printer import print_module
 from shadercache.emit.vertex import VertexEmitter
-from shadercache.options import Options
 from shadercache.sema.facts import Stage
 from shadercache.transform.make_precise import make_precise
 from shadercache.transform.opaque_arguments import hide_arguments
 from shadercache.transform.state_precisions import with_precisions
 from shadercache.transform.write_out_matrices import write_out_matrices
 
-COLOR, CACHE, MASK = "color", "cache", "mask"
-PREVIOUS, CURRENT = "previous-cache", "current-cache"
 SECOND = "-2"
 """Ends what belongs to the second texture of a cache: a target, what is read."""
 
@@ -35,9 +43,10 @@ class Pass:
     name: str
     file: str
     targets: tuple[str, ...]
-    depth_test: str
-    reads: tuple[str, ...]
-    on_reset: bool
+    reads: tuple[str, ...] = ()
+    on_reset: bool = True
+    depth_test: str = "less"
+    depth_write: bool = True
     uniforms: tuple[str, ...] = ()
     attributes: tuple[str, ...] = ()
 
@@ -47,11 +56,11 @@ class ProgramSet:
     """The files of all passes, the passes of each algorithm, and the algorithms that do not fit."""
 
     files: dict[str, str] = field(default_factory=dict)
-    variants: dict[int, tuple[Pass, ...]] = field(default_factory=dict)
+    variants: dict[str, tuple[Pass, ...]] = field(default_factory=dict)
     original: Pass | None = None
     debug: Pass | None = None
     payload: Pass | None = None
-    refused: dict[int, str] = field(default_factory=dict)
+    refused: dict[str, str] = field(default_factory=dict)
     previous: dict[str, str] = field(default_factory=dict)
     unchanging: tuple[str, ...] = ()
     numbers: tuple[str, ...] = ()
@@ -60,53 +69,22 @@ class ProgramSet:
     whole: bool = False
 
 
-_ORIGINAL = Pass("original", "original", (COLOR,), "less", (), True)
-_PAYLOAD = Pass("payload-alone", "payload-alone", (COLOR,), "less", (), True)
-_NEEDED = Pass("needed", "needed", (MASK,), "less", (), False)
-_HIT_MASK = Pass("hit-mask", "hit-mask", (MASK,), "less", (PREVIOUS,), False)
-
-_PASSES: dict[int, tuple[tuple[Pass, Callable[[FragmentEmitter], Shader]], ...]] = {
-    1: (
-        (
-            Pass("shade", "1-pass", (COLOR, CACHE), "less", (PREVIOUS,), True),
-            FragmentEmitter.one,
-        ),
-    ),
-    2: (
-        (
-            Pass("hit", "2-pass.hit", (COLOR, CACHE), "less", (PREVIOUS,), False),
-            FragmentEmitter.hit,
-        ),
-        (Pass("miss", "2-pass.miss", (COLOR, CACHE), "less", (), True), FragmentEmitter.miss),
-    ),
-    3: (
-        (
-            Pass("reuse", "3-pass.reuse", (CACHE,), "less", (PREVIOUS,), False),
-            FragmentEmitter.reuse,
-        ),
-        (
-            Pass("payload", "3-pass.payload", (CACHE,), "less", (), True),
-            FragmentEmitter.payload_only,
-        ),
-        (
-            # The visible surface has been drawn twice already: equal depth is the winner.
-            Pass("shade", "3-pass.shade", (COLOR,), "lequal", (CURRENT,), True),
-            FragmentEmitter.shade,
-        ),
-    ),
-}
+_ORIGINAL = Pass("original", "original", (COLOR,))
+_PAYLOAD = Pass("payload-alone", "payload-alone", (COLOR,))
+_NEEDED = Pass("needed", "needed", (MASK,), on_reset=False)
+_HIT_MASK = Pass("hit-mask", "hit-mask", (MASK,), (PREVIOUS,), on_reset=False)
 
 
 def emit_programs(
     program: FragmentProgram,
     vertex: VertexEmitter,
     nodes: Sequence[Candidate],
-    options: Options,
-    algorithms: tuple[int, ...],
+    configurations: Sequence[Configuration],
 ) -> ProgramSet:
-    """Every pass of the given algorithms for the nodes, with the original and the hit mask."""
+    """Every pass of the nodes by some configurations that differ in their algorithms, with the
+    original and the hit mask."""
     program.memo.trim()
-    emitter = _emitter(program, nodes, options)
+    emitter = _emitter(program, nodes, configurations[0])
     made = ProgramSet(
         previous=vertex.previous_twins(),
         unchanging=vertex.unchanging(),
@@ -115,37 +93,52 @@ def emit_programs(
         color=program.color,
     )
     about = ", ".join(f"node {node.id}" for node in nodes)
-    write = _Writer(made, vertex, options, about)
+    write = _Writer(made, vertex, configurations[0].mode, about)
     made.original = write.original(program)
     made.debug = write.add(_HIT_MASK, emitter.made(FragmentEmitter.hit_mask))
     made.payload = write.add(_PAYLOAD, emitter.made(FragmentEmitter.payload_alone))
-    for number in algorithms:
-        unfit = emitter.unfit(number)
+    for configuration in configurations:
+        record = algorithm(configuration.algorithm)
+        unfit = emitter.unfit(record)
         if unfit is not None:
-            made.refused[number] = unfit
+            made.refused[record.name] = unfit
             continue
-        made.variants[number] = tuple(
-            write.add(item, emitter.made(build)) for item, build in _PASSES[number]
+        made.variants[record.name] = tuple(
+            write.add(_pass(record, item), emitter.made(function_named(item.maker)))
+            for item in record.passes
         )
     return made
 
 
+def _pass(record: Algorithm, item: AlgorithmPass) -> Pass:
+    return Pass(
+        item.name,
+        record.file_of(item),
+        item.targets,
+        item.reads,
+        item.on_reset,
+        item.depth_test,
+        item.depth_write,
+    )
+
+
 def _emitter(
-    program: FragmentProgram, nodes: Sequence[Candidate], options: Options
+    program: FragmentProgram, nodes: Sequence[Candidate], configuration: Configuration
 ) -> FragmentEmitter:
     """Whoever wants one mode of a variant often wants the other next: only its printing differs."""
     kept: dict[object, FragmentEmitter] = program.memo.table("last emitter")
-    key = (tuple(nodes), options.fetches, options.cache)
+    settings = tuple(written_settings(configuration).items())
+    key = (tuple(nodes), configuration.fetches, settings)
     if key not in kept:
         kept.clear()
-        kept[key] = FragmentEmitter(program, nodes, options.fetches, options.cache)
+        kept[key] = FragmentEmitter(program, nodes, configuration)
     return kept[key]
 
 
-def emit_original(program: FragmentProgram, vertex: VertexEmitter, options: Options) -> ProgramSet:
+def emit_original(program: FragmentProgram, vertex: VertexEmitter, mode: Mode) -> ProgramSet:
     """The user's shaders themselves, printed: what variants are compared with."""
     made = ProgramSet(prefix=program.prefix, color=program.color)
-    write = _Writer(made, vertex, options, "unchanged")
+    write = _Writer(made, vertex, mode, "unchanged")
     made.original = write.original(program)
     return made
 
@@ -154,12 +147,12 @@ def emit_needed(
     program: FragmentProgram,
     vertex: VertexEmitter,
     nodes: Sequence[Candidate],
-    options: Options,
+    configuration: Configuration,
 ) -> ProgramSet:
     """The program that tells which pixels have payloads of the nodes, and which of them are fit."""
-    emitter = _emitter(program, nodes, options)
+    emitter = _emitter(program, nodes, configuration)
     made = ProgramSet(prefix=program.prefix, color=program.color)
-    write = _Writer(made, vertex, options, "what has its payloads")
+    write = _Writer(made, vertex, configuration.mode, "what has its payloads")
     made.debug = write.add(_NEEDED, emitter.made(FragmentEmitter.needed))
     made.whole = emitter.whole
     return made
@@ -171,12 +164,12 @@ class _Writer:
 
     made: ProgramSet
     vertex: VertexEmitter
-    options: Options
+    mode: Mode
     about: str
 
     def original(self, program: FragmentProgram) -> Pass:
         """The user's own shaders: word for word, or ready for proof mode."""
-        if self.options.mode == "plain":
+        if self.mode == "plain":
             return self._write(_ORIGINAL, interface(program.parsed), interface(self.vertex.parsed))
         return self.add(_ORIGINAL, exact_original(program))
 
@@ -207,7 +200,7 @@ class _Writer:
     def _text(self, item: Pass, shader: Shader, stage: Stage) -> str:
         memo = self.vertex.memo
         module = with_precisions(shader.module, memo)
-        if self.options.mode == "proof":
+        if self.mode == "proof":
             if stage == "fragment":
                 module = hide_arguments(module, memo)
             module = write_out_matrices(module, self.vertex.prefix, stage, memo)

@@ -7,15 +7,17 @@ filled in through macros.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from functools import cache, lru_cache
 from pathlib import Path
-from typing import get_args, get_type_hints
+from typing import TypeAlias, get_args
 
+from shadercache.analysis.mapping import MappingKind
 from shadercache.ast import nodes as n
+from shadercache.caching.configuration import DEFAULT_EPSILON, Configuration
+from shadercache.caching.settings import cache_choices, written_settings
 from shadercache.emit.layout import MOST_OF_HALF, Layout
 from shadercache.front.parse import parse
-from shadercache.options import DEFAULT_CACHE, DEFAULT_EPSILON, CacheOptions, MappingKind
 from shadercache.source import Source
 from shadercache.transform.names import PREFIX
 from shadercache.transform.strip_spans import without_places
@@ -27,13 +29,18 @@ OUTCOMES = {
 """What a look-up says, as the hit mask shows it (0: nothing is drawn there)."""
 
 _OPTIONAL = {
-    "id": lambda options: options.ids,
-    "poison": lambda options: options.guard == "miss",
-    "magnified": lambda options: options.magnification,
-    "opted-out": lambda options: options.mask,
-    "old": lambda options: options.age,
+    "id": lambda chosen: chosen.hit_test.ids,
+    "poison": lambda chosen: chosen.storage.guard == "miss",
+    "magnified": lambda chosen: chosen.hit_test.magnification,
+    "opted-out": lambda chosen: chosen.hit_test.mask,
+    "old": lambda chosen: chosen.refresh.age,
 }
-"""Outcome -> do look-ups say so with these options? (The others always do.)"""
+"""Outcome -> do look-ups of such a configuration say so? (The others always do.)"""
+
+Settings: TypeAlias = tuple[tuple[str, str], ...]
+"""Key and word of each setting (:mod:`caching.settings`)."""
+
+DEFAULT_SETTINGS: Settings = tuple(written_settings(Configuration()).items())
 
 FOLDER = Path(__file__).with_name("glsl")
 
@@ -75,26 +82,26 @@ class Located:
 ON_SURFACE = Located()
 
 
-def outcomes(options: CacheOptions) -> dict[str, int]:
-    """What a look-up with these options can say."""
+def outcomes(configuration: Configuration) -> dict[str, int]:
+    """What a look-up can say."""
     return {
         word: value
         for word, value in OUTCOMES.items()
-        if word not in _OPTIONAL or _OPTIONAL[word](options)
+        if word not in _OPTIONAL or _OPTIONAL[word](configuration)
     }
 
 
 @cache
-def option_macros(options: CacheOptions) -> dict[str, str]:
+def option_macros(settings: Settings) -> dict[str, str]:
     """A macro for each thing that can be chosen, 1 where it is: ``REFRESH_RANDOM``, ``IDS``."""
-    hints = get_type_hints(CacheOptions)
+    choices = cache_choices()
     marks: dict[str, bool] = {}
-    for field in fields(options):
-        value, name = getattr(options, field.name), field.name.upper()
-        known = get_args(hints[field.name])
-        marks |= {f"{name}_{_word(word)}": word == value for word in known}
-        if not known:
-            marks[name] = value
+    for key, value in settings:
+        name, known = key.upper(), choices[key]
+        if "on" in known:
+            marks[name] = value == "on"
+        else:
+            marks |= {f"{name}_{_word(word)}": word == value for word in known}
     return {name: str(int(mark)) for name, mark in marks.items()}
 
 
@@ -105,7 +112,7 @@ def load_part(
     prefix: str,
     whole: bool = False,
     located: Located = ON_SURFACE,
-    options: CacheOptions = DEFAULT_CACHE,
+    settings: Settings = DEFAULT_SETTINGS,
     looks: bool = True,
 ) -> tuple[n.Decl, ...]:
     """The declarations of one file, for payloads of this layout, with the given name prefix.
@@ -113,7 +120,7 @@ def load_part(
     ``whole``: not every fragment has the payloads. ``looks``: is there a look-up in the pass?
     """
     macros = layout.macros(prefix, whole) | located.macros | _NUMBERS
-    macros |= option_macros(options) | {"LOOKS": str(int(looks))}
+    macros |= option_macros(settings) | {"LOOKS": str(int(looks))}
     macros |= {_word(key): str(value) for key, value in OUTCOMES.items()}
     # Names of the user's can stand in what a macro means; none begins with the prefix.
     capitals = prefix.upper()

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from typing import Any
 
+from shadercache.caching.configuration import DEFAULT_MAGNIFICATION, Configuration
 from shadercache.emit.layout import MOST_IN_HALF, Layout, precision_of
-from shadercache.options import DEFAULT_MAGNIFICATION, Options
 
 
-def added_uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[str, Any]]:
+def added_uniforms(
+    prefix: str, layout: Layout, configuration: Configuration
+) -> list[dict[str, Any]]:
     """One entry for each: name, type, role, meaning, unit, range, default, its value on a reset.
 
-    ``prefix`` begins the names; ``options`` are those of the rewrite.
+    ``prefix`` begins the names.
     """
 
     def entry(
@@ -28,7 +30,7 @@ def added_uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[s
 
     sampler = "usampler2D" if layout.bits else "sampler2D"
     most = f"[0, {2**31})" if layout.bits else f"[0, {MOST_IN_HALF}], with rgba32f [0, {2**24}]"
-    held = precision_of(layout.formats(options.cache_format)[0])
+    held = precision_of(layout.formats(configuration.storage.format)[0])
     second = [
         entry("cache_2", sampler, "previous-cache-2", "the rest of what the last frame stored"),
         entry("payloads_2", sampler, "current-cache-2", "the rest of what this frame has stored"),
@@ -53,7 +55,7 @@ def added_uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[s
             "frames between two refreshes of a pixel; 1 refreshes everything in every frame. "
             "Variants that run beside each other may have different ones",
             "frames",
-            range=_periods(layout, options),
+            range=_periods(layout, configuration),
             default=32,
         ),
         entry(
@@ -72,7 +74,7 @@ def added_uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[s
             "accepted difference between the cached and the expected depth",
             "relative to 1/w",
             range="> 0; below it nothing is found",
-            default=options.epsilon,
+            default=configuration.hit_test.epsilon,
             on_reset=-1,
         ),
         entry(
@@ -141,7 +143,7 @@ def added_uniforms(prefix: str, layout: Layout, options: Options) -> list[dict[s
     ]
 
 
-def _periods(layout: Layout, options: Options) -> str:
+def _periods(layout: Layout, configuration: Configuration) -> str:
     """The range of the period; half floats count no further than this without rounding."""
-    rough = options.cache.age and not layout.bits
+    rough = configuration.refresh.age and not layout.bits
     return f"[1, {MOST_IN_HALF // 2}], with rgba32f [1, 65536)" if rough else "[1, 65536)"

@@ -20,6 +20,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
 from shadercache.analysis.effect_table import EffectTable
+from shadercache.analysis.mapping import MappingKind
 from shadercache.analysis.stages import Links
 from shadercache.analysis.vertex_inputs import OUTPUTS, kept_numbers, variable_fate
 from shadercache.ast import nodes as n
@@ -29,7 +30,6 @@ from shadercache.emit.layout import Layout
 from shadercache.emit.runtime import load_part
 from shadercache.emit.twins import POSITION, Twins, is_builtin_output, is_opaque_uniform
 from shadercache.lang.types import FLOAT
-from shadercache.options import MappingKind
 from shadercache.source import NOWHERE
 from shadercache.transform.reachable import declared_names, names_in
 from shadercache.transform.remove_dead import remove_dead

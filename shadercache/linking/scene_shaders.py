@@ -9,12 +9,12 @@ from typing import TypeVar
 
 import numpy as np
 
+from shadercache.analysis.mapping import MappingKind
 from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import input_error, usage_error
 from shadercache.foreign_files import read_text
 from shadercache.front.read_options import ReadOptions
 from shadercache.linking.made_scene import made_scene
-from shadercache.options import MappingKind
 from shadercache.scene.camera import root_of, scene_values
 from shadercache.scene.description import Scene, load_scene
 from shadercache.source import Source

@@ -12,6 +12,8 @@ from typing import Any
 from shadercache import __version__
 from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.payload_sets import is_skipped
+from shadercache.caching.configuration import Configuration, Mode
+from shadercache.caching.settings import written_settings
 from shadercache.emit.dependencies import Dependency
 from shadercache.emit.layout import Layout, extras_of
 from shadercache.emit.program_set import Pass, ProgramSet
@@ -22,12 +24,6 @@ from shadercache.manifest.sentences import frame_sentences, reset_sentences
 from shadercache.manifest.setting import Setting
 from shadercache.manifest.shader_inputs import described_inputs
 from shadercache.manifest.state import state_of
-from shadercache.options import (
-    CacheOptions,
-    Options,
-    marks_depths,
-    written_cache_options,
-)
 from shadercache.source import Source
 
 SCHEMA_VERSION = 2
@@ -86,14 +82,14 @@ def build_manifest(
     fragment: Source,
     vertex: Source,
     nodes: Sequence[Candidate],
-    options: Options,
+    configuration: Configuration,
     programs: ProgramSet,
     setting: Setting,
 ) -> dict[str, Any]:
     """The manifest of a program set."""
     assert programs.original is not None and programs.debug is not None
     assert programs.payload is not None
-    layout = Layout(tuple(node.type for node in nodes), extras=extras_of(options.cache))
+    layout = Layout(tuple(node.type for node in nodes), extras=extras_of(configuration))
     declared = _declared(programs)
     return {
         "schema_version": SCHEMA_VERSION,
@@ -102,12 +98,12 @@ def build_manifest(
         "nodes": [
             _node(fragment, node, place) for node, place in zip(nodes, layout.places, strict=True)
         ],
-        "mode": options.mode,
+        "mode": configuration.mode,
         "color": {"output": programs.color, "location": 0},
-        "cache": _cache(layout, options),
+        "cache": _cache(layout, configuration),
         "uniforms": [
             entry
-            for entry in added_uniforms(programs.prefix, layout, options)
+            for entry in added_uniforms(programs.prefix, layout, configuration)
             if entry["name"] in declared or entry["role"] in _ALWAYS
         ],
         "renamed": dict(setting.renamed),
@@ -118,18 +114,17 @@ def build_manifest(
         "draw": dict(FULL_SCREEN if setting.full_screen else OBJECTS),
         "original": _pass(programs.original),
         "variants": [
-            {"algorithm": f"{number}-pass", "passes": [_pass(item) for item in passes]}
-            for number, passes in programs.variants.items()
+            {"algorithm": name, "passes": [_pass(item) for item in passes]}
+            for name, passes in programs.variants.items()
         ],
         "refused": [
-            {"algorithm": f"{number}-pass", "reason": reason}
-            for number, reason in programs.refused.items()
+            {"algorithm": name, "reason": reason} for name, reason in programs.refused.items()
         ],
         "payload": _pass(programs.payload),
-        "debug": _debug(programs.debug, options, setting),
+        "debug": _debug(programs.debug, configuration, setting),
         "frame": frame_sentences(bool(layout.second), setting, programs),
-        "reset": reset_sentences(options.cache, setting, programs),
-        "relies_on": relies_on(options, programs, setting),
+        "reset": reset_sentences(configuration, setting, programs),
+        "relies_on": relies_on(configuration, programs, setting),
         "state": state_of(setting.full_screen),
     } | ({} if setting.full_screen else {"depth_functions": _depth_functions()})
 
@@ -146,22 +141,22 @@ def _mapping(setting: Setting) -> dict[str, Any]:
     return how
 
 
-def original_manifest(programs: ProgramSet, options: Options) -> dict[str, Any]:
+def original_manifest(programs: ProgramSet, mode: Mode) -> dict[str, Any]:
     """The part of a manifest that says how to draw the unchanged shader."""
     assert programs.original is not None
     return {
         "schema_version": SCHEMA_VERSION,
-        "mode": options.mode,
+        "mode": mode,
         "original": _pass(programs.original),
     }
 
 
-def needed_manifest(programs: ProgramSet, options: Options) -> dict[str, Any]:
+def needed_manifest(programs: ProgramSet, mode: Mode) -> dict[str, Any]:
     """The part of a manifest that says how to draw which pixels have payloads."""
     assert programs.debug is not None
     return {
         "schema_version": SCHEMA_VERSION,
-        "mode": options.mode,
+        "mode": mode,
         "needed": _pass(programs.debug) | {"by_some": programs.whole},
     }
 
@@ -173,19 +168,19 @@ def _declared(programs: ProgramSet) -> set[str]:
     return {name for item in passes for name in item.uniforms}
 
 
-def _cache(layout: Layout, options: Options) -> dict[str, Any]:
-    formats = layout.formats(options.cache_format)
+def _cache(layout: Layout, configuration: Configuration) -> dict[str, Any]:
+    formats = layout.formats(configuration.storage.format)
     first, rest = layout.payload_channels
-    depth = _DEPTHS[options.cache.depth]
+    depth = _DEPTHS[configuration.storage.depth]
     cache: dict[str, Any] = {
         "format": formats[0],
         "buffers": 2,
-        "clear": list(_clear(layout, options.cache)),
+        "clear": list(_clear(layout, configuration)),
         "filter": "nearest",
         "wrap": "clamp-to-edge",
         "channels": {"payload": _CHANNELS[first - 1], "depth": "w"} | _extras(layout, 0),
         "depth_encoding": f"floatBitsToUint({depth})" if layout.bits else depth,
-        "options": written_cache_options(options.cache),
+        "options": written_settings(configuration),
     }
     if layout.second:
         payload = {"payload": _CHANNELS[rest - 1]} if rest else {}
@@ -194,13 +189,13 @@ def _cache(layout: Layout, options: Options) -> dict[str, Any]:
     return cache
 
 
-def _clear(layout: Layout, options: CacheOptions) -> tuple[float, ...]:
+def _clear(layout: Layout, configuration: Configuration) -> tuple[float, ...]:
     """What an empty texel holds."""
-    if options.depth == "ndc":
+    if configuration.storage.depth == "ndc":
         return CLEAR_NDC_BITS if layout.bits else CLEAR_NDC
     if layout.bits:
         return CLEAR_BITS
-    return CLEAR_MARKED if marks_depths(options) else CLEAR
+    return CLEAR_MARKED if configuration.filter.marks_depths else CLEAR
 
 
 def _extras(layout: Layout, texel: int) -> dict[str, Any]:
@@ -213,9 +208,9 @@ def _source(source: Source) -> dict[str, str]:
     return {"name": source.name, "sha256": sha256(source.text.encode()).hexdigest()}
 
 
-def _debug(item: Pass, options: Options, setting: Setting) -> dict[str, Any]:
+def _debug(item: Pass, configuration: Configuration, setting: Setting) -> dict[str, Any]:
     when = _WHEN if setting.full_screen else f"{_WHEN}; {_HIDDEN}"
-    return _pass(item) | DEBUG | {"when": when, "values": outcomes(options.cache)}
+    return _pass(item) | DEBUG | {"when": when, "values": outcomes(configuration)}
 
 
 def _dependency(item: Dependency) -> dict[str, Any]:
@@ -248,7 +243,7 @@ def _pass(item: Pass) -> dict[str, Any]:
         "vertex": f"{item.file}.vert",
         "fragment": f"{item.file}.frag",
         "targets": list(item.targets),
-        "depth": {"test": item.depth_test, "write": True},
+        "depth": {"test": item.depth_test, "write": item.depth_write},
         "reads": list(item.reads),
         "uniforms": list(item.uniforms),
         "attributes": list(item.attributes),

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from shadercache.analysis.mapping import PREVIOUS_CLIP
+from shadercache.caching.algorithms import algorithm
+from shadercache.caching.configuration import Configuration
 from shadercache.emit.program_set import ProgramSet
 from shadercache.manifest.setting import Setting
-from shadercache.options import PREVIOUS_CLIP, Options
 
 WHOLE_TARGET = "a viewport that covers the whole target and begins at (0, 0), as large as the cache"
 PART_OF_TARGET = "a viewport inside of the target, which is as large as the cache"
@@ -35,20 +37,21 @@ LARGEST_OF_HALF = (
 )
 
 
-def relies_on(options: Options, programs: ProgramSet, setting: Setting) -> list[str]:
+def relies_on(configuration: Configuration, programs: ProgramSet, setting: Setting) -> list[str]:
     """What these programs rely on."""
+    chosen = [algorithm(name) for name in programs.variants]
     relies = list(RELIES_ON_FULL_SCREEN if setting.full_screen else RELIES_ON)
-    if options.cache.viewport:
+    if configuration.hit_test.viewport:
         relies[relies.index(WHOLE_TARGET)] = PART_OF_TARGET
-    if options.cache.depth != "ndc" and not setting.full_screen:
+    if configuration.storage.depth != "ndc" and not setting.full_screen:
         relies.append("a perspective projection: in an orthographic one w tells no depth")
-    if options.cache_format == "rgba16f" and 3 in programs.variants:
+    if configuration.storage.format == "rgba16f" and any(item.reads_back for item in chosen):
         relies.append(LARGEST_OF_HALF)
     if programs.unchanging:
         names = ", ".join(programs.unchanging)
         relies.append(f"these decide the position and do not change between frames: {names}")
     relies += programs.numbers
-    if options.fetches == "level" and 1 in programs.variants:
+    if configuration.fetches == "level" and any(item.branches for item in chosen):
         relies.append(
             "isotropic texture filtering: one pass asks for levels of detail, then fetches at these"
         )

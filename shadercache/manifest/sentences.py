@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from shadercache.caching.algorithms import algorithm
+from shadercache.caching.configuration import Configuration, Refresh
 from shadercache.emit.program_set import ProgramSet
 from shadercache.manifest.setting import Setting
-from shadercache.options import CacheOptions
 
 FRAME = (
     "Swap the two caches: what was written in the last frame is the previous cache now.",
@@ -111,32 +112,35 @@ def frame_sentences(two_textures: bool, setting: Setting, programs: ProgramSet) 
     ]
 
 
-def reset_sentences(options: CacheOptions, setting: Setting, programs: ProgramSet) -> list[str]:
+def reset_sentences(
+    configuration: Configuration, setting: Setting, programs: ProgramSet
+) -> list[str]:
     """What it does on the first frame, whenever the last one does not fit, and on a change."""
     found = list(RESET_FULL_SCREEN if setting.full_screen else RESET)
-    if 2 not in programs.variants or len(programs.variants) == 1:
+    at_once = [name for name in programs.variants if algorithm(name).resets_at_once]
+    if not at_once or len(programs.variants) == 1:
         found.remove(SHORT_RESET)
     twins = [RESET_TWINS] * bool(programs.previous)
-    return [*found, RESET_UNIFORMS, *twins, *_of_changes(options, setting)]
+    return [*found, RESET_UNIFORMS, *twins, *_of_changes(configuration.refresh, setting)]
 
 
-def _of_changes(options: CacheOptions, setting: Setting) -> list[str]:
+def _of_changes(refresh: Refresh, setting: Setting) -> list[str]:
     if not setting.depends_on:
         return []
     whom = "" if setting.full_screen else ", or the objects that it concerns by themselves"
     return [
-        f"What is reused was computed in an earlier frame; it is {_age(options, setting)}. Where "
+        f"What is reused was computed in an earlier frame; it is {_age(refresh, setting)}. Where "
         "something in depends_on has another value now (a light, the eye, a texture's content), "
         "reuse shows the old one for that long. If that must not be seen, reset in the frame of "
         f"the change{whom}; what is not in depends_on needs no reset."
     ]
 
 
-def _age(options: CacheOptions, setting: Setting) -> str:
+def _age(refresh: Refresh, setting: Setting) -> str:
     """How old a payload may become."""
-    if options.age or (setting.mapping == "screen" and options.refresh != "none"):
+    if refresh.age or (setting.mapping == "screen" and refresh.schedule != "none"):
         return "at most a period old"
-    if options.refresh == "none":
+    if refresh.schedule == "none":
         return "as old as a surface has been in view: nothing is refreshed"
     return (
         "at most a period old where nothing moves, and may be older in motion, since it comes from "

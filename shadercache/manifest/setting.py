@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from shadercache.analysis.mapping import MappingKind
 from shadercache.emit.dependencies import Dependency
 from shadercache.emit.reflection import Input
-from shadercache.options import MappingKind
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,34 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
 
+from shadercache.caching.assignment import Assignment
+from shadercache.caching.configuration import Configuration
 from shadercache.measure.image_error import ErrorStats, Pixels
 from shadercache.measure.probe import Probe
 from shadercache.measure.statistics import Ratio, Timing
 from shadercache.measure.stopping import StopRule
-from shadercache.render.bundle import Bundle
-
-
-@dataclass(frozen=True, eq=False)
-class Entry:
-    """A node to measure: its name in tables, its programs, and which variants (None: all).
-
-    ``equal``: for how many nodes of the same value it stands, itself included.
-    """
-
-    label: str
-    bundle: Bundle
-    algorithms: tuple[str, ...] | None = None
-    equal: int = 1
-
-    @property
-    def chosen(self) -> tuple[str, ...]:
-        """The variants to measure."""
-        return self.bundle.algorithms if self.algorithms is None else self.algorithms
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,19 +26,14 @@ class MeasureOptions:
     are taken as well (they cost extra draws); oftener in a short run, so that there are eight.
     ``group``: how many variants are interleaved at once; more need more memory for caches.
     ``picture_frame``: the frame whose pictures are kept; None keeps none.
-    ``curves``: of at most so many nodes what becomes of the pixels is counted in every frame.
+    ``curves``: of at most so many payloads what becomes of the pixels is counted in every frame.
     ``weigh``: first find out which objects with shaders of their own are worth caching.
     ``stop``: end before the last frame, but not before eight images have been compared.
     """
 
-    size: tuple[int, int] = (1024, 1024)
     frames: int = 64
     error_from: int = 32
     probe_every: int = 4
-    period: int = 32
-    block: int = 4
-    epsilon: float | None = None
-    cache_format: str | None = None
     group: int = 12
     picture_frame: int | None = None
     curves: int = 8
@@ -89,7 +67,7 @@ class Shot:
     """Images of one variant at one frame, row 0 at the bottom; ``probe`` tells its outcomes."""
 
     label: str
-    algorithm: str
+    configuration: Configuration
     original: Pixels
     cached: Pixels
     probe: Probe
@@ -97,8 +75,12 @@ class Shot:
 
 @dataclass(frozen=True, slots=True)
 class Curve:
-    """What became of the visible pixels of cached objects: their shares, by frame from frame 0."""
+    """What became of the visible pixels of cached objects: their shares, by frame from frame 0.
 
+    ``period`` and ``block`` are those of the run."""
+
+    period: int
+    block: int
     hit: tuple[float, ...]
     refresh: tuple[float, ...]
 
@@ -130,7 +112,7 @@ class VariantResult:
     ``efficiency`` = floor / time as DESIGN §7 says, None without parts.
     """
 
-    algorithm: str
+    configuration: Configuration
     timing: Timing
     speedup: Ratio
     reset: float
@@ -150,11 +132,23 @@ class VariantResult:
 
 
 @dataclass(frozen=True, slots=True)
+class OtherResult:
+    """What is no variant: its time, its ratio to the original, its error."""
+
+    label: str
+    timing: Timing
+    speedup: Ratio
+    error: ErrorStats
+    frame_rmse: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class NodeResult:
     """One node. ``ratio`` is P/T as measured: payload alone over the original, both less geometry.
 
     ``payload`` and ``hit`` are the parts measured alone at the probed frames (None if the manifest
-    has no 3-pass or no 2-pass variant). ``equal`` as in :class:`Entry`.
+    has no 3-pass or no 2-pass variant). ``equal``: for how many nodes of
+    the same value it stands; ``curves``: one for each period and block.
     """
 
     label: str
@@ -168,7 +162,7 @@ class NodeResult:
     hit: Timing | None
     variants: tuple[VariantResult, ...]
     equal: int = 1
-    curve: Curve | None = None
+    curves: tuple[Curve, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -208,12 +202,14 @@ class CachingGain:
 class Group:
     """Nodes whose frames were interleaved with the same draws of the original.
 
-    ``original`` and ``geometry`` (the vertex work alone) are timed at every frame.
+    ``original`` and ``geometry`` (the vertex work alone) are timed at every frame. ``others`` were
+    drawn in turns with them.
     """
 
     original: Timing
     geometry: Timing
     nodes: tuple[NodeResult, ...]
+    others: tuple[OtherResult, ...] = ()
     skipped: Skipped | None = None
 
 
@@ -224,6 +220,7 @@ class Measurement:
     shaders of their own is worth. Those where it is nothing were drawn by their originals."""
 
     scene: str
+    size: tuple[int, int]
     options: MeasureOptions
     clock: str
     covered: float
@@ -231,6 +228,7 @@ class Measurement:
     shots: tuple[Shot, ...]
     notes: tuple[str, ...] = ()
     gains: tuple[CachingGain, ...] = ()
+    assignments: Mapping[Configuration, Assignment] = field(default_factory=dict)
 
     @property
     def frames(self) -> int:
@@ -241,3 +239,16 @@ class Measurement:
     def nodes(self) -> tuple[NodeResult, ...]:
         """All nodes, in the order they were given."""
         return tuple(node for group in self.groups for node in group.nodes)
+
+    @cached_property
+    def refreshes(self) -> tuple[tuple[int, int], ...]:
+        """The periods and blocks that were measured beside each other."""
+        found = (variant.configuration.refresh for node in self.nodes for variant in node.variants)
+        return tuple(dict.fromkeys((refresh.period, refresh.block) for refresh in found))
+
+    def name(self, configuration: Configuration) -> str:
+        """What tells variants of one node apart: the algorithm; with several periods and blocks
+        these too."""
+        period, block = configuration.refresh.period, configuration.refresh.block
+        name = configuration.algorithm
+        return f"{name} n{period} k{block}" if len(self.refreshes) > 1 else name

@@ -25,12 +25,15 @@ from shadercache.files import write_bytes
 from shadercache.gpu.context import Gpu
 from shadercache.measure.measurement import Group, Measurement, NodeResult, VariantResult
 
-SCHEMA_VERSION = 1
+SCHEMA_VERSION = 2
 
 COLUMNS = (
     "label",
     "node",
     "algorithm",
+    "period",
+    "block",
+    "configuration",
     "p_over_t",
     "original_ms",
     "time_ms",
@@ -75,7 +78,12 @@ def to_json(measurement: Measurement, where: Mapping[str, Any]) -> dict[str, Any
         "environment": dict(where),
         "clock": measurement.clock,
         "scene": measurement.scene,
+        "size": list(measurement.size),
         "options": asdict(measurement.options),
+        "assignments": {
+            configuration.key: assignment.to_json()
+            for configuration, assignment in measurement.assignments.items()
+        },
         "covered": measurement.covered,
         "notes": list(measurement.notes),
         "gains": [_plain(asdict(gain)) for gain in measurement.gains],
@@ -130,7 +138,10 @@ def _row(group: Group, node: NodeResult, variant: VariantResult) -> dict[str, An
     values = (
         node.label,
         node.node_id,
-        variant.algorithm,
+        variant.configuration.algorithm,
+        variant.configuration.refresh.period,
+        variant.configuration.refresh.block,
+        variant.configuration.key,
         node.ratio,
         group.original.median * 1e3,
         variant.timing.median * 1e3,

@@ -1,10 +1,11 @@
-"""What runs side by side in a measurement: the original, each variant, each part of the floor.
+"""What runs side by side in a measurement: the original, each subject, each part of the floor.
 
 A lane draws, keeps its samples, and turns them into a result in the end.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
 
 import numpy as np
@@ -12,29 +13,29 @@ from numpy.typing import NDArray
 
 from shadercache.gpu.clock import Clock
 from shadercache.measure.image_error import ErrorSum, Pixels
-from shadercache.measure.measurement import Curve, Entry, MeasureOptions, NodeResult, VariantResult
+from shadercache.measure.measurement import Curve, NodeResult, OtherResult, VariantResult
+from shadercache.measure.probe import Probe
 from shadercache.measure.statistics import Ratio, Timing, paired_ratio, timing
-from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import (
-    NEVER,
-    OLDEST_IN_HALF,
+from shadercache.measure.subjects import Subject, VariantSubject
+from shadercache.render.bundle import Bundle
+from shadercache.render.pass_runners import (
     CoverageRunner,
     GeometryRunner,
     OriginalRunner,
     PayloadRunner,
-    RunOptions,
-    VariantRunner,
 )
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import NEVER, OLDEST_IN_HALF, VariantRunner
 
 
 class TimedOriginal:
     """The original, its geometry and its coverage: what every variant is compared with."""
 
-    def __init__(self, world: RenderScene, entry: Entry) -> None:
+    def __init__(self, world: RenderScene, bundles: Sequence[Bundle]) -> None:
         """Raises as ``BoundPass``."""
-        self._original = OriginalRunner(world, entry.bundle)
-        self._geometry = GeometryRunner(world, entry.bundle)
-        self._coverage = CoverageRunner(world, entry.bundle)
+        self._original = OriginalRunner(world, *bundles)
+        self._geometry = GeometryRunner(world, *bundles)
+        self._coverage = CoverageRunner(world, *bundles)
         self._world = world
         self.original: dict[int, float] = {}
         self.geometry: dict[int, float] = {}
@@ -89,41 +90,78 @@ class TimedOriginal:
             runner.release()
 
 
-class TimedVariant:
-    """One variant with its samples."""
+class TimedSubject:
+    """A subject with its samples."""
 
-    def __init__(
-        self, world: RenderScene, entry: Entry, algorithm: str, options: MeasureOptions
-    ) -> None:
-        """Raises as ``VariantRunner``."""
-        run = RunOptions(
-            options.period,
-            options.block,
-            options.epsilon,
-            options.cache_format,
-            short_reset=True,
-        )
-        self.runner = VariantRunner(world, entry.bundle, algorithm, run)
-        self.entry = entry
+    def __init__(self, world: RenderScene, subject: Subject) -> None:
+        """Raises as ``Subject.prepare``."""
+        self.subject = subject
         self.times: dict[int, float] = {}
-        self._hit_rates: list[float] = []
-        self.mask: NDArray[np.uint8] = np.zeros((0, 0), np.uint8)
+        self._world = world
         self._error = ErrorSum()
         self._frame_rmse: list[float] = []
+        subject.prepare(world)
+
+    def warm_up(self, frame: int) -> None:
+        """Draw twice: the first draw of a program compiles it."""
+        for _ in range(2):
+            self.subject.draw(frame)
+
+    def time(self, clock: Clock, frame: int) -> None:
+        """Time the next frame of the run; its image stays in the colour target."""
+        self.times[frame] = clock.time(partial(self.subject.draw, frame))
+
+    def compare(self, reference: TimedOriginal) -> None:
+        """Add the image in the colour target to the error."""
+        pixels = self._world.targets.pixels()
+        self._frame_rmse.append(self._error.add(reference.pixels, pixels, reference.covered))
+
+    def speedup(self, reference: TimedOriginal) -> Ratio:
+        """The original's time over this one's, without the reset frame."""
+        frames = [frame for frame in self.times if frame > 0]
+        original = [reference.original[frame] for frame in frames]
+        return paired_ratio(original, [self.times[frame] for frame in frames])
+
+    def beside(self, reference: TimedOriginal) -> OtherResult:
+        """What was measured of it, beside the original."""
+        return OtherResult(
+            label=self.subject.label,
+            timing=timing([time for frame, time in self.times.items() if frame > 0]),
+            speedup=self.speedup(reference),
+            error=self._error.stats(),
+            frame_rmse=tuple(self._frame_rmse),
+        )
+
+
+class TimedVariant(TimedSubject):
+    """One variant with its samples, and what became of its pixels."""
+
+    def __init__(self, world: RenderScene, subject: VariantSubject) -> None:
+        """Raises as ``VariantRunner``."""
+        super().__init__(world, subject)
+        self.variant = subject
+        self.mask: NDArray[np.uint8] = np.zeros((0, 0), np.uint8)
+        self._hit_rates: list[float] = []
         self._outcomes: list[dict[str, float]] = []
         self._work: list[dict[str, int]] = []
         self._resets: list[float] = []
 
+    @property
+    def runner(self) -> VariantRunner:
+        """What draws it."""
+        return self.variant.runner
+
+    @property
+    def outcome(self) -> Probe:
+        """What the frame that was looked at last shows."""
+        values, period = self.variant.bundle.mask_values, self.variant.configuration.refresh.period
+        return Probe(self.mask, values, self.runner.ages(), period)
+
     def warm_up(self, frame: int) -> None:
         """Draw a reset frame and one more, so that every pass has been drawn, then forget."""
-        for _ in range(2):
-            self.runner.draw(frame)
+        super().warm_up(frame)
         self.runner.hit_mask(frame)
         self.runner.reset()
-
-    def time(self, clock: Clock, frame: int) -> None:
-        """Time the next frame of the run; its image stays in the colour target."""
-        self.times[frame] = clock.time(partial(self.runner.draw, frame))
 
     def time_reset(self, clock: Clock, frame: int, reference: TimedOriginal) -> None:
         """Time the frame after a reset, beside the original of the same frame."""
@@ -138,46 +176,30 @@ class TimedVariant:
     def probe(self, frame: int) -> None:
         """Count outcomes and work of the frame that is about to be drawn."""
         self.look(frame)
-        counts = np.bincount(self.mask.ravel(), minlength=256)
-        covered = max(1, self.mask.size - int(counts[0]))
-        values = self.entry.bundle.mask_values
-        shares = {name: float(counts[value]) / covered for name, value in values.items()}
+        shares = self.outcome.shares
         self._outcomes.append(shares)
         self._hit_rates.append(shares.get("hit", 0.0))
         self.runner.note_hits(frame, self._hit_rates[-1])
         self._work.append(self.runner.work(frame))
 
-    def compare(self, reference: TimedOriginal) -> None:
-        """Add the image in the colour target to the error."""
-        pixels = self.runner.world.targets.pixels()
-        self._frame_rmse.append(self._error.add(reference.pixels, pixels, reference.covered))
-
-    def speedup(self, reference: TimedOriginal) -> Ratio:
-        """The original's time over this variant's, without the reset frame."""
-        frames = [frame for frame in self.times if frame > 0]
-        original = [reference.original[frame] for frame in frames]
-        return paired_ratio(original, [self.times[frame] for frame in frames])
-
     def result(self, reference: TimedOriginal, hit: dict[int, float]) -> VariantResult:
         """What was measured; ``hit`` are the seconds of the hit part at the probed frames."""
-        frames = [frame for frame in self.times if frame > 0]
-        original = [reference.original[frame] for frame in frames]
-        times = [self.times[frame] for frame in frames]
-        speedup = self.speedup(reference)
+        found = self.beside(reference)
+        original = timing([reference.original[frame] for frame in self.times if frame > 0])
         floor = self._floor(reference, hit)
         return VariantResult(
-            algorithm=self.runner.algorithm,
-            timing=timing(times),
-            speedup=speedup,
+            configuration=self.variant.configuration,
+            timing=found.timing,
+            speedup=found.speedup,
             reset=float(np.median(self._resets)),
             outcomes=_mean(self._outcomes),
             burst=max((shares.get("refresh", 0.0) for shares in self._outcomes), default=0.0),
             hit_rates=tuple(self._hit_rates),
             work=_mean(self._work),
-            error=self._error.stats(),
-            frame_rmse=tuple(self._frame_rmse),
-            floor=None if floor is None else floor * float(np.median(original)),
-            efficiency=None if floor is None else floor * speedup.median,
+            error=found.error,
+            frame_rmse=found.frame_rmse,
+            floor=None if floor is None else floor * original.median,
+            efficiency=None if floor is None else floor * found.speedup.median,
         )
 
     def _floor(self, reference: TimedOriginal, hit: dict[int, float]) -> float | None:
@@ -192,15 +214,15 @@ class TimedVariant:
 class TimedParts:
     """The payload alone and the hit alone, each at its frames (``MeasureOptions``)."""
 
-    def __init__(self, world: RenderScene, entry: Entry, options: MeasureOptions) -> None:
-        """Raises as ``VariantRunner``."""
+    def __init__(self, world: RenderScene, subject: VariantSubject) -> None:
+        """Args: ``subject``: one of those of the payload. Raises as ``VariantRunner``."""
         self.payload: dict[int, float] = {}
         self.hit: dict[int, float] = {}
-        never = NEVER if entry.bundle.age_channel is None else OLDEST_IN_HALF
-        run = RunOptions(never, options.block, options.epsilon, options.cache_format)
-        have = entry.bundle.algorithms
-        self._payload = PayloadRunner(world, entry.bundle)
-        self._hit = VariantRunner(world, entry.bundle, "2-pass", run) if "2-pass" in have else None
+        self.subject = subject
+        never = NEVER if subject.bundle.age_channel is None else OLDEST_IN_HALF
+        objects = subject.at_rest(never)
+        self._payload = PayloadRunner(world, *subject.objects)
+        self._hit = VariantRunner(world, *objects) if objects else None
 
     def warm_up(self, frame: int, clock: Clock) -> None:
         """Draw both once, then forget what was timed."""
@@ -214,14 +236,15 @@ class TimedParts:
         self.payload[frame] = clock.time(partial(self._payload.draw, frame))
 
     def probe(self, clock: Clock, frame: int) -> None:
-        """Time the 2-pass hit pass at rest.
+        """Time the pass that shades hits alone, at rest.
 
-        The hit pass sees a cache that was filled at the same frame, so that every pixel is a hit.
+        It sees a cache that was filled at the same frame, so that every pixel is a hit.
         """
-        if self._hit is not None:
+        found = self.subject.bundle.hit_pass
+        if self._hit is not None and found is not None:
             self._hit.reset()
             self._hit.draw(frame)
-            self.hit[frame] = clock.time(partial(self._hit.draw_pass, frame, "hit"))
+            self.hit[frame] = clock.time(partial(self._hit.draw_pass, frame, found[1]))
 
     def release(self) -> None:
         """Give programs and caches back."""
@@ -230,16 +253,12 @@ class TimedParts:
             self._hit.release()
 
     def result(
-        self,
-        reference: TimedOriginal,
-        entry: Entry,
-        lanes: list[TimedVariant],
-        curve: Curve | None,
+        self, reference: TimedOriginal, lanes: Sequence[TimedVariant], curves: Sequence[Curve]
     ) -> NodeResult:
-        """The node with all its variants."""
-        bundle = entry.bundle
+        """The payload with all its variants."""
+        bundle = self.subject.bundle
         return NodeResult(
-            label=entry.label,
+            label=self.subject.label,
             node_id=bundle.node("id"),
             path=bundle.node("path"),
             text=bundle.node("text"),
@@ -249,8 +268,8 @@ class TimedParts:
             payload=_timing(self.payload),
             hit=_timing(self.hit),
             variants=tuple(lane.result(reference, self.hit) for lane in lanes),
-            equal=entry.equal,
-            curve=curve,
+            equal=self.subject.equal,
+            curves=tuple(curves),
         )
 
     def _ratio(self, reference: TimedOriginal) -> float | None:

@@ -6,15 +6,17 @@ may cost a frame more than they save it.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import ExitStack
 from functools import partial
 from pathlib import Path
 
 from shadercache.gpu.clock import Clock, no_collection
-from shadercache.measure.measurement import CachingGain, Entry, MeasureOptions
+from shadercache.measure.measurement import CachingGain
 from shadercache.measure.statistics import Ratio, paired_ratio
+from shadercache.measure.subjects import VariantSubject
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import RunOptions, VariantRunner
+from shadercache.render.variant_runner import VariantRunner
 
 WARM_UP = 3
 """Frames that are not timed: a reset, and the first that reuse."""
@@ -24,43 +26,46 @@ WEIGHED = 12
 
 
 def weigh(
-    world: RenderScene, entry: Entry, options: MeasureOptions, clock: Clock
+    world: RenderScene, subjects: Sequence[VariantSubject], clock: Clock
 ) -> tuple[CachingGain, ...]:
     """Time the scene with and without caching the objects of each shader but the scene's own.
 
-    The runs take turns frame by frame, from frame 0 on. Raises as ``VariantRunner``.
+    Of the subjects the first of each algorithm is taken, of the first's payload. The runs take
+    turns frame by frame, from frame 0 on. Raises as ``VariantRunner``.
     """
-    shaders: dict[Path, list[str]] = {}
-    for drawable in world.drawables:
-        if drawable.item.own_shader and drawable.item.cached:
-            shaders.setdefault(drawable.scene.fragment, []).append(drawable.item.name)
+    if not subjects:
+        return ()
+    same = [item for item in subjects if item.label == subjects[0].label]
+    firsts = {item.configuration.algorithm: item for item in reversed(same)}
     found = []
-    for shader, names in shaders.items():
-        other = world.without_caching(names)
-        ratios = {name: _ratio(world, other, entry, name, options, clock) for name in entry.chosen}
-        if ratios:
-            best = max(ratios, key=lambda name: ratios[name].median)
-            found.append(CachingGain(shader.name, tuple(names), best, ratios[best]))
+    for shader, names in _own_shaders(world, subjects[0]).items():
+        ratios = {name: _ratio(world, item, names, clock) for name, item in firsts.items()}
+        best = max(ratios, key=lambda name: ratios[name].median)
+        found.append(CachingGain(shader.name, tuple(names), best, ratios[best]))
     return tuple(found)
 
 
+def _own_shaders(world: RenderScene, subject: VariantSubject) -> dict[Path, list[str]]:
+    """Shaders of cached objects beside the scene's own, and the objects' names."""
+    shaders: dict[Path, list[str]] = {}
+    if len(subject.objects) == len(world.drawables):
+        for drawable, linked in zip(world.drawables, subject.objects, strict=True):
+            if drawable.item.own_shader and linked.configuration is not None:
+                shaders.setdefault(drawable.scene.fragment, []).append(drawable.item.name)
+    return shaders
+
+
 def _ratio(
-    world: RenderScene,
-    other: RenderScene,
-    entry: Entry,
-    name: str,
-    options: MeasureOptions,
-    clock: Clock,
+    world: RenderScene, subject: VariantSubject, names: Sequence[str], clock: Clock
 ) -> Ratio:
-    run = RunOptions(options.period, options.block, options.epsilon, options.cache_format)
     times: tuple[list[float], list[float]] = ([], [])
     with ExitStack() as held, no_collection():
         runners = [
-            held.enter_context(VariantRunner(on, entry.bundle, name, run)) for on in (other, world)
+            held.enter_context(VariantRunner(world, *item.objects))
+            for item in (subject.with_originals(world, names), subject)
         ]
         for frame in range(WARM_UP + WEIGHED):
             world.prepare(frame)
-            other.prepare(frame)
             for kept, runner in zip(times, runners, strict=True):
                 kept.append(clock.time(partial(runner.draw, frame)))
     without, cached = (kept[WARM_UP:] for kept in times)

@@ -7,14 +7,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from shadercache import foreign_files as foreign
+from shadercache.caching.configuration import DEFAULT_EPSILON, Configuration, Mode
+from shadercache.caching.settings import with_settings
 from shadercache.diagnostics import InputError, UsageError, input_error, usage_error
-from shadercache.options import DEFAULT_EPSILON, Mode, Options, read_cache_options
 from shadercache.source import Source
 
 SCHEMA_VERSION = 2
@@ -75,23 +76,27 @@ class Bundle:
         return str(_need(self.manifest, "mode"))
 
     @cached_property
-    def options(self) -> Options:
-        """By which options another shader's variants go together with these (not the fetches)."""
+    def configuration(self) -> Configuration:
+        """What the manifest says of how its variants are made and run, by its first algorithm."""
         mode: Mode = "proof" if self.mode == "proof" else "plain"
+        plain = Configuration(mode=mode)
         if "cache" not in self.manifest:
-            return Options(mode)
+            return plain
         cache = _need(self.manifest, "cache")
-        chosen = [f"{key}={word}" for key, word in cache.get("options", {}).items()]
-        return Options(
-            mode=mode,
-            cache_format="rgba16f" if str(_need(cache, "format")).endswith("16f") else "rgba32f",
-            epsilon=self.defaults.get("epsilon", DEFAULT_EPSILON),
-            cache=read_cache_options(chosen),
+        settings = [f"{key}={word}" for key, word in cache.get("options", {}).items()]
+        found = with_settings(plain, settings)
+        short = str(_need(cache, "format")).endswith("16f")
+        return replace(
+            found,
+            nodes=tuple(self.node("id").split("+")),
+            algorithm=self.algorithms[0] if self.algorithms else plain.algorithm,
+            hit_test=replace(found.hit_test, epsilon=self.defaults.get("epsilon", DEFAULT_EPSILON)),
+            storage=replace(found.storage, format="rgba16f" if short else "rgba32f"),
         )
 
     @cached_property
     def algorithms(self) -> tuple[str, ...]:
-        """The variants there are: ``1-pass``, ``2-pass``, ``3-pass``."""
+        """The algorithms there are variants by."""
         return tuple(str(_need(variant, "algorithm")) for variant in self._variants())
 
     def passes(self, algorithm: str) -> tuple[PassSpec, ...]:
@@ -104,6 +109,21 @@ class Bundle:
             if _need(variant, "algorithm") == algorithm:
                 return tuple(self._pass(entry) for entry in _need(variant, "passes"))
         raise _no_variant(self, algorithm)
+
+    @cached_property
+    def reset_pass(self) -> PassSpec | None:
+        """The pass that alone draws a frame after a reset and looks nothing up, if there is one."""
+        drawn = [[spec for spec in self.passes(name) if spec.on_reset] for name in self.algorithms]
+        return next((specs[0] for specs in drawn if len(specs) == 1 and not specs[0].looks), None)
+
+    @cached_property
+    def hit_pass(self) -> tuple[str, str] | None:
+        """The algorithm, and its pass, that shades hits and nothing else, if there is one."""
+        for name in self.algorithms:
+            for spec in self.passes(name):
+                if spec.looks and not spec.on_reset and "color" in spec.targets:
+                    return name, spec.name
+        return None
 
     @cached_property
     def original(self) -> PassSpec:
@@ -169,8 +189,8 @@ class Bundle:
     @property
     def refreshes(self) -> bool:
         """Is anything recomputed on purpose, so that a period of 1 means everything, always?"""
-        cache = self.options.cache
-        return cache.refresh != "none" or cache.age
+        refresh = self.configuration.refresh
+        return refresh.schedule != "none" or refresh.age
 
     @cached_property
     def age_channel(self) -> int | None:
@@ -276,7 +296,7 @@ _PARTS: tuple[tuple[str, Callable[[Bundle], object]], ...] = (
     ("needed", lambda bundle: bundle.needed),
     ("geometry", lambda bundle: bundle.geometry),
     ("cache", lambda bundle: bundle.cache),
-    ("cache", lambda bundle: bundle.options),
+    ("cache", lambda bundle: bundle.configuration),
     ("cache", lambda bundle: bundle.age_channel),
     ("uniforms", lambda bundle: bundle.roles),
     ("uniforms", lambda bundle: bundle.defaults),

@@ -8,11 +8,12 @@ are drawn again.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import moderngl
 import numpy as np
 
+from shadercache.caching.configuration import Refresh
 from shadercache.render.bound_pass import BoundPass
 from shadercache.render.drawable import Drawable
 from shadercache.scene.camera import Values
@@ -21,10 +22,10 @@ from shadercache.scene.camera import Values
 class EmptyPasses:
     """Remembers what the last frame showed, and which of its passes drew nothing."""
 
-    def __init__(self, options: Mapping[str, str], query: moderngl.Query) -> None:
-        """Args: ``options`` are the cache's, as the manifest says them."""
+    def __init__(self, refresh: Refresh, query: moderngl.Query) -> None:
+        """Args: ``refresh``: what is recomputed on purpose."""
         self.skipped = 0
-        self._fits = options.get("refresh") == "none" and options.get("age", "off") == "off"
+        self._fits = refresh.schedule == "none" and not refresh.age
         self._query = query
         self._shown: dict[Drawable, Values] = {}
         self._empty: dict[BoundPass, bool] = {}

@@ -16,6 +16,7 @@ from shadercache.gpu.resource import Resource
 from shadercache.render.bound_pass import NO_NAMES, BoundPass, FrameInputs, Naming
 from shadercache.render.bundle import Bundle, PassSpec
 from shadercache.render.drawable import Drawable
+from shadercache.render.linked_object import LinkedObject
 from shadercache.render.render_scene import RenderScene
 from shadercache.scene.graphics_state import ORIGINALS
 
@@ -79,12 +80,12 @@ class PassRunner(Runner):
 class OriginalRunner(PassRunner):
     """Draws the unchanged shaders."""
 
-    def __init__(self, world: RenderScene, bundle: Bundle) -> None:
-        """Raises as ``BoundPass`` and, for other objects' shaders, ``ObjectBundles.bundle``."""
+    def __init__(self, world: RenderScene, *bundles: Bundle) -> None:
+        """Args: ``bundles`` are one for all objects, or as many. Raises as ``BoundPass``."""
         self._before: CoverageRunner | None = None
-        super().__init__(world, *(found.original for found in _bundles(world, bundle)))
+        super().__init__(world, *(found.original for found in bundles))
         if world.scene.engine.depth == "equal":
-            self._before = CoverageRunner(world, bundle)
+            self._before = CoverageRunner(world, *bundles)
 
     def draw(self, frame: int) -> None:
         """Draw one frame into the colour target, with the application's own depth function."""
@@ -105,9 +106,9 @@ class OriginalRunner(PassRunner):
 class GeometryRunner(PassRunner):
     """Draws the bare geometry: the part of a frame's time that no cache can save."""
 
-    def __init__(self, world: RenderScene, bundle: Bundle) -> None:
-        """Raises as ``OriginalRunner``."""
-        super().__init__(world, *(found.geometry for found in _bundles(world, bundle)))
+    def __init__(self, world: RenderScene, *bundles: Bundle) -> None:
+        """As ``OriginalRunner``."""
+        super().__init__(world, *(found.geometry for found in bundles))
 
 
 class PayloadRunner(PassRunner):
@@ -116,27 +117,27 @@ class PayloadRunner(PassRunner):
     Of objects without a payload it draws the bare geometry.
     """
 
-    def __init__(self, world: RenderScene, bundle: Bundle) -> None:
-        """Raises as ``OriginalRunner``."""
-        found = zip(world.drawables, _bundles(world, bundle), strict=True)
+    def __init__(self, world: RenderScene, *objects: LinkedObject) -> None:
+        """Args: ``objects`` are one for all, or as many. Raises as ``BoundPass``."""
+        named = next(item.bundle for item in objects if "payload" in item.bundle.manifest)
         super().__init__(
             world,
             *(
-                item.payload
-                if drawable.item.cached and "payload" in item.manifest
-                else item.geometry
-                for drawable, item in found
+                item.bundle.payload
+                if item.configuration is not None and "payload" in item.bundle.manifest
+                else item.bundle.geometry
+                for item in objects
             ),
-            naming=Naming(bundle.roles, {}),
+            naming=Naming(named.roles, {}),
         )
 
 
 class CoverageRunner(PassRunner):
     """Tells which pixels the objects cover, and where two fragments tie for the front."""
 
-    def __init__(self, world: RenderScene, bundle: Bundle) -> None:
-        """Raises as ``OriginalRunner``."""
-        super().__init__(world, *(found.coverage for found in _bundles(world, bundle)))
+    def __init__(self, world: RenderScene, *bundles: Bundle) -> None:
+        """As ``OriginalRunner``."""
+        super().__init__(world, *(found.coverage for found in bundles))
 
     def coverage(self, frame: int) -> NDArray[np.bool_]:
         """Which pixels the objects cover, (h, w)."""
@@ -157,11 +158,6 @@ class CoverageRunner(PassRunner):
         self._draw_objects(frame, depth_test="==")
         ctx.disable(moderngl.BLEND)
         return self.world.targets.image()[..., 0] > 0.375
-
-
-def _bundles(world: RenderScene, bundle: Bundle) -> list[Bundle]:
-    """The programs of each object."""
-    return [world.object_programs.bundle(drawable.item, bundle) for drawable in world.drawables]
 
 
 def object_numbers(drawable: Drawable) -> dict[str, NDArray[np.float64]]:

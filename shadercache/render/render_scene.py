@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
 from copy import copy
 from dataclasses import replace
 from pathlib import Path
@@ -17,7 +16,6 @@ from shadercache.gpu.resource import Resource
 from shadercache.gpu.targets import Targets
 from shadercache.gpu.textures import GlTexture, upload_texture
 from shadercache.render.drawable import Drawable, GpuMesh
-from shadercache.render.object_bundles import ObjectBundles, SharedPrograms
 from shadercache.scene.camera import Values
 from shadercache.scene.description import Camera, CameraPath, Scene, SceneObject, TextureSpec
 from shadercache.scene.mesh import Mesh, scene_mesh
@@ -39,7 +37,6 @@ class RenderScene(Resource):
         color: str = "rgba8",
         mesh: Mesh | None = None,
         small: bool = False,
-        programs: ObjectBundles | None = None,
     ) -> None:
         """Upload the meshes (``mesh`` in place of the scene's own) and make the targets.
 
@@ -47,7 +44,6 @@ class RenderScene(Resource):
             size: width and height in pixels.
             color: ``rgba8`` for pictures and timing, ``rgba32f`` for proofs.
             small: take the meshes' low resolution stand-ins where there are any.
-            programs: of objects with shaders of their own; a scene without needs none.
 
         Raises:
             InputError: SC51x for an unusable mesh, SC540 for a mesh in place of those of several
@@ -60,17 +56,11 @@ class RenderScene(Resource):
         self.scene = scene
         self.culling = True
         self._owns = True
-        self.object_programs = programs or SharedPrograms()
         self.programs = Programs(gpu)
         self._meshes: dict[Path | None, GpuMesh] = {}
         self._textures: dict[TextureSpec, GlTexture] = {}
         self.drawables = tuple(
-            self._drawable(
-                self.object_programs.named(item),
-                number + 1,
-                self._mesh(item.scene, mesh, small),
-                size,
-            )
+            self._drawable(item, number + 1, self._mesh(item.scene, mesh, small), size)
             for number, item in enumerate(scene.parts)
         )
         self.targets = Targets(gpu.ctx, size, color, scene.engine.empty_depth)
@@ -124,21 +114,6 @@ class RenderScene(Resource):
         other.scene = self.scene.seen_from(camera, path)
         other.drawables = tuple(
             drawable.seen_as(replace(drawable.item, scene=drawable.scene.seen_from(camera, path)))
-            for drawable in self.drawables
-        )
-        return other
-
-    def without_caching(self, names: Collection[str]) -> RenderScene:
-        """The same objects, some of them drawn by their originals.
-
-        It shares all that is on the GPU with this world, which must outlive it.
-        """
-        other = copy(self)
-        other._owns = False
-        other.drawables = tuple(
-            drawable.seen_as(replace(drawable.item, cached=False))
-            if drawable.item.name in names
-            else drawable
             for drawable in self.drawables
         )
         return other

@@ -11,6 +11,7 @@ from dataclasses import asdict, dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from shadercache.caching.configuration import Configuration
 from shadercache.diagnostics import DiagnosticError, usage_error
 from shadercache.emit.layout import precision_of
 from shadercache.gpu.cache_textures import CachePair, as_precise_as
@@ -19,7 +20,7 @@ from shadercache.render.bundle import Bundle, PassSpec
 from shadercache.render.cut_detector import CutDetector, ResetReason
 from shadercache.render.drawable import Drawable
 from shadercache.render.empty_passes import EmptyPasses
-from shadercache.render.object_bundles import algorithm_of
+from shadercache.render.linked_object import LinkedObject
 from shadercache.render.pass_runners import (
     CoverageRunner,
     GeometryRunner,
@@ -41,10 +42,8 @@ __all__ = [
     "OriginalRunner",
     "PassRunner",
     "PayloadRunner",
-    "RunOptions",
     "VariantRunner",
     "render_original",
-    "render_variant",
 ]
 
 NEVER = 65535
@@ -55,25 +54,6 @@ OLDEST_IN_HALF = 1024
 
 ORIGINAL = "original"
 """The pass of objects that are not cached."""
-
-
-@dataclass(frozen=True, slots=True)
-class RunOptions:
-    """How a variant is run. ``None`` means what the manifest says.
-
-    ``period`` in frames (1 refreshes everything), ``block`` in pixels (even), ``epsilon`` relative
-    to 1/w; without ``moving`` every frame shows the scene of frame 0, while the clock runs on.
-    With ``short_reset`` one and three passes are drawn after a reset as the one of two that
-    computes: the cache is the same (law 4), and so is the image, but that three passes show what
-    half floats hold of a payload. Nothing is looked up or drawn twice.
-    """
-
-    period: int = 32
-    block: int = 4
-    epsilon: float | None = None
-    cache_format: str | None = None
-    moving: bool = True
-    short_reset: bool = False
 
 
 @dataclass(eq=False)
@@ -88,7 +68,7 @@ class DrawItem:
     """
 
     drawable: Drawable
-    bundle: Bundle
+    linked: LinkedObject
     naming: Naming
     passes: tuple[BoundPass, ...]
     on_reset: tuple[BoundPass, ...]
@@ -96,6 +76,11 @@ class DrawItem:
     caches: CachePair | None
     before: int | None = None
     debug: BoundPass | None = None
+
+    @property
+    def bundle(self) -> Bundle:
+        """The object's programs."""
+        return self.linked.bundle
 
     @property
     def due(self) -> tuple[BoundPass, ...]:
@@ -116,41 +101,54 @@ class VariantRunner(Runner):
     def __init__(
         self,
         world: RenderScene,
-        bundle: Bundle,
-        algorithm: str,
-        options: RunOptions | None = None,
+        *objects: LinkedObject,
+        moving: bool = True,
+        short_reset: bool = False,
     ) -> None:
         """Compile the passes and take a pair of caches; the first frame is a reset frame.
 
+        Args:
+            objects: one for all objects of the scene, or as many; as :class:`Linker` makes them.
+            moving: without it every frame shows the scene of frame 0, while the clock runs on.
+            short_reset: a frame after a reset is one pass that looks nothing up, where there is
+                such a pass. The cache is the same (law 4), and so is the image, but that three
+                passes show what half floats hold of a payload.
+
         Raises:
             UsageError: SC026 for an algorithm that the manifest lacks, SC441 for a period that
-                the cache's ages cannot count to; InputError as ``BoundPass``
-                and, for other objects' shaders, ``ObjectBundles.bundle``.
+                the cache's ages cannot count to; InputError as ``BoundPass``.
         """
         super().__init__(world)
-        self.bundle = bundle
-        self.algorithm = algorithm
-        self.options = RunOptions() if options is None else options
+        linked = objects * len(world.drawables) if len(objects) == 1 else objects
+        self.bundle, self.configuration = _principal(world, linked)
+        self.moving, self._short_reset = moving, short_reset
         self.resets: list[ResetReason] = []
         self.cuts = CutDetector()
         self._roles: list[DrawItem] = []
-        formats = as_precise_as(bundle.cache.formats, self.options.cache_format)
+        formats = as_precise_as(self.bundle.cache.formats, self.configuration.storage.format)
         self._fixed_numbers = _fixed_numbers(world.scene.camera, formats[0])
         self._caches = world.targets.lend_cache(formats)
         self._holds_caches = True
         try:
-            _check_period(bundle, formats, self.options.period)
-            self._caches.set_filter(bundle.cache.filter)
-            bundle.passes(algorithm)
-            roles = [self._role(drawable) for drawable in world.drawables]
+            self._caches.set_filter(self.bundle.cache.filter)
+            self.bundle.passes(self.algorithm)
+            roles = [
+                self._role(drawable, item, formats)
+                for drawable, item in zip(world.drawables, linked, strict=True)
+            ]
         except DiagnosticError:
             self.release()
             raise
         # What is not cached comes first, for what it hides must not be stored: objects drawn before
         # it would be, those drawn after it would not.
-        self._idle = EmptyPasses(bundle.manifest["cache"].get("options", {}), world.sample_counter)
+        self._idle = EmptyPasses(self.configuration.refresh, world.sample_counter)
         self._roles = sorted(roles, key=lambda role: role.caches is not None)
         self.reset()
+
+    @property
+    def algorithm(self) -> str:
+        """By which algorithm the objects are drawn whose payloads the bundle tells of."""
+        return self.configuration.algorithm
 
     @property
     def pass_names(self) -> tuple[str, ...]:
@@ -162,6 +160,11 @@ class VariantRunner(Runner):
     def cached(self) -> tuple[DrawItem, ...]:
         """The objects whose payloads are those that the bundle tells of."""
         return tuple(r for r in self._roles if r.caches is not None and r.bundle is self.bundle)
+
+    @property
+    def roles(self) -> tuple[DrawItem, ...]:
+        """How each object is drawn, those first that are not cached."""
+        return tuple(self._roles)
 
     @property
     def skipped(self) -> int:
@@ -253,23 +256,23 @@ class VariantRunner(Runner):
             self.world.targets.take_back(self._caches)
             self._holds_caches = False
 
-    def _role(self, drawable: Drawable) -> DrawItem:
+    def _role(self, drawable: Drawable, linked: LinkedObject, formats: Sequence[str]) -> DrawItem:
         """How an object is drawn in this run."""
-        bundle = self.world.object_programs.bundle(drawable.item, self.bundle)
-        chosen = algorithm_of(bundle, self.algorithm) if drawable.item.cached else None
+        bundle, chosen = linked.bundle, linked.configuration
         if chosen is None or bundle.cache != self.bundle.cache:
             spec = replace(bundle.original, name=ORIGINAL)
             bound = (self._bind(drawable, spec, NO_NAMES),)
             hidden = replace(bundle.coverage, targets=("mask",))
-            return DrawItem(drawable, bundle, NO_NAMES, bound, bound, hidden, None)
+            return DrawItem(drawable, linked, NO_NAMES, bound, bound, hidden, None)
+        _check_period(bundle, formats, chosen.refresh.period)
         naming = Naming(bundle.roles, bundle.twins)
-        specs = bundle.passes(chosen)
+        specs = bundle.passes(chosen.algorithm)
         passes = tuple(self._bind(drawable, spec, naming) for spec in specs)
         on_reset = tuple(bound for bound, spec in zip(passes, specs, strict=True) if spec.on_reset)
-        if chosen != "2-pass" and self.options.short_reset and "2-pass" in bundle.algorithms:
-            whole = [spec for spec in bundle.passes("2-pass") if spec.on_reset]
-            on_reset = tuple(self._bind(drawable, spec, naming) for spec in whole)
-        return DrawItem(drawable, bundle, naming, passes, on_reset, bundle.debug, self._caches)
+        whole = bundle.reset_pass if self._short_reset else None
+        if whole is not None and whole.fragment.name not in {spec.fragment.name for spec in specs}:
+            on_reset = (self._bind(drawable, whole, naming),)
+        return DrawItem(drawable, linked, naming, passes, on_reset, bundle.debug, self._caches)
 
     def _draw(self, bound: BoundPass, inputs: FrameInputs, caches: CachePair | None) -> None:
         query = self._idle.counting(bound)
@@ -307,7 +310,7 @@ class VariantRunner(Runner):
             self.cuts.hit(frame, rate)
 
     def _is_cut(self, frame: int) -> bool:
-        return self.options.moving and frame in self.world.scene.camera_path.cuts
+        return self.moving and frame in self.world.scene.camera_path.cuts
 
     def _watch(self, frame: int) -> None:
         """Does what an object is seen from leap, though no reset was told?"""
@@ -337,20 +340,16 @@ class VariantRunner(Runner):
         """What the role's passes read in the frame that is about to be drawn."""
         shown = self._shown(frame)
         before = shown if role.before is None else role.before
-        item, options = role.drawable.item, self.options
-        period = min(item.period or options.period, options.period)
-        # What is drawn uncached knows none of these numbers.
-        defaults = role.bundle.defaults if role.caches else {}
-        epsilon = options.epsilon
-        if epsilon is None:
-            epsilon = defaults.get("epsilon", 0.0)
+        chosen = role.linked.configuration or self.configuration
+        refresh = chosen.refresh
         numbers = {
-            **defaults,
+            # What is drawn uncached knows none of these.
+            **(role.bundle.defaults if role.caches else {}),
             **self._fixed_numbers,
-            "clock": frame % period,
-            "period": period,
-            "block": item.block or options.block,
-            "epsilon": epsilon,
+            "clock": frame % refresh.period,
+            "period": refresh.period,
+            "block": refresh.block,
+            "epsilon": chosen.hit_test.epsilon,
             "reset": 0,
         }
         if role.before is None and role.caches is not None:
@@ -366,7 +365,20 @@ class VariantRunner(Runner):
         return FrameInputs(role.drawable.values(shown, frame), last, given, viewport)
 
     def _shown(self, frame: int) -> int:
-        return frame if self.options.moving else 0
+        return frame if self.moving else 0
+
+
+def _principal(world: RenderScene, objects: Sequence[LinkedObject]) -> tuple[Bundle, Configuration]:
+    """Whose cache it is: the scene's own shader's, where an object that has it is cached."""
+    cached = [
+        (drawable.item.own_shader, item.bundle, item.configuration)
+        for drawable, item in zip(world.drawables, objects, strict=True)
+        if item.configuration is not None
+    ]
+    if not cached:  # A cache that nothing is stored in.
+        return objects[0].bundle, objects[0].bundle.configuration
+    _, bundle, configuration = min(cached, key=lambda found: found[0])
+    return bundle, configuration
 
 
 def _check_period(bundle: Bundle, formats: Sequence[str], period: int) -> None:
@@ -386,29 +398,14 @@ def _fixed_numbers(camera: Camera, texel: str) -> dict[str, float]:
 
 
 def render_original(
-    world: RenderScene, bundle: Bundle, frames: Iterable[int], moving: bool = True
+    world: RenderScene, bundles: Sequence[Bundle], frames: Iterable[int], moving: bool = True
 ) -> list[NDArray[np.float32]]:
     """The original's images, (h, w, 4) each; a render scene at rest is drawn once.
 
-    Raises as ``BoundPass``.
+    Raises as ``OriginalRunner``.
     """
-    with OriginalRunner(world, bundle) as runner:
+    with OriginalRunner(world, *bundles) as runner:
         if moving:
             return [runner.image(frame) for frame in frames]
         still = runner.image(0)
         return [still for _ in frames]
-
-
-def render_variant(
-    world: RenderScene,
-    bundle: Bundle,
-    algorithm: str,
-    frames: Iterable[int],
-    options: RunOptions | None = None,
-) -> list[NDArray[np.float32]]:
-    """A variant's images, (h, w, 4) each, drawn in order from a reset.
-
-    Raises as ``VariantRunner``.
-    """
-    with VariantRunner(world, bundle, algorithm, options) as runner:
-        return [runner.image(frame) for frame in frames]

@@ -7,18 +7,24 @@ from __future__ import annotations
 
 import io
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from shadercache.caching.algorithms import NAMES
+from shadercache.caching.configuration import Configuration
 from shadercache.measure.measurement import Curve, Measurement, NodeResult, VariantResult
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-MARKERS = {"1-pass": ("o", "#26849a"), "2-pass": ("s", "#d6573c"), "3-pass": ("^", "#6a58a8")}
+_SHAPES, _COLORS = "os^Dv*", ("#26849a", "#d6573c", "#6a58a8", "#7a8b2f", "#b8860b", "#555555")
+MARKERS = dict(zip(NAMES, zip(_SHAPES, _COLORS, strict=True), strict=False))
 """Marker and colour of each algorithm, the same in every plot."""
+
+_FILLS = ("full", "none", "left", "top", "right", "bottom")
+"""How markers are filled, of each period and block."""
 
 _LEAST_ERROR = 1e-5
 
@@ -29,17 +35,15 @@ def plot_time(measurement: Measurement) -> bytes:
     The original's time is a line, its geometry's a dotted one; bars span the speed-up's interval.
     """
     figure, axes = _axes(f"{measurement.scene}: time against payload share")
-    for algorithm, found in _by_algorithm(measurement).items():
+    for chosen, found in _by_kind(measurement).items():
         known = [(node.ratio, variant) for node, variant in found if node.ratio is not None]
         if not known:
             continue
         x = [ratio for ratio, _ in known]
         y = [variant.timing.median * 1e3 for _, variant in known]
-        marker, color = MARKERS.get(algorithm, ("x", "#555555"))
+        look = _look(measurement, found[0][1].configuration)
         bars = np.array([_bar(variant) for _, variant in known]).T
-        axes.errorbar(
-            x, y, yerr=bars, fmt=marker, color=color, ms=4, lw=0.8, alpha=0.8, label=algorithm
-        )
+        axes.errorbar(x, y, yerr=bars, **look, ls="", ms=4, lw=0.8, alpha=0.8, label=chosen)
     original = _median([group.original.median for group in measurement.groups])
     geometry = _median([group.geometry.median for group in measurement.groups])
     axes.axhline(original, color="#333333", lw=1.2, label=f"original, {original:.1f} ms")
@@ -57,11 +61,11 @@ def plot_error(measurement: Measurement) -> bytes:
     The error is on a logarithmic scale; images without error stand on its lower edge.
     """
     figure, axes = _axes(f"{measurement.scene}: error against time")
-    for algorithm, found in _by_algorithm(measurement).items():
+    for chosen, found in _by_kind(measurement).items():
         x = [variant.timing.median * 1e3 for _, variant in found]
         y = [max(variant.error.rmse, _LEAST_ERROR) for _, variant in found]
-        marker, color = MARKERS.get(algorithm, ("x", "#555555"))
-        axes.plot(x, y, marker, color=color, ms=4, alpha=0.8, label=algorithm)
+        look = _look(measurement, found[0][1].configuration)
+        axes.plot(x, y, **look, ls="", ms=4, alpha=0.8, label=chosen)
     original = _median([group.original.median for group in measurement.groups])
     axes.axvline(original, color="#333333", lw=1.2, label=f"original, {original:.1f} ms")
     axes.set_yscale("log")
@@ -76,18 +80,26 @@ def plot_hits(measurement: Measurement) -> bytes | None:
 
     None where nothing was counted. The level of full reuse is what random refresh leaves.
     """
-    known = {node.label: node.curve for node in measurement.nodes if node.curve is not None}
+    known = {
+        node.label
+        if len(node.curves) == 1
+        else f"{node.label}, n{curve.period} k{curve.block}": curve
+        for node in measurement.nodes
+        for curve in node.curves
+    }
     title = f"{measurement.scene}: hit rate"
-    return plot_curves(title, known, measurement.options.period) if known else None
+    return plot_curves(title, known) if known else None
 
 
-def plot_curves(title: str, curves: Mapping[str, Curve], period: int) -> bytes:
+def plot_curves(title: str, curves: Mapping[str, Curve]) -> bytes:
     """The share of hits in every frame of each curve, by name; a PNG file."""
     figure, axes = _axes(title)
     for label, curve in curves.items():
         rates = f"mean {curve.hit_rate:.1%}, {curve.found_rate:.1%} of what was not due"
         axes.plot(range(1, len(curve.hit)), curve.hit[1:], lw=1.2, label=f"{label}: {rates}")
-    axes.axhline(1.0 - 1.0 / period, color="#999999", lw=1.0, ls=":", label="1 - 1/period")
+    for number, period in enumerate(dict.fromkeys(curve.period for curve in curves.values())):
+        label = "" if number else "1 - 1/period"
+        axes.axhline(1.0 - 1.0 / period, color="#999999", lw=1.0, ls=":", label=label)
     axes.axhline(0.9, color="#333333", lw=0.8, ls="--", label="90 %")
     axes.set_xlabel("frame")
     axes.set_ylabel("share of the visible pixels of cached objects")
@@ -95,14 +107,21 @@ def plot_curves(title: str, curves: Mapping[str, Curve], period: int) -> bytes:
     return _png(figure, axes)
 
 
-def _by_algorithm(
-    measurement: Measurement,
-) -> dict[str, list[tuple[NodeResult, VariantResult]]]:
+def _by_kind(measurement: Measurement) -> dict[str, list[tuple[NodeResult, VariantResult]]]:
+    """The variants by what tells those of one node apart."""
     found: dict[str, list[tuple[NodeResult, VariantResult]]] = {}
     for node in measurement.nodes:
         for variant in node.variants:
-            found.setdefault(variant.algorithm, []).append((node, variant))
+            found.setdefault(measurement.name(variant.configuration), []).append((node, variant))
     return dict(sorted(found.items()))
+
+
+def _look(measurement: Measurement, configuration: Configuration) -> dict[str, Any]:
+    """Marker and colour by the algorithm, filled by period and block."""
+    marker, color = MARKERS.get(configuration.algorithm, ("x", "#555555"))
+    refresh = configuration.refresh
+    place = measurement.refreshes.index((refresh.period, refresh.block))
+    return {"marker": marker, "color": color, "fillstyle": _FILLS[place % len(_FILLS)]}
 
 
 def _bar(variant: VariantResult) -> tuple[float, float]:

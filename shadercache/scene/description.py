@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import cast, get_args
 
-from shadercache.options import MappingKind
+from shadercache.analysis.mapping import MappingKind
 from shadercache.scene.animation import Animations
 from shadercache.scene.graphics_state import PLAIN, GraphicsState, read_engine
 from shadercache.scene.input_tables import (

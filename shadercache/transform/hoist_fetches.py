@@ -13,11 +13,15 @@ The level is the same to the bit where filtering is isotropic and the driver's q
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Literal, TypeAlias
 
 from shadercache.ast import nodes as n
 from shadercache.lang.types import Type
-from shadercache.options import FetchForm
 from shadercache.source import NOWHERE
+
+FetchForm: TypeAlias = Literal["whole", "level"]
+"""What one pass does ahead of its branch of a payload's texture fetch with implicit level of
+detail: all of it, or its level of detail."""
 
 _SPLIT = frozenset(
     f"{kind}sampler{shape}" for kind in ("", "i", "u") for shape in ("1D", "2D", "3D", "Cube")

@@ -35,9 +35,8 @@ from typing import Literal, TypeAlias
 
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
-from shadercache.options import FetchForm
 from shadercache.source import NOWHERE
-from shadercache.transform.hoist_fetches import done_ahead, left_over
+from shadercache.transform.hoist_fetches import FetchForm, done_ahead, left_over
 from shadercache.transform.names import FreshNames
 from shadercache.transform.replace import replace_expressions
 

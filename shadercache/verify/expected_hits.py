@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from shadercache.caching.configuration import Configuration
 from shadercache.emit.runtime import INTERPOLATION, SPREAD
-from shadercache.options import CacheOptions
 from shadercache.verify.surfaces import Floats, Mask, Surface
 
 Outcomes = NDArray[np.uint8]
@@ -67,7 +67,7 @@ def at_rest(
     has: Mask,
     unfit: Mask,
     values: Mapping[str, int],
-    cached: CacheOptions,
+    configuration: Configuration,
 ) -> Hits:
     """Over the frames of one period, of the pixels that have payloads (``has``), of which some are
     ``unfit`` for reuse.
@@ -78,10 +78,11 @@ def at_rest(
     hit = _times(masks, values, ("hit",))
     due = _times(masks, values, _DUE)
     exempt = np.where(unfit, _times(masks, values, ("poison",)), 0)
-    turns = 1 if cached.refresh != "none" else 0
-    in_turn = due <= 1 + turns if cached.age else due == turns
+    turns = 1 if configuration.refresh.schedule != "none" else 0
+    in_turn = due <= 1 + turns if configuration.refresh.age else due == turns
     right = in_turn & (hit + due + exempt == len(masks))
-    expected = len(masks) - exempt - (np.minimum(due, 1 + turns) if cached.age else turns)
+    renewed = np.minimum(due, 1 + turns) if configuration.refresh.age else turns
+    expected = len(masks) - exempt - renewed
     return Hits(
         pixels=len(masks) * _count(has),
         expected=int(np.maximum(expected, 0)[has].sum()),
@@ -97,7 +98,7 @@ def in_motion(
     masks: Sequence[Outcomes],
     seen: Sequence[Mask],
     values: Mapping[str, int],
-    cached: CacheOptions,
+    configuration: Configuration,
     some: bool = False,
     guarded: bool = False,
 ) -> Hits:
@@ -106,7 +107,7 @@ def in_motion(
     ``guarded``: some payloads are unfit for reuse, and so is what a filter makes with them.
     ``some``: nobody knows what it showed, so where a point is inside of it, one hit will do.
     """
-    least = LEAST_ROUNDED if cached.tolerance == "akeley-su" else LEAST
+    least = LEAST_ROUNDED if configuration.hit_test.tolerance == "akeley-su" else LEAST
     left = (*_DUE, "magnified", *["outside"] * some, *["poison"] * guarded)
     must = [shown & ~_is(mask, values, left) for mask, shown in zip(masks, seen, strict=True)]
     pixels = sum(_count(mask) for mask in must)
@@ -125,18 +126,19 @@ def in_motion(
 class Tests:
     """What decides whether a depth agrees; ``unit`` is the number of that role."""
 
-    cached: CacheOptions
+    configuration: Configuration
     epsilon: float
     unit: float
 
     def allowed(self, inverse_w: Floats) -> Floats:
         """What a depth may be off, relative to 1/w."""
-        if self.cached.tolerance == "akeley-su":
+        if self.configuration.hit_test.tolerance == "akeley-su":
             return np.full_like(inverse_w, INTERPOLATION)
-        if self.cached.tolerance == "relative":
+        if self.configuration.hit_test.tolerance == "relative":
             return np.full_like(inverse_w, self.epsilon)
         units = {"inverse-w": 16.0 * inverse_w, "linear": 1.0 / inverse_w}
-        return self.epsilon / np.abs(units.get(self.cached.depth, self.unit * inverse_w))
+        depth = self.configuration.storage.depth
+        return self.epsilon / np.abs(units.get(depth, self.unit * inverse_w))
 
 
 @dataclass(frozen=True, eq=False)

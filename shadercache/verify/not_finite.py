@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from shadercache.caching.configuration import GuardKind
 from shadercache.emit.layout import Layout, precision_of
-from shadercache.options import GuardKind
 
 _LATER = {"miss": "", "clamp": "; guard=clamp has numbers for them later", "off": ""}
 

@@ -13,11 +13,12 @@ from contextlib import closing
 from multiprocessing import get_context
 from pathlib import Path
 
+from shadercache.analysis.mapping import MappingKind
+from shadercache.caching.configuration import Configuration
 from shadercache.diagnostics import Diagnostic, GraphicsError
 from shadercache.front.read_options import ReadOptions
 from shadercache.gpu.context import open_context
 from shadercache.linking.scene_shaders import open_scene
-from shadercache.options import DEFAULT_CACHE, CacheOptions, MappingKind
 from shadercache.verify.verifier import Verdict, Verifier
 
 CRASHED = "the process that drew it died, twice: the driver crashes"
@@ -37,7 +38,7 @@ def verify_in_parallel(
     told: Callable[[Verdict], None] | None = None,
     reading: ReadOptions | None = None,
     mapping: MappingKind | None = None,
-    cache: CacheOptions = DEFAULT_CACHE,
+    configuration: Configuration | None = None,
 ) -> list[Verdict]:
     """Verdicts for the nodes (by id; ``a+b`` is a set) of a scene, in the order of ``nodes``.
 
@@ -48,13 +49,13 @@ def verify_in_parallel(
     :func:`open_scene` and :class:`Verifier`; GraphicsError SC606 where nothing can be drawn.
     """
     if jobs == 1:
-        with closing(_open(scene, reading, mapping, cache)) as verifier:
+        with closing(_open(scene, reading, mapping, configuration)) as verifier:
             return [_tell(_check(verifier, node, plain), told) for node in nodes]
     found: dict[str, Verdict] = {}
     spawn = get_context("spawn")  # a forked child would share the parent's driver state
     left, workers, lost = list(nodes), jobs, 0
     while left:
-        given = (scene, reading, mapping, cache)
+        given = (scene, reading, mapping, configuration)
         with ProcessPoolExecutor(workers, spawn, _start, given) as pool:
             whole = _drain(pool, left, plain, found, told)
         rest = [node for node in left if node not in found]
@@ -93,18 +94,25 @@ def _drain(
 
 
 def _open(
-    path: Path, reading: ReadOptions | None, mapping: MappingKind | None, cache: CacheOptions
+    path: Path,
+    reading: ReadOptions | None,
+    mapping: MappingKind | None,
+    configuration: Configuration | None,
 ) -> Verifier:
-    return Verifier(open_context(), *open_scene(path, reading, mapping), cache=cache)
+    opened = open_scene(path, reading, mapping)
+    return Verifier(open_context(), *opened, configuration=configuration)
 
 
 def _start(
-    path: Path, reading: ReadOptions | None, mapping: MappingKind | None, cache: CacheOptions
+    path: Path,
+    reading: ReadOptions | None,
+    mapping: MappingKind | None,
+    configuration: Configuration | None,
 ) -> None:
     global _verifier
     # One rasteriser thread a process, or llvmpipe's threads fight over the cores.
     os.environ.setdefault("LP_NUM_THREADS", "1")
-    _verifier = _open(path, reading, mapping, cache)
+    _verifier = _open(path, reading, mapping, configuration)
 
 
 def _work(node: str, plain: bool) -> Verdict:

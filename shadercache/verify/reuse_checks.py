@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.analysed import Analysis
+from shadercache.caching.algorithms import algorithm
 from shadercache.compiler import emit_needed
 from shadercache.emit.layout import Layout
 from shadercache.render.bound_pass import BoundPass, FrameInputs, Naming
@@ -62,12 +63,12 @@ class Reuse:
 
     def __post_init__(self) -> None:
         nodes = self.analysis.nodes_of(self.bundle.node("id"))
-        self.cached = self.bundle.options.cache
+        self.configuration = self.bundle.configuration
         self.mapping = self.analysis.mapping
         layout = Layout(tuple(node.type for node in nodes))
         self._channels = [channel for channel, _ in layout.read_back]
         self._discrete = [channel for channel, discrete in layout.read_back if discrete]
-        emission = emit_needed(self.analysis, nodes, self.bundle.options)
+        emission = emit_needed(self.analysis, self.configuration)
         self._witness = Bundle(emission.manifest, emission.files)
 
     def rest_fault(self, runner: VariantRunner, masks: list[Outcomes], frame: int) -> str:
@@ -76,7 +77,7 @@ class Reuse:
         ``masks`` are those of one period, ``frame`` is about to be drawn after it.
         """
         values, has = self.bundle.mask_values, self._has(runner, 0)
-        hits = at_rest(masks, has, self._unfit(runner, masks, 0), values, self.cached)
+        hits = at_rest(masks, has, self._unfit(runner, masks, 0), values, self.configuration)
         if not hits.enough:
             return str(hits)
         mask = runner.hit_mask(frame)
@@ -100,7 +101,7 @@ class Reuse:
         shown = self._has_in if some else self._shown
         seen = [shown(runner, look) for look in looks]
         guarded = any(self._unfit(runner, masks, look.frame - 1).any() for look in looks)
-        hits = in_motion(masks, seen, values, self.cached, some, guarded)
+        hits = in_motion(masks, seen, values, self.configuration, some, guarded)
         return "" if hits.enough else str(hits)
 
     def previous_fault(self, runner: VariantRunner, frame: int) -> str:
@@ -135,7 +136,8 @@ class Reuse:
         that is drawn into another part of the target than the variant can follow."""
         world = self.world
         moved = world.viewport(frame) != world.viewport(max(frame - 1, 0))
-        if frame in world.scene.camera_path.cuts or (moved and not self.cached.viewport):
+        follows = self.configuration.hit_test.viewport
+        if frame in world.scene.camera_path.cuts or (moved and not follows):
             return None
         height, width = self.covered[0].shape
         discrete = np.zeros((height, width, 0), np.uint32)
@@ -146,7 +148,7 @@ class Reuse:
     @property
     def _marks(self) -> bool:
         """Do hits keep the sign of a depth? (It tells payloads that are of a part of a filter.)"""
-        return self.cached.filter == "bilateral" and self.mapping != "screen"
+        return self.configuration.filter.kind == "bilateral" and self.mapping != "screen"
 
     @property
     def _prefix(self) -> str:
@@ -169,7 +171,7 @@ class Reuse:
         was = look.frame - 1
         still = self.mapping == "screen"
         numbers = runner.inputs(runner.cached[0], look.frame).numbers
-        tests = Tests(self.cached, float(numbers["epsilon"][0]), float(numbers["unit"][0]))
+        tests = Tests(self.configuration, float(numbers["epsilon"][0]), float(numbers["unit"][0]))
         stored = Stored(self._has(runner, was), look.discrete, self.world.viewport(was))
         now, before = self.surfaces.frame(look.frame), self.surfaces.frame(was)
         return self._has(runner, look.frame) & shown_before(now, before, stored, tests, still)
@@ -180,7 +182,8 @@ class Reuse:
             role.drawable.number
             for role in runner.cached
             if not role.drawable.item.mask
-            and (role.drawable.item.period or self.period) >= self.period
+            and role.linked.configuration is not None
+            and role.linked.configuration.refresh.period >= self.period
         ]
         has: Mask = self.covered[frame] & np.isin(self.surfaces.frame(frame).number, counted)
         if self._witness.needed_by_some:
@@ -233,7 +236,8 @@ class Reuse:
         """
         cache = runner.cache()
         given = cache.copy()
-        exchanged = "3-pass" in self.bundle.algorithms and _exchange(given, hits, self._channels)
+        read_back = any(algorithm(name).reads_back for name in self.bundle.algorithms)
+        exchanged = read_back and _exchange(given, hits, self._channels)
         if not exchanged:
             if not self._marks:
                 return None

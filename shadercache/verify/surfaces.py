@@ -6,6 +6,7 @@ where the user's shaders have left the nearest depth, so that what they discard 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -46,18 +47,13 @@ class Surface:
 class Surfaces(Resource):
     """The surfaces of one scene, frame by frame."""
 
-    def __init__(self, world: RenderScene, original: Bundle) -> None:
-        """Raises as ``OriginalRunner``."""
+    def __init__(self, world: RenderScene, originals: Sequence[Bundle]) -> None:
+        """Args: ``originals``: one for each object. Raises as ``OriginalRunner``."""
         self.world = world
-        self._original = OriginalRunner(world, original)
+        self._original = OriginalRunner(world, *originals)
         self._captures = {
-            drawable: PositionPass(
-                world,
-                drawable,
-                world.object_programs.bundle(drawable.item, original).original,
-                NO_NAMES,
-            )
-            for drawable in world.drawables
+            drawable: PositionPass(world, drawable, bundle.original, NO_NAMES)
+            for drawable, bundle in zip(world.drawables, originals, strict=True)
         }
         sources = [
             Source(name, (_GLSL / name).read_text(encoding="utf-8"))

@@ -9,27 +9,26 @@ counted (law 4).
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.analysis.candidates import Candidate
+from shadercache.caching.configuration import Configuration, Mode, by_every_algorithm
 from shadercache.compiler import Analysis, emit_original, rewrite
 from shadercache.diagnostics import InputError, input_error
 from shadercache.emit.layout import Layout
 from shadercache.gpu.context import Gpu
-from shadercache.linking.object_programs import ObjectPrograms
+from shadercache.linking.linker import Linker
 from shadercache.linking.user_places import at_home
-from shadercache.options import DEFAULT_CACHE, CacheOptions, FetchForm, Mode, Options
 from shadercache.render.bundle import Bundle
 from shadercache.render.drawable import Drawable
 from shadercache.render.render_scene import RenderScene
 from shadercache.render.variant_runner import (
     CoverageRunner,
     OriginalRunner,
-    RunOptions,
     VariantRunner,
     render_original,
 )
@@ -170,22 +169,22 @@ class Verifier:
         analysis: Analysis,
         size: tuple[int, int] = SIZE,
         mesh: Mesh | None = None,
-        fetches: FetchForm = "whole",
-        cache: CacheOptions = DEFAULT_CACHE,
+        configuration: Configuration | None = None,
     ) -> None:
         """Render the originals. Raises as ``RenderScene`` and ``BoundPass``.
 
-        ``fetches``: as in :class:`Options`; proof mode takes whole ones where the driver tells
-        other levels than it fetches at. ``cache``: how variants look up, store and refresh.
+        ``configuration``: how variants look up, store and refresh; its nodes, algorithm, mode,
+        format and refresh period are the verifier's own. Proof mode takes whole fetches where the
+        driver tells other levels than it fetches at.
         """
-        self.analysis, self.fetches, self.cache = analysis, fetches, cache
-        self.world = RenderScene(
-            gpu, scene, size, "rgba32f", mesh, small=True, programs=ObjectPrograms()
-        )
+        self.analysis = analysis
+        chosen = configuration or Configuration()
+        self.configuration = replace(chosen, storage=replace(chosen.storage, format="rgba32f"))
+        self.linker = Linker(scene, analysis)
+        self.world = RenderScene(gpu, self.linker.scene, size, "rgba32f", mesh, small=True)
         with at_home(analysis):
             self._moving = {mode: self._original(mode) for mode in ("plain", "proof")}
-        proof = self._bundle("proof")
-        with CoverageRunner(self.world, proof) as runner:
+        with CoverageRunner(self.world, *self.linker.originals("proof")) as runner:
             ties = [runner.ties(frame) for frame in MOVING]
             self.covered = [
                 runner.coverage(frame) & ~tie for frame, tie in zip(MOVING, ties, strict=True)
@@ -209,7 +208,8 @@ class Verifier:
             return None
         files = {"original.vert": analysis.vertex_source.text, "original.frag": text}
         try:
-            runner = OriginalRunner(self.world, Bundle(written.manifest, files))
+            bundle = Bundle(written.manifest, files)
+            runner = OriginalRunner(self.world, *self.linker.originals(bundle=bundle))
         except InputError:
             return None
         with runner:
@@ -256,11 +256,10 @@ class Verifier:
     def _cause(self, nodes: Sequence[Candidate], bundle: Bundle) -> str:
         """What of the payload is not finite in the first frame, in words."""
         layout = Layout(tuple(item.type for item in nodes))
-        with VariantRunner(
-            self.world, bundle, bundle.algorithms[0], RunOptions(period=1)
-        ) as runner:
+        with self._run(bundle, bundle.algorithms[0], period=1) as runner:
             runner.draw(0)
-            return told_of(runner.cache(), self.covered[0], layout, self.cache.guard)
+            guard = self.configuration.storage.guard
+            return told_of(runner.cache(), self.covered[0], layout, guard)
 
     def check_bundle(self, bundle: Bundle, verdict: Verdict) -> None:
         """Laws 2 to 4 for a proof-mode bundle, and 7 where it keeps ages, into ``verdict``."""
@@ -283,23 +282,31 @@ class Verifier:
         self.world.release()
 
     def _original(self, mode: Mode) -> list[Image]:
-        return render_original(self.world, self._bundle(mode), MOVING)
+        return render_original(self.world, self.linker.originals(mode), MOVING)
 
-    def _bundle(self, mode: Mode) -> Bundle:
-        emission = emit_original(self.analysis, mode)
-        return Bundle(emission.manifest, emission.files)
+    def _run(
+        self, bundle: Bundle, algorithm: str, period: int = PERIOD, moving: bool = True
+    ) -> VariantRunner:
+        """A run of a bundle's variant, with the other objects' own."""
+        chosen = replace(bundle.configuration, algorithm=algorithm).with_refresh(period)
+        objects = self.linker.link(self.linker.assign(chosen), bundle)
+        return VariantRunner(self.world, *objects, moving=moving)
 
     def _rewritten(self, nodes: Sequence[Candidate], mode: Mode) -> Bundle:
-        exact = self.fetches == "level" and tells_true_levels(self.world.gpu)
-        fetches = self.fetches if mode == "plain" or exact else "whole"
-        options = Options(mode=mode, cache_format="rgba32f", fetches=fetches, cache=self.cache)
-        emission = rewrite(self.analysis, nodes, options, unprofitable=True)
+        exact = self.configuration.fetches == "level" and tells_true_levels(self.world.gpu)
+        chosen = replace(
+            self.configuration,
+            nodes=tuple(node.id for node in nodes),
+            mode=mode,
+            fetches=self.configuration.fetches if mode == "plain" or exact else "whole",
+        )
+        emission = rewrite(self.analysis, by_every_algorithm(chosen), unprofitable=True)
         return Bundle(emission.manifest, emission.files)
 
     def _always(self, bundle: Bundle, name: str) -> Difference:
         """Law 2: with everything refreshed in every frame a variant is the original."""
         found = Difference()
-        with VariantRunner(self.world, bundle, name, RunOptions(period=1)) as runner:
+        with self._run(bundle, name, period=1) as runner:
             for frame in ALWAYS:
                 if not bundle.refreshes:
                     runner.reset("cut")
@@ -312,7 +319,7 @@ class Verifier:
         """What plain mode changes: a reset in every frame draws the passes that compute, and not
         those that would find nothing to reuse (compiling these takes a third of the time)."""
         found = Difference()
-        with VariantRunner(self.world, bundle, name, RunOptions(period=1)) as runner:
+        with self._run(bundle, name, period=1) as runner:
             for frame in ALWAYS:
                 runner.reset("cut")
                 image = runner.image(frame)
@@ -324,8 +331,7 @@ class Verifier:
         """Law 3: while nothing moves a variant is the original, however often it reuses; and it
         reuses all that is not due. What it reuses that it should not, or does not, in words."""
         found = Difference()
-        options = RunOptions(period=PERIOD, moving=False)
-        with VariantRunner(self.world, bundle, name, options) as runner:
+        with self._run(bundle, name, moving=False) as runner:
             masks = []
             for frame in RESTING:
                 if frame > 0:
@@ -342,7 +348,7 @@ class Verifier:
         made: list[tuple[Image, Image]] = []
         looks: list[Look] = []
         fault = ""
-        with VariantRunner(self.world, bundle, name, RunOptions(period=PERIOD)) as runner:
+        with self._run(bundle, name) as runner:
             for frame in MOVING:
                 look = reuse.look(runner, frame) if frame > 0 else None
                 if look is not None:
@@ -353,13 +359,13 @@ class Verifier:
 
     def _reuse(self, bundle: Bundle) -> Reuse:
         if self._surfaces is None:
-            self._surfaces = Surfaces(self.world, self._bundle("proof"))
+            self._surfaces = Surfaces(self.world, self.linker.originals("proof"))
         about = (self.world, self.analysis, bundle, self._surfaces, self.covered, PERIOD)
         return Reuse(*about, self._proven)
 
     def _oldest(self, bundle: Bundle, name: str, channel: int) -> float:
         """Law 7: the greatest age that is stored in a run in motion."""
-        with VariantRunner(self.world, bundle, name, RunOptions(period=PERIOD)) as runner:
+        with self._run(bundle, name) as runner:
             ages = []
             for frame in AGEING:
                 runner.draw(frame)

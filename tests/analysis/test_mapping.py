@@ -7,11 +7,13 @@ import re
 import pytest
 
 from shadercache.analysis.candidates import OF_PIXEL, Candidate
-from shadercache.compiler import Analysis, analyse, rewrite
+from shadercache.analysis.mapping import MappingKind
+from shadercache.caching.configuration import Mode
+from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import InputError
 from shadercache.front.read_options import ReadOptions
-from shadercache.options import MappingKind, Mode, Options
 from shadercache.source import Source
+from tests.configured import configured, rewritten
 
 HEAD = """#version 330
 uniform vec2 u_size;
@@ -192,7 +194,7 @@ def test_the_functions_survive_every_pass_that_renames(mode: Mode) -> None:
         reading = ReadOptions(dialect="shadertoy" if dialect == "shadertoy" else "glsl")
         analysis = analyse(Source("test.frag", text), None, reading, "user")
         offered = next(item for item in analysis.nodes if item.offered)
-        files = rewrite(analysis, offered, Options(mode)).files
+        files = rewritten(analysis, offered, configured(mode=mode)).files
         for file in ("1-pass.frag", "2-pass.hit.frag", "3-pass.reuse.frag", "hit-mask.frag"):
             assert "vec4 scPreviousClip() {" in files[file]
             assert re.search(r"sc1?_previous = scPreviousClip\(\);", files[file])

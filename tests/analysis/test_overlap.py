@@ -13,18 +13,22 @@ from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.cost import FETCH, CostTable
 from shadercache.analysis.value_numbering import one_of_each
 from shadercache.ast import nodes as n
+from shadercache.caching.algorithms import algorithm
 from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import InputError
 from shadercache.emit.assemble import Shader
 from shadercache.emit.fragment import FragmentEmitter
+from shadercache.emit.one_pass import shade_or_reuse
 from shadercache.emit.printer import print_module
+from shadercache.emit.three_passes import payload_only, shade
+from shadercache.emit.two_passes import hit, miss
 from shadercache.front.parse import parse
-from shadercache.options import CacheOptions
 from shadercache.source import Source
 from shadercache.transform.state_precisions import with_precisions
 from shadercache.valid.validate import validate
 from tests.cases.cases import analysed
 from tests.cases.test_cases import CACHEABLE
+from tests.configured import configured
 
 BODY = """
     vec3 at = v_position * noise(v_position * 2.0);
@@ -124,14 +128,14 @@ def compare(analysis: Analysis, *nodes: Candidate) -> None:
     parts, prefix = analysis.parts(*nodes), analysis.program.prefix
     assert parts.payload <= parts.whole and parts.remainder <= parts.whole
     # What a guard compares is no part of any slice.
-    emitter = FragmentEmitter(analysis.program, nodes, cache=CacheOptions(guard="off"))
-    assert _cost(emitter.payload_only(), prefix) <= parts.payload + PADDING
-    assert _cost(emitter.shade(), prefix) <= parts.remainder + 2 * FETCH + PADDING
-    assert _cost(emitter.hit(), prefix) <= parts.remainder + PADDING
-    assert _cost(emitter.miss(), prefix) <= parts.whole + PADDING
+    emitter = FragmentEmitter(analysis.program, nodes, configured(guard="off"))
+    assert _cost(payload_only(emitter), prefix) <= parts.payload + PADDING
+    assert _cost(shade(emitter), prefix) <= parts.remainder + 2 * FETCH + PADDING
+    assert _cost(hit(emitter), prefix) <= parts.remainder + PADDING
+    assert _cost(miss(emitter), prefix) <= parts.whole + PADDING
     # Fetches that one pass moves ahead compute where to look once more.
-    if emitter.unfit(1) is None and not emitter.fetches:
-        assert _cost(emitter.one(), prefix) <= parts.whole + parts.overlap + PADDING
+    if emitter.unfit(algorithm("1-pass")) is None and not emitter.fetches:
+        assert _cost(shade_or_reuse(emitter), prefix) <= parts.whole + parts.overlap + PADDING
 
 
 def _cost(shader: Shader, prefix: str) -> float:

@@ -10,15 +10,16 @@ import shadercache.ast.memo as memo_module
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
-from shadercache.compiler import analyse, rewrite
+from shadercache.caching.configuration import Mode
+from shadercache.compiler import analyse
 from shadercache.emit.printer import print_module
 from shadercache.front.parse import parse
-from shadercache.options import Mode, Options
 from shadercache.paths import data_path
 from shadercache.source import Source
 from shadercache.transform.make_precise import make_precise
 from shadercache.transform.remove_dead import remove_dead
 from shadercache.transform.write_out_matrices import write_out_matrices
+from tests.configured import configured, rewritten
 
 TEXT = """#version 330
 in float v_a;
@@ -105,13 +106,13 @@ def test_variants_do_not_depend_on_what_was_written_before(
     sources = [Source(path.name, path.read_text(encoding="utf-8")) for path in paths]
     shared = analyse(*sources)
     nodes = [node.id for node in shared.nodes if node.offered][::30]
-    options = Options(mode)
+    options = configured(mode=mode)
     for most in (memo_module.MOST_ENTRIES, 1_000):
         monkeypatch.setattr(memo_module, "MOST_ENTRIES", most)
         for node in nodes:
             fresh = analyse(*sources)
-            alone = rewrite(fresh, fresh.node(node), options)
-            made = rewrite(shared, shared.node(node), options)
+            alone = rewritten(fresh, fresh.node(node), options)
+            made = rewritten(shared, shared.node(node), options)
             assert made.files == alone.files
             assert made.manifest == alone.manifest
 

@@ -14,12 +14,13 @@ from laws.random_sets import random_sets
 from laws.slices import VARIABLE, amount, day_slice, seed
 
 from shadercache.analysis.candidates import Candidate
-from shadercache.compiler import emit_original, rewrite
+from shadercache.caching.configuration import Mode
+from shadercache.compiler import emit_original
 from shadercache.diagnostics import InputError
 from shadercache.gpu.context import Gpu
-from shadercache.options import Mode, Options
 from shadercache.verify.verifier import Verifier
 from tests.conditioning import all_too_far
+from tests.configured import configured, rewritten
 from tests.conftest import Golden
 
 from .cases import FOLDER, NAMES, analysed, golden_text, sources, told
@@ -94,7 +95,7 @@ def test_the_reference_compiler_says_no_more_than_of_the_original(
     texts = [item for mode in MODES for item in emit_original(analysis, mode).files.items()]
     for nodes in tried(name):
         for mode in MODES:
-            emission = rewrite(analysis, nodes, Options(mode), unprofitable=True)
+            emission = rewritten(analysis, nodes, configured(mode=mode), unprofitable=True)
             texts += emission.files.items()
     assert _complaints(texts, tmp_path) <= accepted, f"{VARIABLE}={seed()} repeats this"
 

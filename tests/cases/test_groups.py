@@ -9,13 +9,12 @@ import numpy as np
 import pytest
 
 from shadercache.analysis.value_numbering import Group
-from shadercache.compiler import rewrite
 from shadercache.gpu.context import Gpu
-from shadercache.options import Options
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import CoverageRunner, RunOptions, VariantRunner
+from shadercache.render.variant_runner import CoverageRunner
 from shadercache.scene.description import load_scene
+from tests.configured import PROOF, rewritten, variant
 
 from .cases import analysed
 
@@ -40,12 +39,12 @@ def payloads(name: str, gpu: Gpu, folder: Path) -> dict[Group, list[np.ndarray]]
         for group in groups_of(name):
             nodes = [node for node in group.nodes if node.legal]
             for node in nodes[:: max(1, len(nodes) // MEMBERS)]:
-                options = Options("proof", cache_format="rgba32f")
-                emission = rewrite(analysed(name), node, options, unprofitable=True)
+                options = PROOF
+                emission = rewritten(analysed(name), node, options, unprofitable=True)
                 bundle = Bundle(emission.manifest, emission.files)
                 with CoverageRunner(world, bundle) as coverage:
                     covered = coverage.coverage(0)
-                with VariantRunner(world, bundle, "3-pass", RunOptions(period=1)) as runner:
+                with variant(world, bundle, "3-pass", period=1) as runner:
                     runner.image(0)
                     found.setdefault(group, []).append(runner.cache()[covered].view(np.uint32))
     return found

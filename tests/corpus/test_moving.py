@@ -9,17 +9,17 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from shadercache.compiler import Analysis, rewrite
+from shadercache.compiler import Analysis
 from shadercache.gpu.context import Gpu
-from shadercache.linking.object_programs import ObjectPrograms
 from shadercache.linking.scene_shaders import open_scene
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import CoverageRunner, RunOptions, VariantRunner
+from shadercache.render.variant_runner import CoverageRunner
 from shadercache.scene.camera import camera_at
 from shadercache.scene.description import Scene
 from shadercache.scene.mesh import load_mesh
 from shadercache.verify.verifier import Verifier
+from tests.configured import originals, rewritten, variant
 
 from .conftest import imported
 
@@ -105,15 +105,15 @@ def test_most_is_reused_in_motion(gpu: Gpu, opened: tuple[Scene, Analysis]) -> N
     """Edges weigh much in so small a picture; docs/MEASUREMENT.md has the curves of large ones."""
     scene, analysis = opened
     (name,) = scene.nodes.values()
-    emission = rewrite(analysis, analysis.node(name))
+    emission = rewritten(analysis, analysis.node(name))
     bundle = Bundle(emission.manifest, emission.files)
     rates = []
-    with RenderScene(gpu, scene, (256, 256), small=True, programs=ObjectPrograms()) as world:
-        with VariantRunner(world, bundle, "2-pass", RunOptions(32)) as runner:
+    with RenderScene(gpu, scene, (256, 256), small=True) as world:
+        with variant(world, bundle, "2-pass", period=32) as runner:
             for frame in range(30, 36):
                 mask = runner.hit_mask(frame)
                 rates.append((mask == bundle.mask_values["hit"]).sum() / (mask > 0).sum())
                 runner.draw(frame)
-        with CoverageRunner(world, bundle) as cover:
+        with CoverageRunner(world, *originals(world.scene, bundle)) as cover:
             assert cover.coverage(30).all(), "sky and ground fill the picture"
     assert rates[0] == 0.0 and min(rates[1:]) > 0.7, rates

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from shadercache.compiler import Analysis, analyse, rewrite
+from shadercache.compiler import Analysis, analyse
 from shadercache.gpu.context import Gpu
 from shadercache.render.bundle import Bundle, load_bundle
 from shadercache.render.render_scene import RenderScene
@@ -19,6 +19,7 @@ from shadercache.render.variant_runner import CoverageRunner
 from shadercache.scene.description import Scene, load_scene
 from shadercache.scene.mesh import load_mesh
 from shadercache.source import Source
+from tests.configured import rewritten
 
 CORPUS = Path(__file__).resolve().parent.parent.parent / "corpus"
 NAMES = ("dragon", "trashcan")
@@ -37,7 +38,7 @@ def analysis(scene: Scene) -> Analysis:
 
 @pytest.fixture
 def bundle(analysis: Analysis, tmp_path: Path) -> Bundle:
-    emission = rewrite(analysis, next(node for node in analysis.nodes if node.offered))
+    emission = rewritten(analysis, next(node for node in analysis.nodes if node.offered))
     for file, text in emission.files.items():
         (tmp_path / file).write_text(text)
     (tmp_path / "manifest.json").write_text(json.dumps(emission.manifest))

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from shaders import analysed, find
 
-from shadercache.compiler import rewrite
+from shadercache.caching.configuration import CacheFormat, DepthKind
 from shadercache.emit.depth_range import depth_warnings, resolved_until
-from shadercache.options import CacheFormat, CacheOptions, DepthKind, Options
+from tests.configured import configured, rewritten
 
 
 @pytest.mark.parametrize(
@@ -26,7 +26,7 @@ def test_how_far_a_pair_reaches(depth: DepthKind, form: CacheFormat, until: floa
 
 
 def test_what_cannot_be_told_apart_is_warned_of() -> None:
-    options = Options(cache=CacheOptions(depth="linear"))
+    options = configured(depth="linear")
     assert depth_warnings(options, 1.0, 1e3) == ()
     [warning] = depth_warnings(options, 1.0, 1e5)
     assert (warning.code, warning.severity) == ("SC431", "warning")
@@ -36,7 +36,7 @@ def test_what_cannot_be_told_apart_is_warned_of() -> None:
 def test_rewriting_warns_where_it_needs_no_scene() -> None:
     analysis = analysed("vec3 n = sin(v_position); o_color = vec4(n * u_tint, 1.0);")
     node = find(analysis, "sin(v_position)")
-    cached = CacheOptions(filter="bilinear", depth="ndc")
-    emission = rewrite(analysis, node, Options(cache=cached), unprofitable=True)
+    cached = configured(filter="bilinear", depth="ndc")
+    emission = rewritten(analysis, node, cached, unprofitable=True)
     assert [note.code for note in emission.notes] == ["SC431"]
-    assert rewrite(analysis, node, unprofitable=True).notes == ()
+    assert rewritten(analysis, node, unprofitable=True).notes == ()

@@ -11,11 +11,11 @@ from jsonschema import Draft202012Validator
 from payloads import PAYLOADS, analysed_payload
 
 import shadercache
-from shadercache.compiler import rewrite
+from shadercache.caching.configuration import Configuration, Mode
 from shadercache.diagnostics import InputError
 from shadercache.emit.layout import Extra, Layout, extras_of
 from shadercache.lang.types import FLOAT, INT, vector
-from shadercache.options import CacheOptions, Mode, Options
+from tests.configured import configured, rewritten
 
 ID = Extra("id", INT, "object")
 AGE = Extra("age", FLOAT, "age")
@@ -53,7 +53,7 @@ def test_how_extras_are_written_and_read() -> None:
 
 
 def test_nothing_is_kept_unasked() -> None:
-    assert extras_of(CacheOptions()) == ()
+    assert extras_of(Configuration()) == ()
     assert Layout((FLOAT,)).channels == (1,)
 
 
@@ -65,12 +65,12 @@ def test_every_type_with_an_id_has_valid_programs(name: str) -> None:
     analysis, node = analysed_payload(name)
     modes: tuple[Mode, ...] = ("plain", "proof")
     for mode in modes:
-        options = Options(mode=mode, cache=CacheOptions(ids=True))
+        options = configured(mode=mode, ids=True)
         if name in ("Whole", "Mixed"):
             with pytest.raises(InputError, match="no channel left for the id") as caught:
-                rewrite(analysis, node, options, unprofitable=True)
+                rewritten(analysis, node, options, unprofitable=True)
             assert caught.value.diagnostics[0].code == "SC430"
             continue
-        emission = rewrite(analysis, node, options, unprofitable=True)
+        emission = rewritten(analysis, node, options, unprofitable=True)
         check_programs(emission)
         validator.validate(emission.manifest)

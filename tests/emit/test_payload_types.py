@@ -16,7 +16,8 @@ from shaders import analysed, find
 
 import shadercache
 from shadercache.analysis.candidates import Candidate
-from shadercache.compiler import Analysis, rewrite
+from shadercache.caching.configuration import Mode
+from shadercache.compiler import Analysis
 from shadercache.emit.layout import Layout
 from shadercache.lang.types import (
     BOOL,
@@ -29,7 +30,7 @@ from shadercache.lang.types import (
     struct_type,
     vector,
 )
-from shadercache.options import Mode, Options
+from tests.configured import configured, rewritten
 
 RAY = struct_type("Ray", {"origin": vector("float", 3), "id": INT})
 FLAGGED = struct_type("Flagged", {"ray": RAY, "flags": vector("bool", 2), "count": UINT})
@@ -108,7 +109,7 @@ def test_every_program_is_valid_and_holds_nothing_unused(name: str) -> None:
     analysis, node = analysed_payload(name)
     modes: tuple[Mode, ...] = ("plain", "proof")
     for mode in modes:
-        emission = rewrite(analysis, node, Options(mode=mode), unprofitable=True)
+        emission = rewritten(analysis, node, configured(mode=mode), unprofitable=True)
         check_programs(emission)
         validator.validate(emission.manifest)
         for variant in emission.manifest["variants"]:
@@ -120,7 +121,7 @@ def test_every_program_is_valid_and_holds_nothing_unused(name: str) -> None:
 
 @pytest.mark.parametrize("name", ["vec4", "Mixed"])
 def test_golden_programs(name: str, golden: Golden) -> None:
-    emission = rewrite(*analysed_payload(name), unprofitable=True)
+    emission = rewritten(*analysed_payload(name), unprofitable=True)
     for file in ("1-pass.frag", "3-pass.payload.frag", "3-pass.shade.frag", "payload-alone.frag"):
         golden(f"tests/emit/goldens/{name}/{file}", emission.files[file])
     parts = {key: emission.manifest[key] for key in ("cache", "uniforms", "variants", "frame")}
@@ -166,7 +167,7 @@ def test_glslang_accepts_every_program_without_a_warning(head: str, tmp_path: Pa
         for mode in modes:
             analysis, node = analysed_payload(name, head)
             nodes = [node, *beside(analysis, node)] if number % 2 else [node]
-            emission = rewrite(analysis, nodes, Options(mode), unprofitable=True)
+            emission = rewritten(analysis, nodes, configured(mode=mode), unprofitable=True)
             for file, text in emission.files.items():
                 path = tmp_path / f"{number}-{mode}-{file}"
                 path.write_text(text)
@@ -183,7 +184,7 @@ def test_a_payload_is_as_precise_as_its_expression() -> None:
         ("bvec3", "bvec3 sc_payload;"),
         ("Mixed", "Mixed sc_payload;"),
     ):
-        text = rewrite(*analysed_payload(name, ES), unprofitable=True).files["3-pass.shade.frag"]
+        text = rewritten(*analysed_payload(name, ES), unprofitable=True).files["3-pass.shade.frag"]
         assert f"\n{declared}" in text
 
 
@@ -194,7 +195,7 @@ def test_a_struct_stands_before_the_variable() -> None:
         "const int COUNT = 2; struct Many { float values[COUNT]; };"
         "Many make(vec3 p) { Many m; m.values[0] = sin(p.x); m.values[1] = sin(p.y); return m; }",
     )
-    emission = rewrite(analysis, find(analysis, "make(v_position)"), unprofitable=True)
+    emission = rewritten(analysis, find(analysis, "make(v_position)"), unprofitable=True)
     check_programs(emission)
     text = emission.files["3-pass.shade.frag"]
     places = [text.index(words) for words in ("COUNT = 2", "struct Many", "Many sc_payload;")]
@@ -209,7 +210,7 @@ def test_names_of_structs_and_fields_do_not_collide_with_ours() -> None:
         "struct texel { float DEPTH; }; struct outcome { texel t; float SC_TEXEL; int STORE; };"
         "outcome make(vec3 p) { return outcome(texel(sin(p.x)), sin(p.y), 1); }",
     )
-    emission = rewrite(analysis, find(analysis, "make(v_position)"), unprofitable=True)
+    emission = rewritten(analysis, find(analysis, "make(v_position)"), unprofitable=True)
     check_programs(emission)
     text = emission.files["2-pass.hit.frag"]
     assert "outcome(texel(uintBitsToFloat(sc1_local_1.x))" in text

@@ -17,14 +17,15 @@ from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.effects import Does
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
-from shadercache.compiler import Analysis, Emission, analyse, rewrite
+from shadercache.caching.configuration import Mode
+from shadercache.compiler import Analysis, Emission, analyse
 from shadercache.diagnostics import InputError
 from shadercache.front.parse import parse
-from shadercache.options import CacheOptions, Mode, Options
 from shadercache.paths import data_path
 from shadercache.source import Source
 from shadercache.transform.reachable import declared_names, names_in
 from shadercache.valid.validate import validate
+from tests.configured import configured, rewritten
 
 NOISE = """
 float noise(vec3 p) { return sin(p.x * 12.9) * sin(p.y * 78.2) * sin(p.z * 37.7); }
@@ -56,13 +57,13 @@ def analysis() -> Analysis:
 
 @pytest.mark.parametrize("name", ["two-octaves", "grain"])
 def test_golden_programs(name: str, analysis: Analysis, golden: Golden) -> None:
-    emission = rewrite(analysis, find(analysis, NODES[name]))
+    emission = rewritten(analysis, find(analysis, NODES[name]))
     for file, text in emission.files.items():
         golden(f"tests/emit/goldens/{name}/{file}", text)
 
 
 def test_golden_proof_mode(analysis: Analysis, golden: Golden) -> None:
-    emission = rewrite(analysis, find(analysis, NODES["two-octaves"]), Options(mode="proof"))
+    emission = rewritten(analysis, find(analysis, NODES["two-octaves"]), configured(mode="proof"))
     for file in ("2-pass.miss.frag", "3-pass.payload.frag", "2-pass.hit.vert"):
         golden(f"tests/emit/goldens/proof/{file}", emission.files[file])
 
@@ -72,7 +73,7 @@ SET = ("noise(p) + 0.5 * noise(p * 2.0)", "grain.rgb", "albedo * light")
 
 
 def test_golden_programs_of_a_set(analysis: Analysis, golden: Golden) -> None:
-    emission = rewrite(analysis, [find(analysis, text) for text in SET[:2]])
+    emission = rewritten(analysis, [find(analysis, text) for text in SET[:2]])
     for file in ("1-pass.frag", "2-pass.miss.frag", "3-pass.payload.frag", "3-pass.shade.frag"):
         golden(f"tests/emit/goldens/set/{file}", emission.files[file])
     parts = {key: emission.manifest[key] for key in ("nodes", "cache")}
@@ -82,7 +83,7 @@ def test_golden_programs_of_a_set(analysis: Analysis, golden: Golden) -> None:
 
 def test_what_only_feeds_others_of_a_set_is_refused(analysis: Analysis) -> None:
     with pytest.raises(InputError, match=r"'grain.rgb' .* is not needed") as caught:
-        rewrite(analysis, [find(analysis, text) for text in SET])
+        rewritten(analysis, [find(analysis, text) for text in SET])
     assert [item.code for item in caught.value.diagnostics] == ["SC417", "SC417"]
 
 
@@ -92,13 +93,17 @@ def test_every_manifest_follows_the_schema(mode: Mode, analysis: Analysis) -> No
     validator = Draft202012Validator(json.loads(path.read_text(encoding="utf-8")))
     for text in NODES.values():
         node = find(analysis, text)
-        validator.validate(rewrite(analysis, node, Options(mode=mode), unprofitable=True).manifest)
+        validator.validate(
+            rewritten(analysis, node, configured(mode=mode), unprofitable=True).manifest
+        )
 
 
 def emissions(analysis: Analysis) -> dict[tuple[str, Mode], Emission]:
     modes: tuple[Mode, ...] = ("plain", "proof")
     return {
-        (name, mode): rewrite(analysis, find(analysis, text), Options(mode=mode), unprofitable=True)
+        (name, mode): rewritten(
+            analysis, find(analysis, text), configured(mode=mode), unprofitable=True
+        )
         for name, text in NODES.items()
         for mode in modes
     }
@@ -160,8 +165,8 @@ def assert_nothing_unused(module: n.Module) -> None:
 def test_the_payload_pass_has_no_lighting_and_the_shading_pass_no_payload(
     analysis: Analysis,
 ) -> None:
-    options = Options(cache=CacheOptions(guard="off"))
-    files = rewrite(analysis, find(analysis, NODES["two-octaves"]), options).files
+    options = configured(guard="off")
+    files = rewritten(analysis, find(analysis, NODES["two-octaves"]), options).files
     for word in ("u_tint", "v_normal", "light", "o_color", "u_map"):
         assert word not in files["3-pass.payload.frag"]
     assert files["3-pass.shade.frag"].count("noise(p * 4.0)") == 1
@@ -172,7 +177,7 @@ def test_the_payload_pass_has_no_lighting_and_the_shading_pass_no_payload(
 
 def test_other_calls_of_a_function_are_not_disturbed(analysis: Analysis) -> None:
     node = find(analysis, NODES["inside-noise"], "noise@2")
-    text = rewrite(analysis, node, unprofitable=True).files["3-pass.shade.frag"]
+    text = rewritten(analysis, node, unprofitable=True).files["3-pass.shade.frag"]
     assert "noise(p) + 0.5 * sc_noise(p * 2.0) + 0.25 * noise(p * 4.0)" in text
 
 
@@ -212,7 +217,7 @@ def test_the_look_up_takes_derivatives_ahead_of_its_exits(analysis: Analysis) ->
 
 
 def test_one_pass_fetches_ahead_of_its_branch(analysis: Analysis) -> None:
-    text = rewrite(analysis, find(analysis, NODES["albedo"])).files["1-pass.frag"]
+    text = rewritten(analysis, find(analysis, NODES["albedo"])).files["1-pass.frag"]
     main = text[text.index("void main()") :]
     assert main.index("sc_fetch_ahead();") < main.index("sc_look_up")
 
@@ -223,11 +228,11 @@ def test_a_fetch_that_cannot_be_moved_is_refused_for_one_pass_only() -> None:
         "o_color = vec4(sin(a) * cos(a), 1.0);"
     )
     node = find(analysis, "sin(a) * cos(a)")
-    manifest = rewrite(analysis, node).manifest
+    manifest = rewritten(analysis, node).manifest
     assert [item["algorithm"] for item in manifest["variants"]] == ["2-pass", "3-pass"]
     assert manifest["refused"][0]["algorithm"] == "1-pass"
     with pytest.raises(InputError) as error:
-        rewrite(analysis, node, algorithms=(1,))
+        rewritten(analysis, node, algorithms=("1-pass",))
     assert error.value.diagnostics[0].code == "SC407"
 
 
@@ -236,7 +241,7 @@ def test_user_names_that_look_like_ours_do_not_collide() -> None:
         "float sc_payload = noise(v_position); o_color = vec4(sc_look_up(sc_payload));",
         "float sc_look_up(float x) { return x; }\n" + NOISE,
     )
-    emission = rewrite(analysis, find(analysis, "noise(v_position)"))
+    emission = rewritten(analysis, find(analysis, "noise(v_position)"))
     check_programs(emission)
     assert "sc1_look_up" in emission.files["2-pass.hit.frag"]
 
@@ -266,7 +271,7 @@ def test_corpus_programs_hold_nothing_unused(scene: str) -> None:
     analysis = analyse(texts["frag"], texts["vert"])
     offered = [node for node in analysis.nodes if node.offered]
     for node in offered[:: max(1, len(offered) // 12)]:
-        check_programs(rewrite(analysis, node))
+        check_programs(rewritten(analysis, node))
 
 
 def test_one_pass_computes_the_payload_without_changing_the_globals() -> None:
@@ -275,7 +280,7 @@ def test_one_pass_computes_the_payload_without_changing_the_globals() -> None:
         "o_color = vec4(p * before, height);",
         "float height = 1.0; void raise(float x) { height = x; }",
     )
-    emission = rewrite(analysis, find(analysis, "p"), algorithms=(1,), unprofitable=True)
+    emission = rewritten(analysis, find(analysis, "p"), algorithms=("1-pass",), unprofitable=True)
     check_programs(emission)
     text = emission.files["1-pass.frag"]
     body = text[text.index("void sc_compute() {") :].split("\n}", 1)[0]
@@ -291,7 +296,7 @@ def test_a_global_without_a_type_name_forbids_one_pass() -> None:
         "box.x = v_uv.x; o_color = vec4(sin(v_position * v_position.yzx), box.x);",
         "struct { float x; } box;",
     )
-    manifest = rewrite(analysis, find(analysis, "sin(v_position * v_position.yzx)")).manifest
+    manifest = rewritten(analysis, find(analysis, "sin(v_position * v_position.yzx)")).manifest
     assert [item["algorithm"] for item in manifest["variants"]] == ["2-pass", "3-pass"]
     assert "without a name" in manifest["refused"][0]["reason"]
 
@@ -301,11 +306,13 @@ def test_names_that_become_keywords_in_proof_mode() -> None:
         "float patch = v_uv.x; o_color = vec4(sample(v_position, patch), 1.0);",
         "vec3 sample(vec3 p, float dmat2) { return sin(p * dmat2) * cos(p); }",
     )
-    emission = rewrite(analysis, find(analysis, "sin(p * dmat2) * cos(p)"), Options(mode="proof"))
+    emission = rewritten(
+        analysis, find(analysis, "sin(p * dmat2) * cos(p)"), configured(mode="proof")
+    )
     check_programs(emission)
     kept = analysed("o_color = vec4(sin(v_position) * sample, 1.0);", "uniform float sample;")
     node = find(kept, "sin(v_position)")
-    check_programs(rewrite(kept, node, unprofitable=True))
+    check_programs(rewritten(kept, node, unprofitable=True))
     with pytest.raises(InputError) as error:
-        rewrite(kept, node, Options(mode="proof"), unprofitable=True)
+        rewritten(kept, node, configured(mode="proof"), unprofitable=True)
     assert error.value.diagnostics[0].code == "SC408"

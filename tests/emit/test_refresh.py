@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -11,10 +10,11 @@ from jsonschema import Draft202012Validator
 from shaders import analysed, find
 
 import shadercache
-from shadercache.compiler import Analysis, Emission, analyse, rewrite
+from shadercache.caching.settings import with_settings
+from shadercache.compiler import Analysis, Emission, analyse
 from shadercache.diagnostics import InputError
-from shadercache.options import CacheOptions, Options, read_cache_options
 from shadercache.source import Source
+from tests.configured import DEFAULT, configured, rewritten
 
 BODY = """
     vec3 albedo = sin(v_position * 12.9) * sin(v_position.yzx * 78.2);
@@ -29,8 +29,8 @@ def analysis() -> Analysis:
 
 
 def emitted(analysis: Analysis, settings: str) -> Emission:
-    cache = read_cache_options([settings] if settings else [])
-    return rewrite(analysis, find(analysis, NODE), Options(cache=cache), unprofitable=True)
+    cache = with_settings(DEFAULT, [settings] if settings else [])
+    return rewritten(analysis, find(analysis, NODE), cache, unprofitable=True)
 
 
 def test_only_what_is_chosen_is_there(analysis: Analysis) -> None:
@@ -62,20 +62,18 @@ def test_ages_lie_behind_the_payload(analysis: Analysis) -> None:
 def test_there_must_be_triangles_to_go_by(analysis: Analysis) -> None:
     text = "#version 330\nout vec4 o; void main() { o = sin(gl_FragCoord * 3.0) * 2.0; }"
     screen = analyse(Source("flat.frag", text), mapping="screen")
-    chosen = Options(cache=CacheOptions(refresh="surface"))
+    chosen = configured(refresh="surface")
     node = next(node for node in screen.nodes if node.text == "sin(gl_FragCoord * 3.0)")
     with pytest.raises(InputError, match="none but the whole picture"):
-        rewrite(screen, node, chosen, unprofitable=True)
+        rewritten(screen, node, chosen, unprofitable=True)
     old = Source("old.frag", _es("in vec3 v; out vec4 o; void main() { o.x = sin(v.x); }"))
     vertex = Source(
         "old.vert", _es("in vec3 a; out vec3 v; void main() { gl_Position.xyz = v = a; }")
     )
     mobile = analyse(old, vertex)
     with pytest.raises(InputError, match="GLSL ES"):
-        rewrite(mobile, find(mobile, "sin(v.x)"), chosen, unprofitable=True)
-    rewrite(
-        mobile, find(mobile, "sin(v.x)"), replace(chosen, cache=CacheOptions()), unprofitable=True
-    )
+        rewritten(mobile, find(mobile, "sin(v.x)"), chosen, unprofitable=True)
+    rewritten(mobile, find(mobile, "sin(v.x)"), DEFAULT, unprofitable=True)
 
 
 def _es(text: str) -> str:
@@ -89,7 +87,7 @@ def test_ages_need_a_channel() -> None:
 """
     four = analysed(body)
     node = find(four, "mat2(v_position.xy, v_position.yz) * 2.0")
-    rewrite(four, node, Options(cache=CacheOptions(age=True)), unprofitable=True)
+    rewritten(four, node, configured(age=True), unprofitable=True)
     seven = analysed(
         "mat2 a = mat2(v_position.xy, v_position.yz) * 2.0; vec3 b = v_normal * 3.0;"
         "o_color = vec4(a[0] * a[1], b.xy + b.z);"
@@ -98,4 +96,4 @@ def test_ages_need_a_channel() -> None:
         find(seven, text) for text in ("mat2(v_position.xy, v_position.yz) * 2.0", "v_normal * 3.0")
     ]
     with pytest.raises(InputError, match="no channel left for the age"):
-        rewrite(seven, nodes, Options(cache=CacheOptions(age=True)), unprofitable=True)
+        rewritten(seven, nodes, configured(age=True), unprofitable=True)

@@ -5,10 +5,11 @@ from __future__ import annotations
 import pytest
 from shaders import analysed, find
 
-from shadercache.compiler import Analysis, analyse, rewrite
+from shadercache.compiler import Analysis, analyse
 from shadercache.front.parse import parse
 from shadercache.source import Source
 from shadercache.valid.validate import validate
+from tests.configured import rewritten
 
 PAYLOAD = "sin(v_position * 12.9) * cos(v_position)"
 
@@ -19,7 +20,7 @@ def analysis() -> Analysis:
 
 
 def test_manifest_twins_name_the_uniforms_of_the_position(analysis: Analysis) -> None:
-    manifest = rewrite(analysis, find(analysis, PAYLOAD)).manifest
+    manifest = rewritten(analysis, find(analysis, PAYLOAD)).manifest
     assert manifest["previous"] == {"u_modelViewProjection": "sc_previous_u_modelViewProjection"}
     assert "a_position" in manifest["relies_on"][-1]
 
@@ -65,7 +66,7 @@ VERTEX_CASES = {
 def test_vertex_twins(name: str, analysis: Analysis) -> None:
     text, twins = VERTEX_CASES[name]
     again = analyse(analysis.fragment, Source("test.vert", "#version 330\n" + text))
-    emission = rewrite(again, find(again, PAYLOAD))
+    emission = rewritten(again, find(again, PAYLOAD))
     assert twins.items() <= emission.manifest["previous"].items()
     assert "u_unrelated" not in emission.manifest["previous"]
     for item in ("2-pass.hit.vert", "3-pass.payload.vert", "original.vert"):
@@ -92,7 +93,7 @@ def test_interface_blocks_meet_by_their_block_names() -> None:
     fragment, vertex = BLOCK_STAGES
     analysis = analyse(Source("test.frag", fragment), Source("test.vert", vertex))
     node = find(analysis, "sin(s.position * s.normal) * cos(s.position)")
-    files = rewrite(analysis, node).files
+    files = rewritten(analysis, node).files
     original, reuse = files["original.vert"], files["3-pass.reuse.vert"]
     assert "out Surface {" in original and "tone = o.position;" in original
     assert "out Surface {" in reuse and "Extra" not in reuse
@@ -110,6 +111,6 @@ def test_a_twin_does_not_share_the_place_of_its_original(analysis: Analysis) -> 
             gl_Position = view * vec4(a_position * u_sway, 1.0);
         }"""
     again = analyse(analysis.fragment, Source("test.vert", vertex))
-    text = rewrite(again, find(again, PAYLOAD)).files["3-pass.reuse.vert"]
+    text = rewritten(again, find(again, PAYLOAD)).files["3-pass.reuse.vert"]
     assert "layout(std140) uniform sc_previous_Camera {" in text
     assert "\nuniform float sc_previous_u_sway;" in text

@@ -19,19 +19,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.analysis.candidates import Candidate
-from shadercache.compiler import Analysis, Emission, analyse, rewrite
+from shadercache.compiler import Analysis, Emission, analyse
 from shadercache.diagnostics import InputError
 from shadercache.front.read_options import ReadOptions
 from shadercache.gpu.context import Gpu
-from shadercache.options import Options
 from shadercache.render.bundle import Bundle
-from shadercache.render.variant_runner import RunOptions, VariantRunner
 from shadercache.sema.facts import Stage
 from shadercache.source import Source
 from shadercache.transform.unique_names import make_names_unique
 from shadercache.valid.read import read
 from shadercache.verify import verifier as verify
 from shadercache.verify.verifier import Difference, Image, Verdict, Verifier
+from tests.configured import PROOF, configured, rewritten, variant
 
 from .dialects import Dialect
 from .law8 import apart_derivatives
@@ -53,7 +52,7 @@ MOST_APART = 0.25
 UNRAISED = ("gl330", "es300")
 """Dialects whose text the driver is given as it is."""
 
-SHIPPED = Options("plain", "rgba32f")
+SHIPPED = configured(mode="plain", form="rgba32f")
 
 SHARING = re.compile(r"\bdFd|\bfwidth|\btexture")
 """What a text without derivatives has not."""
@@ -98,7 +97,7 @@ def _try(gpu: Gpu, text: str, dialect: Dialect, chooser: Chooser, report: Report
     report.nodes = len(chosen)
     sets = [*((node,) for node in chosen), *_together(analysis, chosen)]
     made = [(nodes, _rewritten(analysis, nodes)) for nodes in sets]
-    plain = [rewrite(analysis, chosen[0], SHIPPED, unprofitable=True)] if chosen else []
+    plain = [rewritten(analysis, chosen[0], SHIPPED, unprofitable=True)] if chosen else []
     report.turned_down = _turned_down(gpu, text, dialect)
     if not report.turned_down:
         report.problems += _drawn(gpu, analysis, made, plain, report, dialect.es)
@@ -137,7 +136,7 @@ def _together(analysis: Analysis, nodes: Sequence[Candidate]) -> Iterator[Nodes]
 
 
 def _rewritten(analysis: Analysis, nodes: Nodes) -> Emission:
-    return rewrite(analysis, nodes, Options("proof", "rgba32f"), unprofitable=True)
+    return rewritten(analysis, nodes, PROOF, unprofitable=True)
 
 
 def _drawn(
@@ -165,7 +164,7 @@ def _drawn(
         # In GLSL ES plain mode may round to the 16 bits of mediump, in constants too (Mesa).
         if not es and (share := _apart(verifier)) > MOST_APART:
             yield f"the original in proof mode differs from the plain one in {share:.0%} of pixels"
-        image = verifier.stage.targets.image()[verifier.covered[-1]]
+        image = verifier.world.targets.image()[verifier.covered[-1]]
         report.finite = bool(np.isfinite(image).all())
         for nodes, emission in made:
             bundle = Bundle(emission.manifest, emission.files)
@@ -203,7 +202,7 @@ def _plain_shares(verifier: Verifier, bundle: Bundle, report: Report) -> list[fl
     found = []
     covered, reference = verifier.covered[1], verifier._moving["plain"][1]
     for name in bundle.algorithms:
-        with VariantRunner(verifier.stage, bundle, name, RunOptions(period=1)) as runner:
+        with variant(verifier.world, bundle, name, period=1) as runner:
             runner.draw(0)
             image = runner.image(1)
         report.plain.append(verify.difference(image, reference, covered).changed)

@@ -8,18 +8,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from shadercache.compiler import rewrite
 from shadercache.diagnostics import InputError
 from shadercache.gpu.context import Gpu
 from shadercache.gpu.programs import Programs
 from shadercache.linking.scene_shaders import analyse_scene
-from shadercache.options import Options
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import VariantRunner
 from shadercache.scene.description import load_scene
 from shadercache.source import Source
 from shadercache.verify.verifier import Verifier
+from tests.configured import PROOF, rewritten, variant
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -232,10 +230,10 @@ def run_of(gpu: Gpu, path: Path) -> tuple[bytes, bytes, float]:
     """Image and hit mask after some frames of motion, and the share of hits."""
     scene, analysis = analyse_scene(load_scene(path))
     node = next(node for node in analysis.nodes if node.offered and "cos" in node.text)
-    emission = rewrite(analysis, node, Options(mode="proof", cache_format="rgba32f"))
+    emission = rewritten(analysis, node, PROOF)
     with (
         RenderScene(gpu, scene, (96, 96), "rgba32f") as world,
-        VariantRunner(world, Bundle(emission.manifest, emission.files), "2-pass") as runner,
+        variant(world, Bundle(emission.manifest, emission.files), "2-pass") as runner,
     ):
         for frame in range(5):
             runner.draw(frame)

@@ -15,13 +15,11 @@ from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
 from shadercache.render.variant_runner import (
     CoverageRunner,
-    RunOptions,
-    VariantRunner,
     render_original,
-    render_variant,
 )
 from shadercache.scene.description import Scene, load_scene
 from shadercache.scene.graphics_state import FUNCTIONS, PLAIN, GraphicsState
+from tests.configured import render_variant, variant
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -49,7 +47,7 @@ def engine(request: pytest.FixtureRequest) -> GraphicsState:
 
 def drawn(gpu: Gpu, scene: Scene, bundle: Bundle, engine: GraphicsState) -> list[np.ndarray]:
     with RenderScene(gpu, replace(scene, engine=engine), SIZE, "rgba32f") as world:
-        return render_original(world, bundle, range(3))
+        return render_original(world, [bundle], range(3))
 
 
 def test_the_picture_is_that_of_a_plain_application(
@@ -71,23 +69,23 @@ def test_laws_2_and_3(
     with RenderScene(gpu, replace(scene, engine=engine), SIZE, "rgba32f") as world:
         with CoverageRunner(world, bundle) as cover:
             apart = [~cover.ties(frame) for frame in range(4)]
-        original = render_original(world, bundle, range(4))
-        always = RunOptions(1, cache_format=EXACT)
-        for frame, image in enumerate(render_variant(world, bundle, algorithm, range(4), always)):
+        original = render_original(world, [bundle], range(4))
+        always = {"period": 1, "form": EXACT}
+        for frame, image in enumerate(render_variant(world, bundle, algorithm, range(4), **always)):
             assert same(image, original[frame], apart[frame]), frame
         if not engine.jitter:
-            resting = RunOptions(4, cache_format=EXACT, moving=False)
-            for image in render_variant(world, bundle, algorithm, range(6), resting):
+            resting = {"period": 4, "form": EXACT, "moving": False}
+            for image in render_variant(world, bundle, algorithm, range(6), **resting):
                 assert same(image, original[0], apart[0])
 
 
 def test_law_4(gpu: Gpu, scene: Scene, bundle: Bundle, engine: GraphicsState) -> None:
     with RenderScene(gpu, replace(scene, engine=engine), SIZE, "rgba32f") as world:
-        options = RunOptions(5, cache_format=EXACT)
+        options = {"period": 5, "form": EXACT}
         with CoverageRunner(world, bundle) as cover:
             apart = [~cover.ties(frame) for frame in range(5)]
-        runs = [render_variant(world, bundle, name, range(5), options) for name in ALGORITHMS]
-        original = render_original(world, bundle, range(5))
+        runs = [render_variant(world, bundle, name, range(5), **options) for name in ALGORITHMS]
+        original = render_original(world, [bundle], range(5))
     for one, two, three, kept in zip(*runs, apart, strict=True):
         assert same(one, two, kept) and same(one, three, kept)
     assert not same(runs[0][4], original[4], apart[4]), "values must be reused in motion"
@@ -101,12 +99,12 @@ def test_as_much_is_reused_as_in_a_plain_application(
     gpu: Gpu, scene: Scene, bundle: Bundle, engine: GraphicsState
 ) -> None:
     # A point lies up to a pixel beside the one that a jittered texel holds (docs/MEASUREMENT.md).
-    options = RunOptions(65535, epsilon=8e-3 if engine.jitter else None)
+    options = {"period": 65535, "epsilon": 8e-3 if engine.jitter else None}
     rates = []
     for made in (PLAIN, engine):
         with (
             RenderScene(gpu, replace(scene, engine=made), SIZE, "rgba32f") as world,
-            VariantRunner(world, bundle, "2-pass", options) as runner,
+            variant(world, bundle, "2-pass", **options) as runner,
         ):
             runner.draw(0)
             mask = runner.hit_mask(1)
@@ -131,7 +129,7 @@ def test_jitter_is_no_motion_where_it_is_told(gpu: Gpu, scene: Scene, bundle: Bu
         engine = GraphicsState(jitter=8, told=told)
         with (
             RenderScene(gpu, replace(still, engine=engine), SIZE, "rgba32f") as world,
-            VariantRunner(world, bundle, "2-pass", RunOptions(65535, cache_format=EXACT)) as runner,
+            variant(world, bundle, "2-pass", period=65535, form=EXACT) as runner,
         ):
             runner.draw(0)
             first = runner.cache().copy()

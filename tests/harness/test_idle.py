@@ -7,16 +7,17 @@ from pathlib import Path
 
 import pytest
 
-from shadercache.compiler import Analysis, rewrite
+from shadercache.caching.settings import with_settings
+from shadercache.compiler import Analysis
 from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import open_scene
-from shadercache.options import Options, read_cache_options
 from shadercache.render.bundle import Bundle
 from shadercache.render.empty_passes import EmptyPasses
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import RunOptions, VariantRunner, render_original
+from shadercache.render.variant_runner import render_original
 from shadercache.scene.description import Motion, Scene
 from shadercache.scene.graphics_state import GraphicsState
+from tests.configured import PROOF, rewritten, variant
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -53,8 +54,8 @@ def _unchanging(scene: Scene, motion: Motion) -> Scene:
 
 def bundle_of(analysis: Analysis, cached: str) -> Bundle:
     node = analysis.node("main.0-7a71c60a")
-    options = Options("proof", "rgba32f", cache=read_cache_options([cached]))
-    emission = rewrite(analysis, node, options, unprofitable=True)
+    options = with_settings(PROOF, [cached])
+    emission = rewritten(analysis, node, options, unprofitable=True)
     return Bundle(emission.manifest, emission.files)
 
 
@@ -66,8 +67,8 @@ def test_passes_that_compute_rest_while_nothing_moves(
     bundle = bundle_of(analysis, "refresh=none,ids=on")
     counts = []
     with RenderScene(gpu, scene, SIZE, "rgba32f") as world:
-        original = render_original(world, bundle, range(10))
-        with VariantRunner(world, bundle, algorithm) as runner:
+        original = render_original(world, [bundle], range(10))
+        with variant(world, bundle, algorithm) as runner:
             for frame in range(10):
                 before = runner.skipped
                 image = runner.image(frame)
@@ -92,7 +93,7 @@ def test_with_it_or_without_the_images_are_the_same(
             monkeypatch.setattr(EmptyPasses, "skips", lambda self, bound: False)
         with (
             RenderScene(gpu, scene, SIZE, "rgba32f") as world,
-            VariantRunner(world, bundle, "3-pass") as runner,
+            variant(world, bundle, "3-pass") as runner,
         ):
             runs.append([runner.image(frame).tobytes() for frame in range(10)])
     assert runs[0] == runs[1]
@@ -112,7 +113,7 @@ def test_nothing_is_left_out_where_something_may_be_due(
     made = replace(scene, engine=GraphicsState(jitter=jitter), objects=items)
     with (
         RenderScene(gpu, made, SIZE, "rgba32f") as world,
-        VariantRunner(world, bundle, "2-pass", RunOptions(4)) as runner,
+        variant(world, bundle, "2-pass", period=4) as runner,
     ):
         for frame in range(5):
             runner.draw(frame)

@@ -13,20 +13,19 @@ from runner import independent_runner
 from runner.canvas import Canvas
 from runner.independent_runner import IndependentRunner, Turn, draw_together
 
-from shadercache.compiler import Emission, analyse, rewrite
+from shadercache.caching.settings import with_settings
+from shadercache.compiler import Emission, analyse
 from shadercache.gpu.context import Gpu
-from shadercache.linking.object_programs import ObjectPrograms
 from shadercache.linking.scene_shaders import open_scene
-from shadercache.options import Options, read_cache_options
 from shadercache.paths import data_path
 from shadercache.render.bundle import Bundle, load_bundle
 from shadercache.render.drawable import Drawable
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import RunOptions, VariantRunner
 from shadercache.scene.camera import Values
 from shadercache.scene.description import load_scene
 from shadercache.scene.mesh import load_mesh
 from shadercache.source import Source
+from tests.configured import DEFAULT, drawn_by, rewritten, variant
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -55,7 +54,7 @@ def agree(
         form,
         scene.cull,
     )
-    with VariantRunner(world, bundle, algorithm, RunOptions(5, 4, cache_format=form)) as runner:
+    with variant(world, bundle, algorithm, period=5, block=4, form=form) as runner:
         for frame in range(6):
             values = values_of(world.values(frame))
             expected = runner.image(frame)
@@ -83,9 +82,9 @@ def test_same_bits_full_screen(gpu: Gpu, tmp_path: Path, name: str) -> None:
         nodes = [node for node in analysis.nodes if node.offered]
         folder = tmp_path / mapping
         folder.mkdir()
-        write(rewrite(analysis, nodes[1]), folder)
+        write(rewritten(analysis, nodes[1]), folder)
         bundle = load_bundle(folder)
-        with RenderScene(gpu, scene, (96, 64), "rgba32f", programs=ObjectPrograms()) as world:
+        with RenderScene(gpu, scene, (96, 64), "rgba32f") as world:
             for algorithm in bundle.algorithms:
                 assert agree(world, bundle, folder, algorithm, None), (mapping, algorithm)
 
@@ -111,9 +110,9 @@ def test_same_bits_for_what_the_compiler_writes(gpu: Gpu, tmp_path: Path, name: 
     # The seed picks the nodes, so that in time all are seen; a failure names its node.
     chosen = random.Random(seed()).sample(offered, amount(1, 3))
     mesh = load_mesh(scene.verify_mesh or scene.mesh)
-    with RenderScene(gpu, scene, (96, 96), "rgba32f", mesh, programs=ObjectPrograms()) as world:
+    with RenderScene(gpu, scene, (96, 96), "rgba32f", mesh) as world:
         for number, node in enumerate(chosen):
-            emission = rewrite(analysis, node)
+            emission = rewritten(analysis, node)
             folder = tmp_path / str(number)
             folder.mkdir()
             write(emission, folder)
@@ -128,9 +127,9 @@ def test_same_bits_for_what_the_compiler_writes(gpu: Gpu, tmp_path: Path, name: 
 def test_same_bits_for_other_ways_to_refresh(gpu: Gpu, tmp_path: Path, settings: str) -> None:
     scene, analysis = open_scene(data_path("corpus", "trashcan", "scene.toml"))
     node = next(node for node in analysis.nodes if node.offered)
-    write(rewrite(analysis, node, Options(cache=read_cache_options([settings]))), tmp_path)
+    write(rewritten(analysis, node, with_settings(DEFAULT, [settings])), tmp_path)
     bundle = load_bundle(tmp_path)
-    with RenderScene(gpu, scene, (64, 64), "rgba32f", programs=ObjectPrograms()) as world:
+    with RenderScene(gpu, scene, (64, 64), "rgba32f") as world:
         for algorithm in bundle.algorithms:
             assert agree(world, bundle, tmp_path, algorithm, None), algorithm
 
@@ -144,17 +143,18 @@ def test_same_bits_for_several_objects(
     scene, analysis = open_scene(scene_folder / "objects" / "scene.toml")
     # A number beside the object's own leaves room in one texture, as the other shader's node does.
     node = next(node for node in analysis.nodes if node.legal and str(node.type) == "float")
-    options = Options(cache=read_cache_options(["ids=on"]))
-    emission = rewrite(analysis, node, options, unprofitable=True)
+    options = with_settings(DEFAULT, ["ids=on"])
+    emission = rewritten(analysis, node, options, unprofitable=True)
     bundle = Bundle(emission.manifest, emission.files)
     with (
-        RenderScene(gpu, scene, (96, 80), "rgba32f", programs=ObjectPrograms()) as world,
-        VariantRunner(world, bundle, algorithm, RunOptions(5, 4)) as runner,
+        RenderScene(gpu, scene, (96, 80), "rgba32f") as world,
+        variant(world, bundle, algorithm, period=5, block=4) as runner,
     ):
         canvas = Canvas(gpu.ctx, world.size, bundle.manifest["cache"])
         others: list[tuple[Drawable, Any]] = []
-        for drawable in world.drawables:
-            own = world.object_programs.bundle(drawable.item, bundle)
+        linked = drawn_by(scene, bundle, algorithm)
+        for drawable, item in zip(world.drawables, linked, strict=True):
+            own = item.bundle
             folder = tmp_path / drawable.item.name
             folder.mkdir()
             write(Emission(dict(own.files), dict(own.manifest)), folder)

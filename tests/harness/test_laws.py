@@ -17,13 +17,11 @@ from shadercache.render.render_scene import RenderScene
 from shadercache.render.variant_runner import (
     CoverageRunner,
     PassRunner,
-    RunOptions,
-    VariantRunner,
     render_original,
-    render_variant,
 )
 from shadercache.scene.description import Scene
 from shadercache.source import Source
+from tests.configured import render_variant, variant
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -39,25 +37,25 @@ def same_bits(one: np.ndarray, other: np.ndarray) -> bool:
 def test_a_period_of_one_is_the_original(
     world: RenderScene, bundle: Bundle, algorithm: str
 ) -> None:
-    options = RunOptions(period=1, cache_format=EXACT)
-    original = render_original(world, bundle, range(4))
-    variant = render_variant(world, bundle, algorithm, range(4), options)
+    options = {"period": 1, "form": EXACT}
+    original = render_original(world, [bundle], range(4))
+    variant = render_variant(world, bundle, algorithm, range(4), **options)
     assert all(map(same_bits, original, variant))
     assert not same_bits(original[0], original[1]), "the scene must move"
 
 
 @pytest.mark.parametrize("algorithm", ALGORITHMS)
 def test_at_rest_nothing_drifts(world: RenderScene, bundle: Bundle, algorithm: str) -> None:
-    options = RunOptions(period=8, cache_format=EXACT, moving=False)
-    original = render_original(world, bundle, range(12), moving=False)
-    variant = render_variant(world, bundle, algorithm, range(12), options)
+    options = {"period": 8, "form": EXACT, "moving": False}
+    original = render_original(world, [bundle], range(12), moving=False)
+    variant = render_variant(world, bundle, algorithm, range(12), **options)
     assert all(map(same_bits, original, variant))
 
 
 def test_the_algorithms_agree(world: RenderScene, bundle: Bundle) -> None:
-    options = RunOptions(period=6, cache_format=EXACT)
-    runs = [render_variant(world, bundle, name, range(7), options) for name in ALGORITHMS]
-    original = render_original(world, bundle, range(7))
+    options = {"period": 6, "form": EXACT}
+    runs = [render_variant(world, bundle, name, range(7), **options) for name in ALGORITHMS]
+    original = render_original(world, [bundle], range(7))
     for first, second, third in zip(*runs, strict=True):
         assert same_bits(first, second)
         assert same_bits(first, third)
@@ -81,23 +79,21 @@ def test_programs_that_differ_in_the_heading_are_one(world: RenderScene, bundle:
 
 
 def test_half_floats_stay_near(world: RenderScene, bundle: Bundle) -> None:
-    original = render_original(world, bundle, range(6))
+    original = render_original(world, [bundle], range(6))
     covered = original[5][..., 3] > 0
     for name in ALGORITHMS:
-        found = render_variant(world, bundle, name, range(6), RunOptions(period=6))
-        exact = render_variant(
-            world, bundle, name, range(6), RunOptions(period=6, cache_format=EXACT)
-        )
+        found = render_variant(world, bundle, name, range(6), period=6)
+        exact = render_variant(world, bundle, name, range(6), period=6, form=EXACT)
         assert not same_bits(found[5], exact[5])
         # A rounded depth turns the odd hit into a miss, so a single pixel may be farther off.
         assert np.sqrt(np.square(found[5] - exact[5])[covered].mean()) < 1e-3
 
 
 def test_without_motion_hits_are_what_is_not_due(world: RenderScene, bundle: Bundle) -> None:
-    options = RunOptions(period=4, cache_format=EXACT, moving=False)
+    options = {"period": 4, "form": EXACT, "moving": False}
     values = bundle.mask_values
     refreshed = np.zeros(world.size[::-1], int)
-    with VariantRunner(world, bundle, "2-pass", options) as runner:
+    with variant(world, bundle, "2-pass", **options) as runner:
         runner.draw(0)
         for frame in range(1, 5):
             mask = runner.hit_mask(frame)
@@ -110,7 +106,7 @@ def test_without_motion_hits_are_what_is_not_due(world: RenderScene, bundle: Bun
 
 def test_in_motion_most_are_hits(world: RenderScene, bundle: Bundle) -> None:
     with (
-        VariantRunner(world, bundle, "2-pass", RunOptions(period=64)) as runner,
+        variant(world, bundle, "2-pass", period=64) as runner,
         CoverageRunner(world, bundle) as coverage,
     ):
         for frame in range(3):
@@ -122,9 +118,9 @@ def test_in_motion_most_are_hits(world: RenderScene, bundle: Bundle) -> None:
 
 
 def test_a_reset_forgets_everything(world: RenderScene, bundle: Bundle) -> None:
-    options = RunOptions(period=64, cache_format=EXACT)
-    original = render_original(world, bundle, [5])[0]
-    with VariantRunner(world, bundle, "3-pass", options) as runner:
+    options = {"period": 64, "form": EXACT}
+    original = render_original(world, [bundle], [5])[0]
+    with variant(world, bundle, "3-pass", **options) as runner:
         for frame in range(5):
             runner.draw(frame)
         runner.reset()
@@ -134,8 +130,8 @@ def test_a_reset_forgets_everything(world: RenderScene, bundle: Bundle) -> None:
 
 
 def test_looking_ahead_changes_nothing(world: RenderScene, bundle: Bundle) -> None:
-    plain = render_variant(world, bundle, "2-pass", range(5), RunOptions(period=5))
-    with VariantRunner(world, bundle, "2-pass", RunOptions(period=5)) as runner:
+    plain = render_variant(world, bundle, "2-pass", range(5), period=5)
+    with variant(world, bundle, "2-pass", period=5) as runner:
         for frame in range(5):
             runner.hit_mask(frame)
             runner.work(frame)
@@ -148,17 +144,17 @@ def test_twins_hold_the_last_frames_values(world: RenderScene, bundle: Bundle) -
         "sc_previous_u_modelViewProjection * vec4", "u_modelViewProjection * vec4"
     )
     broken = Bundle(bundle.manifest, {**bundle.files, "reprojected.vert": vertex})
-    options = RunOptions(period=64, cache_format=EXACT)
-    original = render_original(world, bundle, range(6))[5]
-    good = render_variant(world, bundle, "1-pass", range(6), options)[5]
-    bad = render_variant(world, broken, "1-pass", range(6), options)[5]
+    options = {"period": 64, "form": EXACT}
+    original = render_original(world, [bundle], range(6))[5]
+    good = render_variant(world, bundle, "1-pass", range(6), **options)[5]
+    bad = render_variant(world, broken, "1-pass", range(6), **options)[5]
     assert np.square(bad - original).mean() > 4 * np.square(good - original).mean()
 
 
 def test_work_counts_fragments(world: RenderScene, bundle: Bundle) -> None:
     masks, work = {}, {}
     for name in ALGORITHMS:
-        with VariantRunner(world, bundle, name, RunOptions(period=8)) as runner:
+        with variant(world, bundle, name, period=8) as runner:
             runner.draw(0)
             masks[name] = runner.hit_mask(1)
             work[name] = runner.work(1)
@@ -172,14 +168,14 @@ def test_work_counts_fragments(world: RenderScene, bundle: Bundle) -> None:
 
 
 def test_a_run_can_be_taken_up_from_a_cache(world: RenderScene, bundle: Bundle) -> None:
-    options = RunOptions(period=8, cache_format=EXACT)
-    with VariantRunner(world, bundle, "2-pass", options) as runner:
+    options = {"period": 8, "form": EXACT}
+    with variant(world, bundle, "2-pass", **options) as runner:
         for frame in range(3):
             runner.draw(frame)
         cache = runner.cache()
         image = runner.image(3)
         after = runner.cache()
-    with VariantRunner(world, bundle, "3-pass", options) as runner:
+    with variant(world, bundle, "3-pass", **options) as runner:
         runner.restore(cache, 2)
         assert same_bits(runner.image(3), image)
         assert same_bits(runner.cache(), after)
@@ -194,8 +190,8 @@ def test_no_depth_ties_on_a_torus(world: RenderScene, bundle: Bundle) -> None:
 def test_programs_are_shared_and_given_back(world: RenderScene, bundle: Bundle) -> None:
     assert world.programs.used == 0
     with (
-        VariantRunner(world, bundle, "2-pass") as first,
-        VariantRunner(world, bundle, "2-pass") as second,
+        variant(world, bundle, "2-pass") as first,
+        variant(world, bundle, "2-pass") as second,
     ):
         assert world.programs.used == 2, "equal programs are shared"
         first.draw(0)
@@ -236,7 +232,7 @@ def test_nothing_stays_on_the_gpu(
     ):
         coverage.ties(0)
         for name in ALGORITHMS:
-            with VariantRunner(world, bundle, name) as runner:
+            with variant(world, bundle, name) as runner:
                 runner.draw(0)
                 runner.hit_mask(1)
                 runner.work(1)

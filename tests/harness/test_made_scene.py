@@ -78,7 +78,7 @@ def test_everything_can_be_drawn(gpu: Gpu) -> None:
     emission = emit_original(analysis)
     bundle = Bundle(emission.manifest, emission.files)
     with RenderScene(gpu, made_scene(Path("toy.frag"), analysis), (16, 12), "rgba32f") as world:
-        first, later = render_original(world, bundle, (0, 6))
+        first, later = render_original(world, [bundle], (0, 6))
     assert np.isfinite(first[..., 2]).all() and len(np.unique(first[..., 2])) > 50
     assert (later[..., 2] > first[..., 2]).all(), "three clocks go on"
 
@@ -94,7 +94,7 @@ def test_members_of_blocks_have_values_as_uniforms_do(gpu: Gpu, tmp_path: Path) 
     scene, analysis = open_scene(path)
     emission = emit_original(analysis)
     with RenderScene(gpu, scene, (8, 8), "rgba32f") as world:
-        [image] = render_original(world, Bundle(emission.manifest, emission.files), (0,))
+        [image] = render_original(world, [Bundle(emission.manifest, emission.files)], (0,))
     assert image[0, 0].tolist() == pytest.approx([0.8, 0.6, START / 8.0, 0.5])
 
 
@@ -108,7 +108,7 @@ def test_nothing_is_made_for_a_block_in_a_layout_of_the_drivers_own(
     scene, analysis = open_scene(path)
     emission = emit_original(analysis)
     with RenderScene(gpu, scene, (8, 8)) as world, pytest.raises(InputError, match="SC524"):
-        render_original(world, Bundle(emission.manifest, emission.files), (0,))
+        render_original(world, [Bundle(emission.manifest, emission.files)], (0,))
 
 
 def test_a_shader_of_surfaces_needs_a_scene(tmp_path: Path) -> None:
@@ -141,7 +141,7 @@ def test_a_vertex_shader_beside_it_is_drawn(gpu: Gpu, tmp_path: Path) -> None:
     assert scene.attributes == {"a_corner": "position", "a_texCoord": "uv"}
     emission = emit_original(analysis)
     with RenderScene(gpu, scene, (8, 4), "rgba32f") as world:
-        (image,) = render_original(world, Bundle(emission.manifest, emission.files), (0,))
+        (image,) = render_original(world, [Bundle(emission.manifest, emission.files)], (0,))
     assert np.allclose(image[0, :, 0], (np.arange(8) + 0.5) / 8, atol=1e-6)
     assert np.allclose(image[:, 0, 1], (np.arange(4) + 0.5) / 4, atol=1e-6)
     with pytest.raises(UsageError, match="SC006"):

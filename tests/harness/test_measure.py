@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import io
 import json
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
 
+from shadercache.caching.algorithms import NAMES
 from shadercache.diagnostics import InputError, UsageError
 from shadercache.gpu.clock import QueryClock, WallClock, pick_clock
 from shadercache.gpu.context import Gpu
 from shadercache.measure.measure import measure
-from shadercache.measure.measurement import Entry, Measurement, MeasureOptions
+from shadercache.measure.measurement import Measurement, MeasureOptions
 from shadercache.measure.result_files import (
     COLUMNS,
     environment,
@@ -24,7 +26,10 @@ from shadercache.measure.result_files import (
     to_json,
     write_json,
 )
+from shadercache.measure.subjects import OriginalSubject, VariantSubject
 from shadercache.render.bundle import Bundle
+from shadercache.render.pass_runners import GeometryRunner
+from shadercache.render.render_scene import RenderScene
 from shadercache.report.contact_sheet import SheetRow, contact_sheet
 from shadercache.report.images import (
     OUTCOME_COLORS,
@@ -35,12 +40,53 @@ from shadercache.report.images import (
 )
 from shadercache.report.plots import plot_error, plot_time
 from shadercache.scene.description import Scene
+from tests.configured import drawn_by
 
 pytestmark = pytest.mark.xdist_group("gl")
 
-OPTIONS = MeasureOptions(
-    size=(128, 96), frames=8, error_from=4, probe_every=2, period=4, group=4, picture_frame=7
-)
+OPTIONS = MeasureOptions(frames=8, error_from=4, probe_every=2, group=4, picture_frame=7)
+
+
+def subjects(
+    world: RenderScene,
+    bundle: Bundle,
+    label: str,
+    algorithms: Sequence[str] = NAMES,
+    periods: Sequence[int] = (4,),
+) -> list[VariantSubject]:
+    """What draws the torus by hand-written programs."""
+    return [
+        VariantSubject(label, objects[0].configuration, objects, equal=3 if label == "again" else 1)
+        for period in periods
+        for name in algorithms
+        for objects in [drawn_by(world.scene, bundle, name, period=period)]
+    ]
+
+
+class Peer:
+    """What is no variant and knows nothing of caches, such as another technique."""
+
+    def __init__(self, label: str, bundle: Bundle) -> None:
+        self.label, self.bundle = label, bundle
+        self.told: list[str | int] = []
+
+    def prepare(self, world: RenderScene) -> None:
+        self.told.append("prepare")
+        self.runner = GeometryRunner(world, self.bundle)
+
+    def draw(self, frame: int) -> None:
+        self.told.append(frame)
+        self.runner.draw(frame)
+
+    def release(self) -> None:
+        self.told.append("release")
+        self.runner.release()
+
+
+@pytest.fixture(scope="module")
+def torus_world(gpu: Gpu, scene: Scene) -> Iterator[RenderScene]:
+    with RenderScene(gpu, scene, (128, 96)) as made:
+        yield made
 
 
 @pytest.fixture(scope="module")
@@ -50,15 +96,18 @@ def steps() -> list[tuple[int, int, str]]:
 
 @pytest.fixture(scope="module")
 def measurement(
-    gpu: Gpu, scene: Scene, bundle: Bundle, steps: list[tuple[int, int, str]]
+    torus_world: RenderScene, bundle: Bundle, steps: list[tuple[int, int, str]]
 ) -> Measurement:
-    entries = [Entry("payload", bundle), Entry("again", bundle, ("2-pass",), equal=3)]
-    entries.append(Entry("third", bundle, ("1-pass", "2-pass")))
-    return measure(gpu, scene, entries, OPTIONS, lambda *told: steps.append(told))
+    every = subjects(torus_world, bundle, "payload")
+    every += subjects(torus_world, bundle, "again", ["2-pass"])
+    every += subjects(torus_world, bundle, "third", ["1-pass", "2-pass"])
+    return measure(torus_world, [bundle], every, OPTIONS, lambda *told: steps.append(told))
 
 
 def test_every_node_and_variant_is_measured(measurement: Measurement) -> None:
-    found = {node.label: [v.algorithm for v in node.variants] for node in measurement.nodes}
+    found = {
+        node.label: [v.configuration.algorithm for v in node.variants] for node in measurement.nodes
+    }
     assert found == {
         "payload": ["1-pass", "2-pass", "3-pass"],
         "again": ["2-pass"],
@@ -96,11 +145,38 @@ def test_progress_goes_from_start_to_end(
     assert steps[0][0] == 0 and steps[-1][0] == steps[-1][1] == 2 * (OPTIONS.frames + 1)
 
 
-def test_nothing_to_measure(gpu: Gpu, scene: Scene, bundle: Bundle) -> None:
+def test_nothing_to_measure(torus_world: RenderScene, bundle: Bundle) -> None:
     with pytest.raises(UsageError, match="SC027"):
-        measure(gpu, scene, [], OPTIONS)
+        measure(torus_world, [bundle], [], OPTIONS)
     with pytest.raises(UsageError, match="SC026"):
-        measure(gpu, scene, [Entry("x", bundle, ("4-pass",))], OPTIONS)
+        unknown = subjects(torus_world, bundle, "x", ["4-pass"])
+        measure(torus_world, [bundle], unknown, OPTIONS)
+
+
+def test_periods_originals_and_peers_take_turns_in_one_run(
+    torus_world: RenderScene, bundle: Bundle
+) -> None:
+    """Two periods, the original once more and something foreign: one group, one result."""
+    peer = Peer("peer", bundle)
+    drawn = [
+        *subjects(torus_world, bundle, "payload", ["2-pass"], periods=(2, 8)),
+        OriginalSubject("once more", bundle),
+        peer,
+    ]
+    options = MeasureOptions(frames=8, error_from=4, group=4)
+    found = measure(torus_world, [bundle], drawn, options)
+    [group] = found.groups
+    [node] = group.nodes
+    assert [v.configuration.refresh.period for v in node.variants] == [2, 8]
+    assert [found.name(v.configuration) for v in node.variants] == ["2-pass n2 k4", "2-pass n8 k4"]
+    assert node.variants[0].hit_rate < node.variants[1].hit_rate
+    assert [(curve.period, curve.block) for curve in node.curves] == [(2, 4), (8, 4)]
+    again, foreign = group.others
+    assert (again.label, foreign.label) == ("once more", "peer")
+    assert again.error.rmse == 0.0 < foreign.error.rmse
+    assert peer.told == ["prepare", 0, 0, *range(8), "release"]
+    told = [row["period"] for row in rows(found)]
+    assert told == [2, 8] and len({row["configuration"] for row in rows(found)}) == 2
 
 
 def test_the_clock_fits_the_renderer(gpu: Gpu, measurement: Measurement) -> None:
@@ -124,6 +200,7 @@ def test_csv_has_a_row_for_each_variant(measurement: Measurement) -> None:
     lines = to_csv(measurement).splitlines()
     assert lines[0] == ",".join(COLUMNS)
     assert len(lines) == 1 + 6 == 1 + len(rows(measurement))
+    assert {row["period"] for row in rows(measurement)} == {4}
 
 
 def test_results_that_cannot_be_read_or_written(tmp_path: Path) -> None:

@@ -12,10 +12,11 @@ from shadercache.diagnostics import InputError
 from shadercache.gpu.context import Gpu
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import RunOptions, VariantRunner, render_original
+from shadercache.render.variant_runner import render_original
 from shadercache.scene.animation import Ramp, Rows
 from shadercache.scene.camera import camera_at, model_matrix, scene_values
 from shadercache.scene.description import CameraPath, Key, Motion, Scene
+from tests.configured import variant
 
 
 def key(frame: int, x: float, fov: float = 40.0, cut: bool = False) -> Key:
@@ -79,12 +80,12 @@ def test_animated_uniforms(scene: Scene, tmp_path: Path) -> None:
 def test_runners_are_told_of_a_cut(gpu: Gpu, scene: Scene, bundle: Bundle) -> None:
     near = replace(key(0, 0.1), eye=(0.1, 1.2, 2.6))
     keys = (near, replace(near, frame=3, eye=(0.4, 1.0, 2.8), cut=True))
-    options = RunOptions(16, cache_format="rgba32f")
+    options = {"period": 16, "form": "rgba32f"}
     for told in (True, False):
         shots = tuple(replace(item, cut=item.cut and told) for item in keys)
         path = replace(scene, camera_path=CameraPath(keys=shots))
         with RenderScene(gpu, path, (96, 64), "rgba32f") as world:
-            original = render_original(world, bundle, range(4))
-            with VariantRunner(world, bundle, "2-pass", options) as runner:
+            original = render_original(world, [bundle], range(4))
+            with variant(world, bundle, "2-pass", **options) as runner:
                 cached = [runner.image(frame) for frame in range(4)]
         assert (original[3].tobytes() == cached[3].tobytes()) == told

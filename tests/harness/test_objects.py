@@ -10,24 +10,26 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from shadercache.compiler import Analysis, rewrite
+from shadercache.compiler import Analysis
 from shadercache.diagnostics import InputError
 from shadercache.gpu.context import Gpu
-from shadercache.linking.object_programs import ObjectPrograms
 from shadercache.linking.scene_shaders import open_scene
-from shadercache.options import Options
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
 from shadercache.render.variant_runner import (
     CoverageRunner,
     OriginalRunner,
-    RunOptions,
-    VariantRunner,
     render_original,
-    render_variant,
 )
 from shadercache.scene.description import Scene, load_scene
 from shadercache.verify.verifier import Verifier
+from tests.configured import (
+    PROOF,
+    bundled,
+    originals,
+    render_variant,
+    variant,
+)
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -48,18 +50,12 @@ def opened(folder: Path) -> tuple[Scene, Analysis]:
 
 @pytest.fixture(scope="module")
 def proof(opened: tuple[Scene, Analysis]) -> Bundle:
-    return rewritten(opened[1])
-
-
-def rewritten(analysis: Analysis, mode: str = "proof") -> Bundle:
-    options = Options("proof" if mode == "proof" else "plain", "rgba32f")
-    emission = rewrite(analysis, analysis.node(NODE), options, unprofitable=True)
-    return Bundle(emission.manifest, emission.files)
+    return bundled(opened[1], opened[1].node(NODE), PROOF, unprofitable=True)
 
 
 @pytest.fixture(scope="module")
 def crowd(gpu: Gpu, opened: tuple[Scene, Analysis]) -> Iterator[RenderScene]:
-    with RenderScene(gpu, opened[0], SIZE, "rgba32f", programs=ObjectPrograms()) as made:
+    with RenderScene(gpu, opened[0], SIZE, "rgba32f") as made:
         yield made
 
 
@@ -97,9 +93,9 @@ def test_every_object_reuses_something(crowd: RenderScene, proof: Bundle, algori
     """Each alone differs from its original in motion, and only where it is cached."""
     for item in crowd.scene.objects:
         alone = replace(crowd.scene, objects=(item,))
-        with RenderScene(crowd.gpu, alone, SIZE, "rgba32f", programs=ObjectPrograms()) as world:
-            original = render_original(world, proof, range(6))
-            cached = render_variant(world, proof, algorithm, range(6), RunOptions(16))
+        with RenderScene(crowd.gpu, alone, SIZE, "rgba32f") as world:
+            original = render_original(world, originals(world.scene, proof), range(6))
+            cached = render_variant(world, proof, algorithm, range(6), period=16)
         same = [same_bits(*pair) for pair in zip(original, cached, strict=True)]
         assert same[0], "the first frame is a reset"
         assert all(same) == (not item.cached), (item.name, same)
@@ -112,13 +108,13 @@ def test_the_order_of_objects_changes_nothing(
     """Also of cached and uncached objects, and of those by one shader and another."""
     turned = replace(crowd.scene, objects=crowd.scene.objects[::-1])
     with (
-        RenderScene(crowd.gpu, turned, SIZE, "rgba32f", programs=ObjectPrograms()) as other,
-        CoverageRunner(crowd, proof) as cover,
+        RenderScene(crowd.gpu, turned, SIZE, "rgba32f") as other,
+        CoverageRunner(crowd, *originals(crowd.scene, proof)) as cover,
     ):
-        options = RunOptions(5)
+        options = {"period": 5}
         with (
-            VariantRunner(crowd, proof, algorithm, options) as one,
-            VariantRunner(other, proof, algorithm, options) as two,
+            variant(crowd, proof, algorithm, **options) as one,
+            variant(other, proof, algorithm, **options) as two,
         ):
             for frame in range(8):
                 ties = cover.ties(frame)
@@ -128,7 +124,7 @@ def test_the_order_of_objects_changes_nothing(
 
 def test_objects_that_are_not_there_are_not_drawn(crowd: RenderScene, proof: Bundle) -> None:
     assert [len(crowd.drawn(frame)) for frame in (0, 2, 3, 4, 5)] == [4, 4, 3, 3, 4]
-    with VariantRunner(crowd, proof, "2-pass", RunOptions(16)) as runner:
+    with variant(crowd, proof, "2-pass", period=16) as runner:
         images = [runner.image(frame) for frame in range(5)]
         mask = runner.hit_mask(5)
         image = runner.image(5)
@@ -137,8 +133,8 @@ def test_objects_that_are_not_there_are_not_drawn(crowd: RenderScene, proof: Bun
     (bent,) = (item for item in crowd.scene.objects if item.name == "bent")
     alone = replace(crowd.scene, objects=(bent,))
     with (
-        RenderScene(crowd.gpu, alone, SIZE, "rgba32f", programs=ObjectPrograms()) as world,
-        OriginalRunner(world, proof) as shown,
+        RenderScene(crowd.gpu, alone, SIZE, "rgba32f") as world,
+        OriginalRunner(world, *originals(world.scene, proof)) as shown,
     ):
         original = shown.image(5)
     seen = (image == original).all(-1) & (original[..., 3] > 0)
@@ -156,10 +152,10 @@ def test_objects_outside_of_the_picture_are_not_drawn(
         aimed = replace(camera, target=(float(x), 0.0, 0.0))
         item = replace(turning, scene=replace(turning.scene, camera=aimed))
         scene = replace(crowd.scene, camera=aimed, objects=(item,))
-        with RenderScene(gpu, scene, SIZE, "rgba32f", programs=ObjectPrograms()) as world:
+        with RenderScene(gpu, scene, SIZE, "rgba32f") as world:
             drawn = bool(world.drawn(0))
             world.culling = False
-            with CoverageRunner(world, proof) as runner:
+            with CoverageRunner(world, *originals(world.scene, proof)) as runner:
                 covered = runner.coverage(0).any()
         assert drawn or not covered, x
         seen.append(drawn)
@@ -171,9 +167,9 @@ def test_what_begins_anew_finds_nothing_in_the_cache_of_others(
     crowd: RenderScene, proof: Bundle, algorithm: str
 ) -> None:
     """A surface of the same depth was there, of an object with other values."""
-    (whole,) = render_original(crowd, proof, [0], moving=False)[:1]
-    options = RunOptions(32, 4, moving=False)
-    with VariantRunner(crowd, proof, algorithm, options) as runner:
+    (whole,) = render_original(crowd, originals(crowd.scene, proof), [0], moving=False)[:1]
+    options = {"period": 32, "moving": False, "block": 4}
+    with variant(crowd, proof, algorithm, **options) as runner:
         assert same_bits(runner.image(0), whole)
         other = runner.cache().copy()
         other[..., :1] += 0.25
@@ -190,8 +186,8 @@ def test_uncached_objects_leave_the_cache_alone(crowd: RenderScene, proof: Bundl
     plain = crowd.scene.objects[-1]
     alone = replace(crowd.scene, objects=(plain,))
     with (
-        RenderScene(crowd.gpu, alone, SIZE, "rgba32f", programs=ObjectPrograms()) as world,
-        VariantRunner(world, proof, "2-pass") as runner,
+        RenderScene(crowd.gpu, alone, SIZE, "rgba32f") as world,
+        variant(world, proof, "2-pass") as runner,
     ):
         assert runner.image(0).any()
         assert (runner.cache() == proof.cache.clear[0]).all()
@@ -199,7 +195,7 @@ def test_uncached_objects_leave_the_cache_alone(crowd: RenderScene, proof: Bundl
 
 
 def test_one_cache_for_texels_that_are_alike(crowd: RenderScene, proof: Bundle) -> None:
-    with VariantRunner(crowd, proof, "3-pass") as runner:
+    with variant(crowd, proof, "3-pass") as runner:
         assert len({id(role.caches) for role in runner._roles if role.caches}) == 1
 
 
@@ -211,10 +207,8 @@ def test_the_bones_of_the_last_frame_are_the_twin(crowd: RenderScene, proof: Bun
     for swap in (False, True):
         scene = replace(crowd.scene, objects=(still,))
         with (
-            RenderScene(
-                crowd.gpu, scene, (160, 160), "rgba32f", programs=ObjectPrograms()
-            ) as world,
-            VariantRunner(world, proof, "2-pass", RunOptions(65535)) as runner,
+            RenderScene(crowd.gpu, scene, (160, 160), "rgba32f") as world,
+            variant(world, proof, "2-pass", period=65535) as runner,
         ):
             bundle = runner._roles[0].bundle
             assert bundle.manifest["previous"]["u_bones"].endswith("previous_u_bones")

@@ -8,23 +8,20 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from shadercache.compiler import Analysis, rewrite
+from shadercache.caching.settings import with_settings
+from shadercache.compiler import Analysis
 from shadercache.diagnostics import InputError
 from shadercache.gpu.context import Gpu
-from shadercache.linking.object_programs import ObjectPrograms
 from shadercache.linking.scene_shaders import open_scene
-from shadercache.options import Options, read_cache_options
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
 from shadercache.render.variant_runner import (
     CoverageRunner,
-    RunOptions,
-    VariantRunner,
     render_original,
-    render_variant,
 )
 from shadercache.scene.description import Scene, load_scene
 from shadercache.scene.graphics_state import WHOLE, GraphicsState, Rectangle
+from tests.configured import PROOF, originals, render_variant, rewritten, variant
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -41,8 +38,8 @@ def opened(scene_folder: Path) -> tuple[Scene, Analysis]:
 
 def bundle_of(analysis: Analysis, *cached: str) -> Bundle:
     node = analysis.node("main.0-7a71c60a")
-    options = Options("proof", "rgba32f", cache=read_cache_options(["ids", *cached]))
-    emission = rewrite(analysis, node, options, unprofitable=True)
+    options = with_settings(PROOF, ["ids", *cached])
+    emission = rewritten(analysis, node, options, unprofitable=True)
     return Bundle(emission.manifest, emission.files)
 
 
@@ -64,21 +61,18 @@ def test_the_laws_hold(
         within(scene, GraphicsState(viewports=viewports, hold=2)),
         SIZE,
         "rgba32f",
-        programs=ObjectPrograms(),
     ) as world:
-        original = render_original(world, bundle, range(7))
-        with CoverageRunner(world, bundle) as cover:
+        original = render_original(world, originals(world.scene, bundle), range(7))
+        with CoverageRunner(world, *originals(world.scene, bundle)) as cover:
             apart = [~cover.ties(frame) for frame in range(7)]
         runs = []
         for algorithm in ALGORITHMS:
-            always = render_variant(world, bundle, algorithm, range(7), RunOptions(1))
+            always = render_variant(world, bundle, algorithm, range(7), period=1)
             for frame, image in enumerate(always):
                 assert same(image, original[frame], apart[frame]), (algorithm, frame)
-            resting = render_variant(
-                world, bundle, algorithm, range(4), RunOptions(4, moving=False)
-            )
+            resting = render_variant(world, bundle, algorithm, range(4), period=4, moving=False)
             assert all(same(image, original[0], apart[0]) for image in resting), algorithm
-            runs.append(render_variant(world, bundle, algorithm, range(7), RunOptions(6)))
+            runs.append(render_variant(world, bundle, algorithm, range(7), period=6))
     for frame, images in enumerate(zip(*runs, strict=True)):
         assert same(images[0], images[1], apart[frame]) and same(images[0], images[2], apart[frame])
     assert not same(runs[0][6], original[6], apart[6]), "values must be reused in motion"
@@ -99,9 +93,8 @@ def test_what_is_outside_of_the_viewport_is_left_alone(
             within(scene, GraphicsState(viewports=(CORNER,))),
             SIZE,
             "rgba32f",
-            programs=ObjectPrograms(),
         ) as world,
-        VariantRunner(world, bundle, "2-pass") as runner,
+        variant(world, bundle, "2-pass") as runner,
     ):
         image = runner.image(0)
         left, bottom, width, height = world.viewport(0)
@@ -114,7 +107,7 @@ def test_what_is_outside_of_the_viewport_is_left_alone(
 
 def hits(world: RenderScene, bundle: Bundle, frames: int) -> list[float]:
     found = []
-    with VariantRunner(world, bundle, "2-pass", RunOptions(65535)) as runner:
+    with variant(world, bundle, "2-pass", period=65535) as runner:
         for frame in range(frames):
             mask = runner.hit_mask(frame)
             found.append((mask == bundle.mask_values["hit"]).sum() / (mask > 0).sum())
@@ -128,7 +121,7 @@ def test_payloads_are_found_again_in_another_viewport(
     """Nearly as often as in the same; without the option only where the viewport is the target."""
     scene, analysis = opened
     told, untold = bundle_of(analysis, "viewport"), bundle_of(analysis)
-    with RenderScene(gpu, scene, SIZE, "rgba32f", programs=ObjectPrograms()) as world:
+    with RenderScene(gpu, scene, SIZE, "rgba32f") as world:
         whole = hits(world, told, 4)
         assert whole == hits(world, untold, 4)
     with RenderScene(
@@ -136,7 +129,6 @@ def test_payloads_are_found_again_in_another_viewport(
         within(scene, GraphicsState(viewports=CHANGING)),
         SIZE,
         "rgba32f",
-        programs=ObjectPrograms(),
     ) as world:
         changing, lost = hits(world, told, 4), hits(world, untold, 4)
     assert min(changing) > 0.75 * min(whole) > 0.3

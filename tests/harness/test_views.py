@@ -11,16 +11,14 @@ from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
 from shadercache.render.variant_runner import (
     OriginalRunner,
-    RunOptions,
-    VariantRunner,
-    render_variant,
 )
 from shadercache.scene.description import CameraPath, Scene
+from tests.configured import render_variant, variant
 
 pytestmark = pytest.mark.xdist_group("gl")
 
 FRAMES = range(5)
-OPTIONS = RunOptions(16, cache_format="rgba32f")
+OPTIONS = {"period": 16, "form": "rgba32f"}
 
 
 @pytest.mark.parametrize("algorithm", ["1-pass", "2-pass", "3-pass"])
@@ -33,10 +31,12 @@ def test_views_that_take_turns_draw_what_they_draw_alone(
         RenderScene(gpu, scene, (96, 64), "rgba32f") as world,
         world.seen_from(other, path) as view,
     ):
-        alone = [render_variant(item, bundle, algorithm, FRAMES, OPTIONS) for item in (world, view)]
+        alone = [
+            render_variant(item, bundle, algorithm, FRAMES, **OPTIONS) for item in (world, view)
+        ]
         with (
-            VariantRunner(world, bundle, algorithm, OPTIONS) as one,
-            VariantRunner(view, bundle, algorithm, OPTIONS) as two,
+            variant(world, bundle, algorithm, **OPTIONS) as one,
+            variant(view, bundle, algorithm, **OPTIONS) as two,
             OriginalRunner(view, bundle) as original,
         ):
             for frame in FRAMES:

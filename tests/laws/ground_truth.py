@@ -18,8 +18,8 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from shadercache.compiler import analyse, rewrite
-from shadercache.options import DEFAULT_CACHE, CacheFormat, CacheOptions, Options
+from shadercache.caching.configuration import CacheFormat, Configuration
+from shadercache.compiler import analyse
 from shadercache.paths import data_path
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
@@ -28,6 +28,7 @@ from shadercache.scene.camera import semantic_values
 from shadercache.scene.description import Scene, load_scene
 from shadercache.scene.mesh import Mesh, load_mesh
 from shadercache.source import Source
+from tests.configured import DEFAULT, configured, rewritten
 
 Floats = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -69,12 +70,12 @@ LEAST_COSINE = 1e-3
 
 
 @cache
-def bundle_of(what: str, form: CacheFormat, cached: CacheOptions = DEFAULT_CACHE) -> Bundle:
+def bundle_of(what: str, form: CacheFormat, cached: Configuration = DEFAULT) -> Bundle:
     """The rewritten shader whose payload is the varying ``what``, with a cache of that format."""
     text = FRAGMENT.replace("WHAT", what)
     analysis = analyse(Source("truth.frag", text), Source("truth.vert", VERTEX))
     node = next(node for node in analysis.nodes if node.text == f"{what} * 1.0")
-    emission = rewrite(analysis, node, Options(cache_format=form, cache=cached), unprofitable=True)
+    emission = rewritten(analysis, node, configured(cached, form=form), unprofitable=True)
     return Bundle(emission.manifest, emission.files)
 
 

@@ -19,9 +19,9 @@ from laws.ground_truth import (
 )
 from numpy.typing import NDArray
 
-from shadercache.options import DEFAULT_CACHE, CacheFormat, CacheOptions
+from shadercache.caching.configuration import CacheFormat, Configuration
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import RunOptions, VariantRunner
+from tests.configured import DEFAULT, variant
 
 MOST_STALE = 1e-5
 """Share of hits that may lie farther away than the filter's footprint plus epsilon (law 5)."""
@@ -132,7 +132,7 @@ class LawFive:
     period: int = 32
     carried: bool = False
     mutation: Mutation | None = None
-    cached: CacheOptions = DEFAULT_CACHE
+    cached: Configuration = DEFAULT
 
     def findings(self) -> Findings:
         """Judge positions, then sides, then bodies where there are several."""
@@ -151,7 +151,7 @@ class LawFive:
     def _run(self, what: str) -> Iterator[tuple[int, NDArray[np.uint8], NDArray[np.float32]]]:
         """Frame, hit mask and the payloads (h, w, 3) that the frame stores."""
         bundle = mutated(bundle_of(what, self.form, self.cached), self.mutation)
-        with VariantRunner(self.world, bundle, "2-pass", self._options()) as runner:
+        with variant(self.world, bundle, "2-pass", **self._options()) as runner:
             runner.draw(0)
             for frame in range(1, len(self.truth)):
                 if not self.carried:
@@ -160,8 +160,8 @@ class LawFive:
                 runner.draw(frame)
                 yield frame, mask, runner.cache()[..., :3]
 
-    def _options(self) -> RunOptions:
-        return RunOptions(period=self.period, block=BLOCK)
+    def _options(self) -> dict[str, int]:
+        return {"period": self.period, "block": BLOCK}
 
     def _judge_positions(
         self, found: Findings, frame: int, mask: NDArray[np.uint8], values: NDArray[np.float32]

@@ -11,11 +11,12 @@ import pytest
 from laws.slices import seed
 
 from shadercache.analysis.candidates import Candidate
+from shadercache.caching.settings import with_settings
 from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import open_scene
-from shadercache.options import read_cache_options
 from shadercache.paths import data_path
 from shadercache.verify.verifier import Verifier
+from tests.configured import DEFAULT
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -62,8 +63,8 @@ def _todays() -> tuple[str, ...]:
 def test_the_laws_hold(gpu: Gpu, nodes: tuple[str, list[Candidate]], text: str) -> None:
     name, chosen = nodes
     scene, analysis = open_scene(data_path("corpus", name, "scene.toml"))
-    cached = read_cache_options([text])
-    with closing(Verifier(gpu, scene, analysis, (64, 64), cache=cached)) as verifier:
+    cached = with_settings(DEFAULT, [text])
+    with closing(Verifier(gpu, scene, analysis, (64, 64), configuration=cached)) as verifier:
         for node in analysis.nodes:
             if any(node.id == one.id for one in chosen):
                 verdict = verifier.check(node, plain=False)

@@ -10,13 +10,14 @@ from pathlib import Path
 
 import pytest
 
-from shadercache.compiler import Analysis, rewrite
+from shadercache.caching.configuration import Configuration
+from shadercache.compiler import Analysis
 from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import analyse_scene
-from shadercache.options import Options
 from shadercache.render.bundle import Bundle
 from shadercache.scene.description import Scene, load_scene
 from shadercache.verify.verifier import Verdict, Verifier
+from tests.configured import PROOF, rewritten
 
 FOLDER = Path(__file__).with_name("conditions")
 SHADERS = ("branch", "switch", "returns", "discards", "alpha", "textures", "choices")
@@ -46,7 +47,7 @@ def test_laws_1_to_4(name: str, gpu: Gpu) -> None:
 def refused(name: str, text: str) -> dict[str, str]:
     analysis = load(name)[1]
     node = next(item for item in analysis.nodes if item.text == text and item.legal)
-    found = rewrite(analysis, node, unprofitable=True).manifest["refused"]
+    found = rewritten(analysis, node, unprofitable=True).manifest["refused"]
     return {entry["algorithm"]: entry["reason"] for entry in found}
 
 
@@ -71,7 +72,7 @@ def test_the_reference_compiler_takes_every_program(name: str, tmp_path: Path) -
     for node in analysis.nodes:
         if not node.offered:
             continue
-        files = rewrite(analysis, node, Options()).files
+        files = rewritten(analysis, node, Configuration()).files
         for file, text in files.items():
             (tmp_path / file).write_text(text, encoding="utf-8")
         line = ["glslangValidator", *(str(tmp_path / file) for file in files)]
@@ -93,7 +94,7 @@ def test_broken_programs_break_a_law(old: str, new: str, where: str, law: str, g
     scene, analysis = load("discards" if "reuse" in where else "branch")
     text = "noise(floor(p * 5.0))" if "reuse" in where else "noise(floor(p * 6.0))"
     node = next(item for item in analysis.nodes if item.text == text)
-    emission = rewrite(analysis, node, Options(mode="proof", cache_format="rgba32f"))
+    emission = rewritten(analysis, node, PROOF)
     assert any(old in text for name, text in emission.files.items() if where in name)
     files = {
         name: text.replace(old, new) if where in name else text

@@ -10,17 +10,18 @@ from pathlib import Path
 import pytest
 from laws.test_mutations import broken
 
-from shadercache.compiler import Analysis, analyse, rewrite
+from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import InputError
 from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import analyse_scene
-from shadercache.options import FetchForm, Options
 from shadercache.render.bundle import Bundle
 from shadercache.scene.description import Scene, load_scene
 from shadercache.source import Source
+from shadercache.transform.hoist_fetches import FetchForm
 from shadercache.verify.detail_levels import tells_true_levels
 from shadercache.verify.verifier import Verdict, Verifier
 from tests.cases.scenery import make_scene
+from tests.configured import PROOF, configured, rewritten
 from tests.shaders import find
 
 pytestmark = pytest.mark.xdist_group("fetches")
@@ -42,7 +43,9 @@ def opened(tmp_path_factory: pytest.TempPathFactory) -> tuple[Scene, Analysis]:
 
 def verdicts(gpu: Gpu, opened: tuple[Scene, Analysis], fetches: FetchForm) -> list[Verdict]:
     scene, analysis = opened
-    with closing(Verifier(gpu, scene, analysis, SIZE, fetches=fetches)) as verifier:
+    with closing(
+        Verifier(gpu, scene, analysis, SIZE, configuration=configured(fetches=fetches))
+    ) as verifier:
         return [verifier.check(find(analysis, text), plain=False) for text in VALUES]
 
 
@@ -58,8 +61,10 @@ def test_levels_are_proven_where_the_driver_tells_its_own(
 ) -> None:
     """The filter of the scene is the trilinear one, for which llvmpipe 25.0 tells others."""
     scene, analysis = opened
-    emission = rewrite(
-        analysis, find(analysis, VALUES[0]), Options("proof", "rgba32f", fetches="level")
+    emission = rewritten(
+        analysis,
+        find(analysis, VALUES[0]),
+        configured(PROOF, fetches="level"),
     )
     with closing(Verifier(gpu, scene, analysis, SIZE)) as verifier:
         found = broken(verifier, Bundle(emission.manifest, emission.files))
@@ -68,8 +73,8 @@ def test_levels_are_proven_where_the_driver_tells_its_own(
 
 def test_a_wrong_level_is_noticed(gpu: Gpu, opened: tuple[Scene, Analysis]) -> None:
     scene, analysis = opened
-    options = Options("proof", "rgba32f", fetches="level")
-    emission = rewrite(analysis, find(analysis, VALUES[0]), options)
+    options = configured(PROOF, fetches="level")
+    emission = rewritten(analysis, find(analysis, VALUES[0]), options)
     text = emission.files["1-pass.frag"]
     changed, count = re.subn(r"(textureLod\([^;]*), sc_fetch_\d\)", r"\1, 0.5)", text)
     assert count
@@ -92,7 +97,7 @@ def test_a_wrong_level_is_noticed(gpu: Gpu, opened: tuple[Scene, Analysis]) -> N
 def test_texts(opened: tuple[Scene, Analysis], fetches: FetchForm, ahead: str, behind: str) -> None:
     _, analysis = opened
     node = find(analysis, VALUES[0])
-    emission = rewrite(analysis, node, Options(fetches=fetches), (1,))
+    emission = rewritten(analysis, node, configured(fetches=fetches), ("1-pass",))
     text = emission.files["1-pass.frag"]
     found = re.search(ahead, text)
     assert found and behind.format(found[1]) in text
@@ -128,6 +133,6 @@ def test_where_levels_cannot_be_asked_for(text: str, code: str) -> None:
     )
     analysis = analyse(Source("a.frag", text), Source("a.vert", vertex))
     node = next(item for item in analysis.nodes if item.offered)
-    rewrite(analysis, node)
+    rewritten(analysis, node)
     with pytest.raises(InputError, match=code):
-        rewrite(analysis, node, Options(fetches="level"))
+        rewritten(analysis, node, configured(fetches="level"))

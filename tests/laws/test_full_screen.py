@@ -20,17 +20,19 @@ from laws.ground_truth import VERTEX, body_mesh, body_scene
 from laws.slices import VARIABLE, day_slice, seed
 
 from shadercache.analysis.candidates import Candidate
-from shadercache.compiler import Analysis, analyse, emit_original, rewrite
+from shadercache.analysis.mapping import MappingKind
+from shadercache.caching.configuration import Mode
+from shadercache.compiler import Analysis, analyse, emit_original
 from shadercache.front.read_options import ReadOptions
 from shadercache.gpu.context import Gpu
 from shadercache.linking.made_scene import made_scene
 from shadercache.linking.scene_shaders import open_scene
-from shadercache.options import MappingKind, Mode, Options
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import NEVER, RunOptions, VariantRunner, render_original
+from shadercache.render.variant_runner import NEVER, render_original
 from shadercache.source import Source
 from shadercache.verify.verifier import Verifier
+from tests.configured import configured, rewritten, variant
 from tests.conftest import Golden
 
 pytestmark = pytest.mark.xdist_group("gl")
@@ -60,7 +62,9 @@ def node_of(analysis: Analysis, text: str) -> Candidate:
 
 def bundle_of(analysis: Analysis, text: str, mode: Mode, change: Change | None = None) -> Bundle:
     """The variants of a node, with every text changed."""
-    found = rewrite(analysis, node_of(analysis, text), Options(mode, "rgba32f"), unprofitable=True)
+    found = rewritten(
+        analysis, node_of(analysis, text), configured(mode=mode, form="rgba32f"), unprofitable=True
+    )
     if change is None:
         return Bundle(found.manifest, found.files)
     files = {file: change(text) for file, text in found.files.items()}
@@ -98,10 +102,10 @@ class Run:
 
 
 def run(world: RenderScene, bundle: Bundle, algorithm: str, period: int) -> Run:
-    truth = render_original(world, bundle, FRAMES)
+    truth = render_original(world, [bundle], FRAMES)
     assert not np.array_equal(truth[0], truth[-1]), "nothing moves, so nothing is tested"
     exact, reused = True, 1.0
-    with VariantRunner(world, bundle, algorithm, RunOptions(period)) as runner:
+    with variant(world, bundle, algorithm, period=period) as runner:
         for frame in FRAMES:
             if frame > 0:
                 mask = runner.hit_mask(frame)
@@ -193,8 +197,8 @@ def astray(gpu: Gpu, algorithm: str, change: Change | None = None) -> list[str]:
     bundle = bundle_of(points(), "shown()", "plain", change)
     wrong: list[str] = []
     with RenderScene(gpu, made_scene(FOLDER / "orbit.frag", points()), LARGE, "rgba32f") as world:
-        truth = render_original(world, bundle, FRAMES)
-        with VariantRunner(world, bundle, algorithm, RunOptions(NEVER)) as runner:
+        truth = render_original(world, [bundle], FRAMES)
+        with variant(world, bundle, algorithm, period=NEVER) as runner:
             for frame in FRAMES:
                 hit = runner.hit_mask(frame) == bundle.mask_values["hit"]
                 image, true = runner.image(frame), truth[frame]
@@ -248,8 +252,8 @@ def test_slow_scrolling_is_no_rest(gpu: Gpu) -> None:
     bundle = bundle_of(analysis, "rings", "plain")
     scene = made_scene(FOLDER / "scroll.frag", analysis)
     with RenderScene(gpu, scene, LARGE, "rgba32f") as world:
-        truth = render_original(world, bundle, FRAMES)
-        with VariantRunner(world, bundle, "2-pass", RunOptions(NEVER)) as runner:
+        truth = render_original(world, [bundle], FRAMES)
+        with variant(world, bundle, "2-pass", period=NEVER) as runner:
             for frame in FRAMES:
                 hit = runner.hit_mask(frame) == bundle.mask_values["hit"]
                 off = np.abs(runner.image(frame) - truth[frame])[..., 0]
@@ -282,7 +286,7 @@ def test_laws_2_to_4_on_a_mesh(gpu: Gpu, mapping: MappingKind) -> None:
     if mapping == "screen":
         nodes.append(node_of(analysis, "grain"))
         assert analysis.unchanged_for(nodes[-1]) == ("a_position", "u_modelViewProjection")
-    emission = rewrite(analysis, nodes[0])
+    emission = rewritten(analysis, nodes[0])
     assert not emission.manifest["previous"]
     assert emission.manifest["draw"] == {"geometry": "objects"}
     assert "sc_" not in emission.files["1-pass.vert"]
@@ -301,7 +305,7 @@ def test_golden(name: str, golden: Golden) -> None:
         "scroll": "rings",
     }
     analysis = analysed(name)
-    emission = rewrite(analysis, node_of(analysis, texts[name]), unprofitable=True)
+    emission = rewritten(analysis, node_of(analysis, texts[name]), unprofitable=True)
     for file in ("1-pass.frag", "1-pass.vert", "2-pass.miss.frag", "3-pass.reuse.frag"):
         golden(FOLDER / name / file, emission.files[file])
 
@@ -313,7 +317,10 @@ def test_the_reference_compiler_takes_every_program(name: str, mode: Mode, tmp_p
     analysis = analysed(name)
     files: Mapping[str, str] = emit_original(analysis, mode).files
     for node in day_slice([n for n in analysis.nodes if n.legal], seed(), NODES):
-        files = {**files, **rewrite(analysis, node, Options(mode), unprofitable=True).files}
+        files = {
+            **files,
+            **rewritten(analysis, node, configured(mode=mode), unprofitable=True).files,
+        }
         for file, text in files.items():
             (tmp_path / file).write_text(text, encoding="utf-8")
         line = ["glslangValidator", *(str(tmp_path / file) for file in files)]

@@ -21,10 +21,11 @@ from laws.ground_truth import (
 )
 from laws.look_ups import BLOCK, LawFive, bundle_values
 
+from shadercache.caching.configuration import CacheFormat
 from shadercache.gpu.context import Gpu
-from shadercache.options import CacheFormat
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import NEVER, RunOptions, VariantRunner
+from shadercache.render.variant_runner import NEVER
+from tests.configured import variant
 
 pytestmark = pytest.mark.xdist_group("law5")
 
@@ -80,10 +81,10 @@ def test_errors_do_not_add_up(body: tuple[RenderScene, list[TrueFrame]], period:
 @pytest.mark.parametrize("period", [3, 4, 32])
 def test_at_rest_all_that_is_not_due_hits(gpu: Gpu, form: CacheFormat, period: int) -> None:
     refresh, hit = (bundle_values()[name] for name in ("refresh", "hit"))
-    options = RunOptions(period=period, block=BLOCK, moving=False)
+    options = {"period": period, "block": BLOCK, "moving": False}
     with (
         on_stage(gpu, "trashcan", 1.0) as world,
-        VariantRunner(world, bundle_of("v_position", form), "2-pass", options) as runner,
+        variant(world, bundle_of("v_position", form), "2-pass", **options) as runner,
     ):
         covered = true_frames(world, [0])[0].covered
         runner.draw(0)

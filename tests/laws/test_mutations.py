@@ -22,14 +22,14 @@ from laws.ground_truth import (
 )
 from laws.look_ups import LawFive
 
-from shadercache.compiler import analyse, rewrite
+from shadercache.compiler import analyse
 from shadercache.emit.runtime import SPREAD
 from shadercache.gpu.context import Gpu
-from shadercache.options import CacheOptions, Options
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
 from shadercache.source import Source
 from shadercache.verify.verifier import Verdict, Verifier
+from tests.configured import PROOF, configured, rewritten
 
 pytestmark = pytest.mark.xdist_group("law5")
 
@@ -95,7 +95,7 @@ def verifier(gpu: Gpu) -> Iterator[Verifier]:
 @pytest.fixture(scope="module")
 def proof(verifier: Verifier) -> Bundle:
     nodes = [node for node in verifier.analysis.nodes if node.legal and "sin" in node.text]
-    emission = rewrite(verifier.analysis, nodes[0], Options("proof", "rgba32f"), unprofitable=True)
+    emission = rewritten(verifier.analysis, nodes[0], PROOF, unprofitable=True)
     return Bundle(emission.manifest, emission.files)
 
 
@@ -261,8 +261,8 @@ UNGUARDED = Replace("        return 9;\n", "")
 
 def test_law_7_notices(verifier: Verifier) -> None:
     nodes = [node for node in verifier.analysis.nodes if node.legal and "sin" in node.text]
-    options = Options("proof", "rgba32f", cache=CacheOptions(age=True))
-    emission = rewrite(verifier.analysis, nodes[0], options, unprofitable=True)
+    options = configured(PROOF, age=True)
+    emission = rewritten(verifier.analysis, nodes[0], options, unprofitable=True)
     guarded = Bundle(emission.manifest, emission.files)
     assert broken(verifier, guarded) == set()
     assert every(7) <= broken(verifier, UNGUARDED.bundle(guarded))

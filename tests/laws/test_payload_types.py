@@ -15,14 +15,14 @@ from laws.test_mutations import Replace, broken
 from payloads import DESKTOP, ES, FRAGMENT, PAYLOADS, VERTEX, analysed_payload
 
 from shadercache.analysis.candidates import Candidate
-from shadercache.compiler import analyse, rewrite
+from shadercache.compiler import analyse
 from shadercache.gpu.context import Gpu
-from shadercache.options import Options
 from shadercache.render.bundle import Bundle, load_bundle
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import OriginalRunner, RunOptions, VariantRunner
+from shadercache.render.variant_runner import OriginalRunner
 from shadercache.source import Source
 from shadercache.verify.verifier import Verifier
+from tests.configured import PROOF, configured, rewritten, variant
 
 pytestmark = pytest.mark.xdist_group("payload-types")
 
@@ -45,7 +45,7 @@ def case(gpu: Gpu, request: pytest.FixtureRequest) -> Iterator[tuple[Verifier, C
 
 
 def proof_of(verifier: Verifier, node: Candidate) -> Bundle:
-    emission = rewrite(verifier.analysis, node, Options("proof", "rgba32f"), unprofitable=True)
+    emission = rewritten(verifier.analysis, node, PROOF, unprofitable=True)
     return Bundle(emission.manifest, emission.files)
 
 
@@ -64,7 +64,7 @@ def test_payloads_are_reused_in_motion(case: tuple[Verifier, Candidate]) -> None
     """Else the laws would hold because everything is computed anew."""
     verifier, node = case
     bundle = proof_of(verifier, node)
-    with VariantRunner(verifier.world, bundle, "2-pass", RunOptions(period=64)) as runner:
+    with variant(verifier.world, bundle, "2-pass", period=64) as runner:
         for frame in range(3):
             runner.draw(frame)
         mask = runner.hit_mask(3)
@@ -94,7 +94,7 @@ def test_a_store_that_loses_the_payload_is_noticed(case: tuple[Verifier, Candida
 @pytest.mark.parametrize("name", ["vec4", "bits", "Mixed"])
 def test_an_engine_needs_only_the_manifest(gpu: Gpu, tmp_path: Path, name: str) -> None:
     analysis, node = analysed_payload(name)
-    emission = rewrite(analysis, node, unprofitable=True)
+    emission = rewritten(analysis, node, unprofitable=True)
     for file, text in emission.files.items():
         (tmp_path / file).write_text(text)
     (tmp_path / "manifest.json").write_text(json.dumps(emission.manifest))
@@ -109,13 +109,13 @@ def test_an_engine_needs_only_the_manifest(gpu: Gpu, tmp_path: Path, name: str) 
 @pytest.mark.parametrize("name", ["vec3", "vec4", "bits", "Mixed"])
 def test_a_run_can_be_taken_up_from_its_cache(gpu: Gpu, name: str) -> None:
     analysis, node = analysed_payload(name)
-    emission = rewrite(analysis, node, Options(cache_format="rgba32f"), unprofitable=True)
+    emission = rewritten(analysis, node, configured(form="rgba32f"), unprofitable=True)
     bundle = Bundle(emission.manifest, emission.files)
     scene, mesh = body_scene("trashcan", 1.0), body_mesh("trashcan")
     with (
         RenderScene(gpu, scene, (96, 96), "rgba32f", mesh) as world,
-        VariantRunner(world, bundle, "2-pass") as runner,
-        VariantRunner(world, bundle, "3-pass") as other,
+        variant(world, bundle, "2-pass") as runner,
+        variant(world, bundle, "3-pass") as other,
     ):
         runner.draw(0)
         stored = runner.cache()
@@ -140,7 +140,7 @@ def test_integers_do_not_slide(gpu: Gpu, broken_on_purpose: bool) -> None:
     vertex = Source("cells.vert", VERTEX.replace("HEAD", DESKTOP))
     analysis = analyse(Source("cells.frag", text), vertex)
     node = next(node for node in analysis.nodes if node.text == CELLS)
-    emission = rewrite(analysis, node, unprofitable=True)
+    emission = rewritten(analysis, node, unprofitable=True)
     bundle = Bundle(emission.manifest, emission.files)
     if broken_on_purpose:
         bundle = NO_QUESTION.bundle(bundle)
@@ -150,7 +150,7 @@ def test_integers_do_not_slide(gpu: Gpu, broken_on_purpose: bool) -> None:
             gpu, body_scene("trashcan", 0.3), (192, 192), "rgba32f", body_mesh("trashcan")
         ) as on,
         OriginalRunner(on, bundle) as original,
-        VariantRunner(on, bundle, "2-pass") as runner,
+        variant(on, bundle, "2-pass") as runner,
     ):
         for frame in range(16):
             expected = original.image(frame).copy()

@@ -18,18 +18,17 @@ from laws.test_conditions import SHADERS
 from laws.test_mutations import Replace, broken
 
 from shadercache.analysis.candidates import Candidate
-from shadercache.compiler import Analysis, analyse, rewrite
+from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import InputError
 from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import analyse_scene, read_shaders
-from shadercache.options import Options
 from shadercache.paths import data_path
 from shadercache.render.bundle import Bundle, load_bundle
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import RunOptions, VariantRunner
 from shadercache.scene.description import Scene, load_scene
 from shadercache.verify.verifier import Verdict, Verifier
 from tests.conditioning import all_too_far
+from tests.configured import PROOF, rewritten, variant
 
 pytestmark = pytest.mark.xdist_group("sets")
 
@@ -43,7 +42,7 @@ def hit_share(gpu: Gpu, scene: Scene, bundle: Bundle) -> float:
     """The share of the covered pixels that reuse what they have, after three frames."""
     with (
         RenderScene(gpu, scene, SIZE, "rgba32f") as world,
-        VariantRunner(world, bundle, "2-pass", RunOptions(period=64)) as runner,
+        variant(world, bundle, "2-pass", period=64) as runner,
     ):
         for frame in range(3):
             runner.draw(frame)
@@ -113,7 +112,6 @@ SETS = {
     "paths": PATHS["deep, from first to last"],
     "types": TYPES["under a condition and behind it"],
 }
-PROOF = Options("proof", "rgba32f")
 
 
 def load(name: str) -> tuple[Scene, Analysis]:
@@ -173,7 +171,7 @@ def test_laws_2_to_4_for_random_sets(
 def conditional(gpu: Gpu) -> Iterator[tuple[Verifier, Bundle]]:
     """The programs of a set in which one value stands under a condition."""
     scene, analysis = load("types")
-    emission = rewrite(analysis, pick(analysis, SETS["types"]), PROOF, unprofitable=True)
+    emission = rewritten(analysis, pick(analysis, SETS["types"]), PROOF, unprofitable=True)
     with closing(Verifier(gpu, scene, analysis, SIZE)) as verifier:
         yield verifier, Bundle(emission.manifest, emission.files)
 
@@ -211,7 +209,7 @@ def test_payloads_are_reused_in_motion(name: str, least: float, gpu: Gpu) -> Non
     """Else the laws would hold because everything is computed anew."""
     scene, analysis = load(name)
     wanted = SETS[name]
-    emission = rewrite(analysis, pick(analysis, wanted), PROOF, unprofitable=True)
+    emission = rewritten(analysis, pick(analysis, wanted), PROOF, unprofitable=True)
     bundle = Bundle(emission.manifest, emission.files)
     assert hit_share(gpu, scene, bundle) > least
 
@@ -219,7 +217,7 @@ def test_payloads_are_reused_in_motion(name: str, least: float, gpu: Gpu) -> Non
 @pytest.mark.parametrize("name", ["paths", "types"])
 def test_an_engine_needs_only_the_manifest(name: str, gpu: Gpu, tmp_path: Path) -> None:
     scene, analysis = load(name)
-    emission = rewrite(analysis, pick(analysis, SETS[name]), unprofitable=True)
+    emission = rewritten(analysis, pick(analysis, SETS[name]), unprofitable=True)
     for file, text in emission.files.items():
         (tmp_path / file).write_text(text)
     (tmp_path / "manifest.json").write_text(json.dumps(emission.manifest))
@@ -233,10 +231,10 @@ def test_a_fetch_under_a_condition_takes_one_pass_away_from_a_set() -> None:
     analysis = load("textures")[1]
     wanted = ("texture(picture, uv * 3.0).rgb", "noise(floor(p * 8.0)) * n")
     nodes = pick(analysis, [f"main: {text}" for text in wanted])
-    found = rewrite(analysis, nodes, unprofitable=True).manifest
+    found = rewritten(analysis, nodes, unprofitable=True).manifest
     assert [item["algorithm"] for item in found["refused"]] == ["1-pass"]
     with pytest.raises(InputError, match=r"' and 'noise.*in one pass.*SC407"):
-        rewrite(analysis, nodes, algorithms=(1,), unprofitable=True)
+        rewritten(analysis, nodes, algorithms=("1-pass",), unprofitable=True)
 
 
 def test_what_few_fragments_compute_costs_the_others_their_hits(gpu: Gpu) -> None:
@@ -247,7 +245,7 @@ def test_what_few_fragments_compute_costs_the_others_their_hits(gpu: Gpu) -> Non
     )
     shares = []
     for nodes in ([always], [always, sometimes]):
-        emission = rewrite(analysis, nodes, PROOF, unprofitable=True)
+        emission = rewritten(analysis, nodes, PROOF, unprofitable=True)
         bundle = Bundle(emission.manifest, emission.files)
         assert [item.code for item in emission.notes] == ["SC418"] * (len(nodes) - 1)
         shares.append(hit_share(gpu, scene, bundle))

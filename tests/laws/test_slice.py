@@ -12,7 +12,8 @@ from contextlib import closing
 import pytest
 from laws.slices import VARIABLE, amount, day_slice, nodes_of_day, seed
 
-from shadercache.cli.scenes import cache_options
+from shadercache.caching.configuration import Configuration
+from shadercache.cli.scenes import configured
 from shadercache.compiler import Analysis, analyse
 from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import read_shaders
@@ -48,8 +49,8 @@ def test_laws_1_to_4(
     legal = [node for node in analysis.nodes if node.legal]
     assert set(scene.nodes.values()) <= {node.id for node in legal}, "a name of no legal node"
     nodes = nodes_of_day(legal, scene.nodes, day, count)
-    cache = cache_options(scene, None)
-    with closing(Verifier(gpu, scene, analysis, cache=cache)) as verifier:
+    cached = configured(scene, Configuration(), None)
+    with closing(Verifier(gpu, scene, analysis, configuration=cached)) as verifier:
         assert verifier.ties <= MAX_TIES
         assert verifier.round_trip().exact, f"law 1 is broken: {verifier.round_trip()}"
         verdicts = [verifier.check(node) for node in nodes]

@@ -10,8 +10,8 @@ from typing import Any
 import pytest
 import verify_all
 
+from shadercache.caching.configuration import Configuration
 from shadercache.linking.scene_shaders import analyse_scene
-from shadercache.options import CacheOptions
 from shadercache.paths import data_path
 from shadercache.scene.description import load_scene
 from shadercache.verify.verifier import Difference, Verdict
@@ -30,7 +30,7 @@ class Renderer:
         self.broken: set[str] = set()
 
     def __call__(
-        self, scene: Path, nodes: Sequence[str], jobs: int, told: Told, cache: CacheOptions
+        self, scene: Path, nodes: Sequence[str], jobs: int, told: Told, configuration: Configuration
     ) -> None:
         for count, node in enumerate(nodes):
             if count == self.stops_after:

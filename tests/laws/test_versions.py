@@ -10,13 +10,13 @@ from pathlib import Path
 import pytest
 from laws.slices import amount, day_slice, seed
 
-from shadercache.compiler import Analysis, emit_original, rewrite
+from shadercache.compiler import Analysis, emit_original
 from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import analyse_scene
-from shadercache.options import Options
 from shadercache.scene.description import Scene, load_scene
 from shadercache.verify.verifier import Verifier
 from tests.conditioning import all_too_far
+from tests.configured import configured, rewritten
 from tests.conftest import Golden
 
 FOLDER = Path(__file__).with_name("versions")
@@ -63,8 +63,8 @@ def test_the_reference_compiler_takes_every_program(name: str, mode: str, tmp_pa
     analysis = load(name)[1]
     legal = [node for node in analysis.nodes if node.legal]
     for node in day_slice(legal, seed(), amount(4, 1000)):
-        options = Options(mode="proof" if mode == "proof" else "plain")
-        files = rewrite(analysis, node, options, unprofitable=True).files
+        options = configured(mode="proof" if mode == "proof" else "plain")
+        files = rewritten(analysis, node, options, unprofitable=True).files
         for file, text in files.items():
             (tmp_path / file).write_text(text, encoding="utf-8")
         line = ["glslangValidator", *(str(tmp_path / file) for file in files)]

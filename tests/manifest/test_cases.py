@@ -9,9 +9,9 @@ import pytest
 from jsonschema import Draft202012Validator
 
 import shadercache
-from shadercache.compiler import rewrite
 from shadercache.diagnostics import InputError
 from tests.cases.cases import NAMES, analysed
+from tests.configured import rewritten
 
 SCHEMA = Path(shadercache.__file__).with_name("manifest.schema.json")
 
@@ -26,7 +26,7 @@ def test_what_is_declared_and_depended_on_is_listed(name: str) -> None:
     if not legal:
         return
     node = max(legal, key=lambda node: len(node.inputs))
-    manifest = rewrite(analysis, node, unprofitable=True).manifest
+    manifest = rewritten(analysis, node, unprofitable=True).manifest
     Draft202012Validator(json.loads(SCHEMA.read_text(encoding="utf-8"))).validate(manifest)
     given = {item["name"] for item in manifest["inputs"]}
     known = given | {item["name"] for item in manifest["uniforms"]}

@@ -6,9 +6,11 @@ from typing import Any
 
 import pytest
 
-from shadercache.compiler import analyse, rewrite
-from shadercache.options import MappingKind, Options, read_cache_options
+from shadercache.analysis.mapping import MappingKind
+from shadercache.caching.settings import with_settings
+from shadercache.compiler import analyse
 from shadercache.source import Source
+from tests.configured import DEFAULT, rewritten
 
 FRAGMENT = """#version 430
 in vec3 v_p;
@@ -58,8 +60,8 @@ void main() {
 def manifest_of(text: str, mapping: MappingKind = "surface", *settings: str) -> dict[str, Any]:
     analysis = analyse(Source("t.frag", FRAGMENT), Source("t.vert", VERTEX), mapping=mapping)
     node = next(node for node in analysis.nodes if node.text == text and node.legal)
-    options = Options(cache=read_cache_options(settings))
-    return rewrite(analysis, node, options, unprofitable=True).manifest
+    options = with_settings(DEFAULT, settings)
+    return rewritten(analysis, node, options, unprofitable=True).manifest
 
 
 def told(manifest: dict[str, Any]) -> set[tuple[str, ...]]:

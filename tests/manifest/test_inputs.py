@@ -10,11 +10,12 @@ import pytest
 from jsonschema import Draft202012Validator
 
 import shadercache
-from shadercache.compiler import analyse, rewrite
+from shadercache.compiler import analyse
 from shadercache.emit import reflection
 from shadercache.emit.packing import Packing
 from shadercache.source import Source
 from shadercache.valid.read import read
+from tests.configured import rewritten
 
 FRAGMENT = """#version 450
 {declared}
@@ -43,7 +44,7 @@ def manifest_of(
         Source("t.vert", VERTEX.format(declared=declared, matrix=matrix)),
     )
     node = next(node for node in analysis.nodes if node.offered and node.text == "wave(v_p)")
-    manifest = rewrite(analysis, node).manifest
+    manifest = rewritten(analysis, node).manifest
     Draft202012Validator(SCHEMA).validate(manifest)
     return manifest
 

@@ -11,9 +11,11 @@ from jsonschema import Draft202012Validator
 from shaders import analysed, find
 
 import shadercache
-from shadercache.compiler import analyse, rewrite
-from shadercache.options import ALGORITHMS, MappingKind
+from shadercache.analysis.mapping import MappingKind
+from shadercache.caching.algorithms import NAMES
+from shadercache.compiler import analyse
 from shadercache.source import Source
+from tests.configured import rewritten
 
 FULL_SCREEN = Path(__file__).parent.parent / "laws" / "full_screen"
 SCHEMA = Path(shadercache.__file__).with_name("manifest.schema.json")
@@ -23,13 +25,13 @@ def of_triangle(mapping: MappingKind) -> dict[str, Any]:
     text = (FULL_SCREEN / "orbit.frag").read_text(encoding="utf-8")
     analysis = analyse(Source("orbit.frag", text), mapping=mapping)
     node = next(node for node in analysis.nodes if node.offered)
-    return rewrite(analysis, node).manifest
+    return rewritten(analysis, node).manifest
 
 
-def of_objects(algorithms: tuple[int, ...] = ALGORITHMS) -> dict[str, Any]:
+def of_objects(algorithms: tuple[str, ...] = NAMES) -> dict[str, Any]:
     analysis = analysed("o_color = vec4(sin(v_position) * cos(v_normal), 1.0);")
     node = find(analysis, "sin(v_position) * cos(v_normal)")
-    return rewrite(analysis, node, algorithms=algorithms, unprofitable=True).manifest
+    return rewritten(analysis, node, algorithms=algorithms, unprofitable=True).manifest
 
 
 def state(manifest: dict[str, Any]) -> dict[str, str]:
@@ -72,12 +74,12 @@ def test_the_debug_program_has_a_depth_buffer_of_its_own() -> None:
 
 
 def test_the_short_reset_needs_two_passes_beside_others() -> None:
-    def told(*algorithms: int) -> bool:
+    def told(*algorithms: str) -> bool:
         return "as the one of two passes" in " ".join(of_objects(algorithms)["reset"])
 
-    assert told(1, 2, 3)
-    assert not told(2)
-    assert not told(1, 3)
+    assert told(*NAMES)
+    assert not told("2-pass")
+    assert not told("1-pass", "3-pass")
 
 
 def test_a_reset_finds_nothing() -> None:

@@ -25,7 +25,7 @@ from shadercache.diagnostics import InputError
 from shadercache.gpu.clock import no_collection
 from shadercache.gpu.context import Gpu, open_context
 from shadercache.linking.scene_shaders import analyse_scene
-from shadercache.measure.result_files import SCHEMA_VERSION, environment, machine_name, write_json
+from shadercache.measure.result_files import environment, machine_name, write_json
 from shadercache.paths import data_path
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
@@ -146,7 +146,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         about = environment(gpu)
     found = summary(rows)
     result = {
-        "schema_version": SCHEMA_VERSION,
+        "schema_version": 1,
         "environment": about,
         "size": SIZE,
         "rounds": options.rounds,

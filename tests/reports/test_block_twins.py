@@ -16,15 +16,14 @@ import pytest
 from runner.independent_runner import IndependentRunner
 from runner.inputs import Inputs
 
-from shadercache.compiler import Emission, analyse, rewrite
+from shadercache.compiler import Emission, analyse
 from shadercache.gpu.context import Gpu
-from shadercache.options import Options
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import RunOptions, VariantRunner
 from shadercache.scene.description import load_scene
 from shadercache.source import Source
 from tests.cases.scenery import make_scene
+from tests.configured import configured, rewritten, variant
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -57,7 +56,7 @@ def emission_of(name: str) -> Emission:
     analysis = analyse(*sources)
     node = next(n for n in analysis.nodes if n.offered and n.text.startswith("costly(v_p)"))
     mode = "plain" if name == "es_310" else "proof"
-    return rewrite(analysis, node, Options(mode, cache_format="rgba32f"))
+    return rewritten(analysis, node, configured(mode=mode, form="rgba32f"))
 
 
 @pytest.fixture(scope="module")
@@ -147,7 +146,7 @@ def same_frames(
     other = independent(world, folder, algorithm)
     bundle = Bundle(reference.manifest, reference.files)
     found = []
-    with VariantRunner(world, bundle, algorithm, RunOptions(5, 4)) as runner:
+    with variant(world, bundle, algorithm, period=5, block=4) as runner:
         for frame in range(6):
             expected = runner.image(frame)
             assert expected.any(), "an empty picture proves nothing"

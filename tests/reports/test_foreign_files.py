@@ -21,7 +21,6 @@ from shaders import analysed
 
 from shadercache import foreign_files as foreign
 from shadercache.cli.app import main
-from shadercache.compiler import rewrite
 from shadercache.diagnostics import InputError, UsageError
 from shadercache.gpu import textures
 from shadercache.gpu.textures import load_pixels
@@ -32,6 +31,7 @@ from shadercache.scene.animation import Rows
 from shadercache.scene.description import load_scene
 from shadercache.scene.mesh import load_mesh
 from shadercache.scene.npz import load_npz
+from tests.configured import rewritten
 
 
 def told(read: Callable[[Path], object], path: Path, code: str) -> str:
@@ -303,7 +303,7 @@ def leaves(value: object, path: tuple[str | int, ...] = ()) -> Iterator[tuple[st
 def test_manifests_with_anything_anywhere(instead: object) -> None:
     analysis = analysed("o_color = vec4(sin(v_position * 3.0) * exp(v_uv.x), 1.0);")
     node = next(node for node in analysis.nodes if node.offered)
-    emission = rewrite(analysis, node)
+    emission = rewritten(analysis, node)
     whole = json.dumps(emission.manifest)
     for path in leaves(emission.manifest):
         broken = [json.loads(whole)]

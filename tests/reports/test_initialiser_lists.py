@@ -10,12 +10,13 @@ from pathlib import Path
 import pytest
 from compiled import Pair, errors_of_driver, errors_of_reference, pairs_of
 
+from shadercache.caching.configuration import Mode
 from shadercache.cli.app import main
-from shadercache.compiler import Analysis, analyse, emit_original, rewrite
+from shadercache.compiler import Analysis, analyse, emit_original
 from shadercache.front.read_options import ReadOptions
 from shadercache.gpu.context import Gpu
-from shadercache.options import Mode, Options
 from shadercache.source import Source
+from tests.configured import configured, rewritten
 
 FOLDER = Path(__file__).parent / "initialiser_lists"
 NAMES = sorted(path.stem for path in FOLDER.glob("*.frag"))
@@ -41,7 +42,7 @@ def programs(name: str, unroll: bool) -> list[Pair]:
     emissions = [emit_original(analysis, mode) for mode in MODES]
     for node in analysis.nodes:
         if node.offered and node.instance is not None and node.instance.parent is None:
-            emissions += [rewrite(analysis, node, Options(mode)) for mode in MODES]
+            emissions += [rewritten(analysis, node, configured(mode=mode)) for mode in MODES]
     return list(dict.fromkeys(pair for emission in emissions for pair in pairs_of(emission)))
 
 

@@ -17,16 +17,18 @@ import pytest
 from laws.ground_truth import VERTEX, body_mesh, body_scene
 from numpy.typing import NDArray
 
-from shadercache.compiler import Analysis, analyse, rewrite
+from shadercache.caching.configuration import CacheFormat, Mode
+from shadercache.caching.settings import with_settings
+from shadercache.compiler import Analysis, analyse
 from shadercache.emit.layout import Layout
 from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import open_scene
-from shadercache.options import CacheFormat, Mode, Options, read_cache_options
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import OriginalRunner, RunOptions, VariantRunner
+from shadercache.render.variant_runner import OriginalRunner
 from shadercache.source import Source
 from shadercache.verify.verifier import Verdict, Verifier
+from tests.configured import DEFAULT, configured, rewritten, variant
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -65,12 +67,12 @@ def analysed(name: str) -> Analysis:
 
 
 def verifier(gpu: Gpu, name: str, settings: str = "") -> Verifier:
-    cached = read_cache_options([settings] if settings else [])
+    cached = with_settings(DEFAULT, [settings] if settings else [])
     if name.startswith("surface"):
         scene, mesh = body_scene("trashcan", 3.0), body_mesh("trashcan")
-        return Verifier(gpu, scene, analysed(name), SIZE, mesh=mesh, cache=cached)
+        return Verifier(gpu, scene, analysed(name), SIZE, mesh=mesh, configuration=cached)
     scene, _ = open_scene(FOLDER / f"{name}.frag", mapping="screen")
-    return Verifier(gpu, scene, analysed(name), SIZE, cache=cached)
+    return Verifier(gpu, scene, analysed(name), SIZE, configuration=cached)
 
 
 def world(gpu: Gpu, name: str) -> RenderScene:
@@ -84,10 +86,10 @@ def world(gpu: Gpu, name: str) -> RenderScene:
 def bundle(
     name: str, text: str, form: CacheFormat, settings: str = "", mode: Mode = "plain"
 ) -> Bundle:
-    cached = read_cache_options([settings] if settings else [])
+    cached = with_settings(DEFAULT, [settings] if settings else [])
     node = next(node for node in analysed(name).nodes if node.legal and node.text == text)
-    options = Options(mode, form, cache=cached)
-    emission = rewrite(analysed(name), node, options, unprofitable=True)
+    options = configured(cached, mode=mode, form=form)
+    emission = rewritten(analysed(name), node, options, unprofitable=True)
     return Bundle(emission.manifest, emission.files)
 
 
@@ -170,7 +172,7 @@ def reused(gpu: Gpu, name: str, made: Bundle) -> tuple[NDArray[np.float32], int]
     hits, poisoned = [], 0
     with (
         world(gpu, name) as canvas,
-        VariantRunner(canvas, made, "2-pass", RunOptions(64)) as runner,
+        variant(canvas, made, "2-pass", period=64) as runner,
     ):
         runner.draw(0)
         for frame in range(1, 4):
@@ -261,8 +263,8 @@ def frame(gpu: Gpu, name: str, made: Bundle, algorithm: str, short: bool = False
         if algorithm == "original":
             with OriginalRunner(canvas, made) as original:
                 return original.image(0)
-        options = RunOptions(1, short_reset=short)
-        with VariantRunner(canvas, made, algorithm, options) as runner:
+        options = {"period": 1, "short_reset": short}
+        with variant(canvas, made, algorithm, **options) as runner:
             return runner.image(0)
 
 

@@ -9,14 +9,14 @@ from pathlib import Path
 import pytest
 from compiled import Pair, errors_of_driver, errors_of_reference, pairs_of
 
-from shadercache.compiler import Emission, analyse, emit_original, rewrite
+from shadercache.compiler import Emission, analyse, emit_original
 from shadercache.diagnostics import InputError
 from shadercache.emit.printer import print_module
 from shadercache.front.parse import parse
 from shadercache.gpu.context import Gpu
-from shadercache.options import Options
 from shadercache.source import Source
 from shadercache.valid.read import read
+from tests.configured import configured, rewritten
 
 FOLDER = Path(__file__).parent / "qualifier_order"
 FILES = sorted(path.name for path in FOLDER.iterdir())
@@ -59,7 +59,7 @@ def emissions(name: str) -> Iterator[Emission]:
     node = next(node for node in analysis.nodes if node.offered)
     for mode in ("plain", "proof"):
         yield emit_original(analysis, mode)
-        yield rewrite(analysis, node, Options(mode))
+        yield rewritten(analysis, node, configured(mode=mode))
 
 
 @pytest.mark.xdist_group("gl")

@@ -12,16 +12,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from shadercache.caching.settings import with_settings
 from shadercache.cli.app import main
 from shadercache.gpu.cache_textures import CachePair
 from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import open_scene
-from shadercache.options import read_cache_options
 from shadercache.render.bound_pass import FrameInputs
 from shadercache.render.bundle import Bundle
 from shadercache.render.variant_runner import DrawItem, VariantRunner
 from shadercache.verify.verifier import Verdict, Verifier
 from tests.cases.scenery import ring
+from tests.configured import DEFAULT
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -51,8 +52,8 @@ class Judge:
 
     def __init__(self, gpu: Gpu, scene: Path, cache: str = "") -> None:
         made, analysis = open_scene(scene)
-        options = read_cache_options([cache] if cache else [])
-        self.verifier = Verifier(gpu, made, analysis, (48, 48), cache=options)
+        options = with_settings(DEFAULT, [cache] if cache else [])
+        self.verifier = Verifier(gpu, made, analysis, (48, 48), configuration=options)
         marked = next(line for line in analysis.fragment.text.splitlines() if "// the node" in line)
         wanted = re.split(r" \+?= ", marked)[1].partition(";")[0]
         self.node = next(node for node in analysis.nodes if node.legal and node.text == wanted)

@@ -10,15 +10,14 @@ import pytest
 from vertex_stages import REPORTS, analysed, made_scene, names, scene_of, without_position
 
 from shadercache.analysis.candidates import Candidate
-from shadercache.compiler import Analysis, analyse, rewrite
+from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import InputError
 from shadercache.gpu.context import Gpu
-from shadercache.options import Options
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import RunOptions, render_variant
 from shadercache.source import Source
 from shadercache.verify.verifier import Verifier
+from tests.configured import configured, render_variant, rewritten
 
 FOLDER = REPORTS / "varyings_by_location"
 NAMES = names(FOLDER)
@@ -45,7 +44,7 @@ def payload(analysis: Analysis) -> Candidate:
 @pytest.mark.parametrize("name", NAMES)
 def test_it_is_accepted_and_passes_on_only_what_is_read(name: str) -> None:
     analysis = analysed(FOLDER, name)
-    emission = rewrite(analysis, payload(analysis))
+    emission = rewritten(analysis, payload(analysis))
     assert not list(without_position(emission))
     computed = emission.files["3-pass.payload.vert"]
     assert "unread" not in computed
@@ -61,10 +60,10 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def picture(gpu: Gpu, folder: Path, name: str) -> np.ndarray:
     """What three passes show in their second frame."""
     analysis = analysed(FOLDER, name)
-    emission = rewrite(analysis, payload(analysis), Options(cache_format="rgba32f"))
+    emission = rewritten(analysis, payload(analysis), configured(form="rgba32f"))
     bundle = Bundle(emission.manifest, emission.files)
     with RenderScene(gpu, scene_of(folder, name, analysis), (48, 48), "rgba32f") as world:
-        return render_variant(world, bundle, "3-pass", range(2), RunOptions(1))[1]
+        return render_variant(world, bundle, "3-pass", range(2), period=1)[1]
 
 
 @pytest.fixture(scope="module")
@@ -162,6 +161,6 @@ def test_an_array_over_the_vertices_takes_one_location(name: str) -> None:
             analyse(*sources)
         return
     analysis = analyse(*sources)
-    emission = rewrite(analysis, payload(analysis))
+    emission = rewritten(analysis, payload(analysis))
     assert "pervertex" in emission.files["3-pass.payload.frag"]
     assert "v_t = " not in emission.files["3-pass.payload.vert"]

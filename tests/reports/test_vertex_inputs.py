@@ -13,9 +13,9 @@ import pytest
 from vertex_stages import REPORTS, analysed, names, without_position
 
 from shadercache.analysis.vertex_inputs import Fate, function_fate, variable_fate
-from shadercache.compiler import rewrite
 from shadercache.diagnostics import InputError
 from shadercache.lang.builtins import functions_of, variables_of
+from tests.configured import rewritten
 
 FOLDER = REPORTS / "vertex_inputs"
 EXPECTED = {
@@ -49,7 +49,7 @@ REFUSED = [name for name in names(FOLDER) if "REFUSED" in expected(name)]
 def manifest(name: str) -> dict[str, Any]:
     analysis = analysed(FOLDER, name)
     node = next(node for node in analysis.nodes if node.text == "costly(v_p)")
-    emission = rewrite(analysis, node)
+    emission = rewritten(analysis, node)
     assert not list(without_position(emission))
     return emission.manifest
 

@@ -18,7 +18,7 @@ from vertex_stages import (
 )
 
 from shadercache.analysis.candidates import Candidate
-from shadercache.compiler import Analysis, analyse, rewrite
+from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import InputError
 from shadercache.emit.assemble import Shader
 from shadercache.emit.vertex import VertexEmitter
@@ -31,6 +31,7 @@ from shadercache.source import Source
 from shadercache.valid.validate import validate
 from shadercache.verify.verifier import Verifier
 from tests.cases import cases
+from tests.configured import rewritten
 
 FOLDER = REPORTS / "vertex_position"
 PAYLOAD = "costly(v_p)"
@@ -54,7 +55,7 @@ def payload(analysis: Analysis) -> Candidate:
 @pytest.mark.parametrize("name", NAMES)
 def test_every_program_computes_the_last_position(name: str) -> None:
     analysis = analysed(FOLDER, name)
-    emission = rewrite(analysis, payload(analysis))
+    emission = rewritten(analysis, payload(analysis))
     assert not list(without_position(emission))
     looks = emission.files["2-pass.hit.vert"]
     assert re.search(r"\w+_vertex_previous\(\);", looks)
@@ -106,7 +107,7 @@ def test_no_case_is_without_the_last_position() -> None:
     for analysis in shaders:
         node = next((node for node in analysis.nodes if node.offered), None)
         if node is not None:
-            assert not list(without_position(rewrite(analysis, node)))
+            assert not list(without_position(rewritten(analysis, node)))
             told += 1
     assert told > 40
 

@@ -23,7 +23,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from shadercache.gpu.context import open_context
-from shadercache.measure.result_files import SCHEMA_VERSION, environment, machine_name, write_json
+from shadercache.measure.result_files import environment, machine_name, write_json
 from tests.generated.many import Record, batches, try_many
 from tests.generated.rules import MOST, RULES, shaders_until
 from tests.generated.suite import Coverage
@@ -118,7 +118,7 @@ def _keep(total: Coverage, options: argparse.Namespace) -> None:
     with open_context() as gpu:
         about = environment(gpu)
     folder = options.results or ROOT / "bench" / "results" / machine_name(about)
-    head = {"schema_version": SCHEMA_VERSION, "environment": about, "seed": options.seed}
+    head = {"schema_version": 1, "environment": about, "seed": options.seed}
     write_json(folder / "generated.json", head | total.to_json())
 
 

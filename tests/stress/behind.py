@@ -6,13 +6,14 @@ from dataclasses import replace
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.ast.nodes import BlockDecl, Module, Qualifiers, StructDef, VarDecl
-from shadercache.compiler import Analysis, analyse, rewrite
+from shadercache.caching.configuration import Configuration
+from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import InputError
 from shadercache.emit.printer import print_module, print_node
 from shadercache.front.read_options import ReadOptions
-from shadercache.options import Options
 from shadercache.source import Source
 from shadercache.valid.read import read
+from tests.configured import configured, rewritten
 
 
 def compile_behind(fragment: Source, module: Module, options: ReadOptions) -> str:
@@ -28,17 +29,17 @@ def compile_behind(fragment: Source, module: Module, options: ReadOptions) -> st
     fit = [node for node in analysis.nodes if node.offered or _merely_cheap(node)]
     if not fit:
         return ""
-    first = _rewrite(analysis, fit[0], Options("plain"))
-    return first or _rewrite(analysis, fit[-1], Options("proof"))
+    first = _rewrite(analysis, fit[0], configured(mode="plain"))
+    return first or _rewrite(analysis, fit[-1], configured(mode="proof"))
 
 
 def _merely_cheap(node: Candidate) -> bool:
     return node.refusal is not None and node.refusal.unprofitable
 
 
-def _rewrite(analysis: Analysis, node: Candidate, options: Options) -> str:
+def _rewrite(analysis: Analysis, node: Candidate, options: Configuration) -> str:
     try:
-        files = rewrite(analysis, node, options, unprofitable=True).files
+        files = rewritten(analysis, node, options, unprofitable=True).files
     except InputError:
         return ""
     for name, text in files.items():

@@ -6,12 +6,13 @@ import pytest
 
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
-from shadercache.compiler import analyse, rewrite
+from shadercache.compiler import analyse
 from shadercache.emit.printer import print_node
 from shadercache.front.parse import parse
 from shadercache.source import Source
 from shadercache.transform.expand_compound_assignments import contract, spell_out
 from shadercache.valid.validate import validate
+from tests.configured import rewritten
 from tests.shaders import analysed, find, fragment
 
 DECLARATIONS = """
@@ -105,9 +106,9 @@ def test_partial_sums_are_nodes() -> None:
     same = find(analysis, "wave(v_position.x) + wave(v_position.y)")
     assert analysis.groups[first] is analysis.groups[same]
     assert analysis.groups[second] is not analysis.groups[same]
-    shade = rewrite(analysis, second, algorithms=(3,)).files["3-pass.shade.frag"]
+    shade = rewritten(analysis, second, algorithms=("3-pass",)).files["3-pass.shade.frag"]
     assert "c = sc_payload;" in shade and "wave(v_position.z)" not in shade
-    payload = rewrite(analysis, second, algorithms=(3,)).files["3-pass.payload.frag"]
+    payload = rewritten(analysis, second, algorithms=("3-pass",)).files["3-pass.payload.frag"]
     assert "c += wave(v_position.y);" in payload, "what is not cut out reads as it was written"
 
 
@@ -150,7 +151,7 @@ def test_a_precision_is_that_of_the_operands() -> None:
     declared = [
         next(
             line.strip()
-            for line in rewrite(analysis, node).files["3-pass.shade.frag"].splitlines()
+            for line in rewritten(analysis, node).files["3-pass.shade.frag"].splitlines()
             if "sc_payload;" in line and "float" in line
         )
         for node in sums

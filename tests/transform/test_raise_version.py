@@ -6,7 +6,7 @@ import pytest
 from verify_tree import verify_module
 
 from shadercache.ast.walk import walk
-from shadercache.compiler import Analysis, analyse, rewrite
+from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.emit.printer import print_module
 from shadercache.front.parse import parse
@@ -16,6 +16,7 @@ from shadercache.source import Source
 from shadercache.transform.legacy_calls import modern_name
 from shadercache.transform.raise_version import Raised, StageTree, raise_versions
 from shadercache.valid.validate import validate
+from tests.configured import rewritten
 
 EXTERNAL = (
     "#version 100\n#extension GL_OES_EGL_image_external : require\nprecision mediump float;\n"
@@ -265,7 +266,7 @@ def test_the_manifest_says_what_is_renamed() -> None:
         "varying vec3 n;\nvoid main() { n = gl_Normal; gl_Position = ftransform(); }",
     )
     node = next(item for item in analysis.nodes if item.offered)
-    manifest = rewrite(analysis, node).manifest
+    manifest = rewritten(analysis, node).manifest
     assert manifest["renamed"] == {
         "gl_FragColor": "legacy_FragColor",
         "gl_Normal": "legacy_Normal",

@@ -6,13 +6,13 @@ import re
 
 import pytest
 
-from shadercache.compiler import Analysis, analyse, emit_original, rewrite
+from shadercache.compiler import Analysis, analyse, emit_original
 from shadercache.diagnostics import InputError, UsageError
 from shadercache.front.read_options import ReadOptions
-from shadercache.options import Options
 from shadercache.source import Source
 from shadercache.transform.unroll import MAX_TRIPS
 from tests.cases.cases import sources
+from tests.configured import configured, rewritten
 from tests.shaders import VERTEX, analysed, find, fragment
 
 WAVE = "float wave(float x) { return sin(x) * cos(x + 1.0) * sin(x * 2.0); }\n"
@@ -121,7 +121,8 @@ def test_too_many_trips_together_leave_the_inner_loop() -> None:
     ]
     assert find(analysis, "a").path.startswith("main")
     assert (
-        rewrite(analysis, find(analysis, "vec4(a)")).files["2-pass.miss.frag"].count("for (") == 10
+        rewritten(analysis, find(analysis, "vec4(a)")).files["2-pass.miss.frag"].count("for (")
+        == 10
     )
 
 
@@ -185,7 +186,7 @@ def test_24_of_25_samples() -> None:
     assert len(sums) == 25 and all(node.offered for node in sums)
     assert sums[23].path == "main [y=2, x=1]"
     assert sums[23].ratio == pytest.approx(24 / 25, abs=0.03)
-    shade = rewrite(analysis, sums[23], algorithms=(3,)).files["3-pass.shade.frag"]
+    shade = rewritten(analysis, sums[23], algorithms=("3-pass",)).files["3-pass.shade.frag"]
     assert shade.count("sampled(float(") == 1 and "for (" not in shade
 
 
@@ -196,7 +197,7 @@ def test_the_reference_is_the_shader_as_it_was() -> None:
         text = emit_original(analysis, mode).files["original.frag"]
         assert text.count("for (") == 1
         assert ("gl_FragCoord" in text) == (mode == "proof")
-    variants = rewrite(analysis, find(analysis, "vec4(a)"), Options("proof")).files
+    variants = rewritten(analysis, find(analysis, "vec4(a)"), configured(mode="proof")).files
     hidden = variants["2-pass.miss.frag"]
     assert "for (" not in hidden
     assert "int i = 0;" in hidden
@@ -221,6 +222,8 @@ def test_counters_keep_their_precision() -> None:
     void main() { v_position = a; gl_Position = vec4(a, 1.0); }
     """
     analysis = analyse(Source("es.frag", text), Source("es.vert", vertex), ReadOptions(unroll=True))
-    shade = rewrite(analysis, find(analysis, "vec4(a)"), algorithms=(2,)).files["2-pass.miss.frag"]
+    shade = rewritten(analysis, find(analysis, "vec4(a)"), algorithms=("2-pass",)).files[
+        "2-pass.miss.frag"
+    ]
     lines = [line.strip() for line in shade.splitlines()]
     assert "float t = 0.5;" in lines and "lowp int i = 0;" in lines

@@ -28,15 +28,16 @@ from laws.ground_truth import (
 )
 from numpy.typing import NDArray
 
-from shadercache.compiler import analyse, rewrite
-from shadercache.options import Options, read_cache_options
+from shadercache.caching.settings import with_settings
+from shadercache.compiler import analyse
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import OriginalRunner, RunOptions, VariantRunner
+from shadercache.render.variant_runner import OriginalRunner, VariantRunner
 from shadercache.scene.camera import camera_at, semantic_values
 from shadercache.scene.description import Camera, CameraPath, Key, Motion, Scene, SceneObject
 from shadercache.scene.mesh import Mesh
 from shadercache.source import Source
+from tests.configured import DEFAULT, configured, rewritten, variant
 
 Vector = tuple[float, float, float]
 BLOCK = 4
@@ -57,8 +58,8 @@ def bundle_of(what: str, cached: str = "") -> Bundle:
     text = FRAGMENT.replace("WHAT", what)
     analysis = analyse(Source("truth.frag", text), Source("truth.vert", VERTEX))
     node = next(node for node in analysis.nodes if node.text == f"{what} * 1.0")
-    options = Options(cache_format="rgba32f", cache=read_cache_options([cached] if cached else []))
-    emission = rewrite(analysis, node, options, unprofitable=True)
+    options = configured(with_settings(DEFAULT, [cached] if cached else []), form="rgba32f")
+    emission = rewritten(analysis, node, options, unprofitable=True)
     return Bundle(emission.manifest, emission.files)
 
 
@@ -255,10 +256,10 @@ def judge(
     world: RenderScene, frames: Sequence[int], cached: str = "", period: int = 65535
 ) -> Iterator[tuple[int, Record]]:
     """Frame by frame what that frame's look-ups bring, each from the truth of the frame before."""
-    options = RunOptions(period, BLOCK)
+    options = {"period": period, "block": BLOCK}
     with (
-        VariantRunner(world, bundle_of("v_position", cached), "2-pass", options) as points,
-        VariantRunner(world, bundle_of("v_body", cached), "2-pass", options) as bodies,
+        variant(world, bundle_of("v_position", cached), "2-pass", **options) as points,
+        variant(world, bundle_of("v_body", cached), "2-pass", **options) as bodies,
     ):
         before = truth_of(world, frames[0])
         fill(points, before, "v_position", frames[0])

@@ -15,16 +15,11 @@ from pathlib import Path
 
 import numpy as np
 
+from shadercache.caching.configuration import DEFAULT_EPSILON, CacheFormat, DepthKind, ToleranceKind
 from shadercache.emit.layout import precision_of
 from shadercache.emit.runtime import INTERPOLATION
 from shadercache.gpu.context import Gpu, open_context
-from shadercache.options import (
-    DEFAULT_EPSILON,
-    CacheFormat,
-    CacheOptions,
-    DepthKind,
-    ToleranceKind,
-)
+from tests.configured import configured
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))  # as pytest has it
 
@@ -77,7 +72,7 @@ def told(
     """Ask at so many depths from near to far; ``apart`` counts separations of false hits."""
     near, far = planes
     numbers = {"unit": 2.0 * near * far / (far - near)}
-    cached = CacheOptions(
+    cached = configured(
         refresh="none", filter="bilinear", depth=depth, tolerance=tolerance, fallback=depth != "ndc"
     )
     made = plane(gpu, cached, form, numbers=numbers)

@@ -18,11 +18,12 @@ import numpy as np
 from numpy.typing import NDArray
 from runner.independent_runner import IndependentRunner
 
-from shadercache.compiler import analyse, rewrite
+from shadercache.caching.configuration import CacheFormat, Configuration
+from shadercache.compiler import analyse
 from shadercache.gpu.context import Gpu
 from shadercache.measure.result_files import write_json
-from shadercache.options import CacheFormat, CacheOptions, Options
 from shadercache.source import Source
+from tests.configured import configured, rewritten
 
 SIZE = 64
 """Edge of the picture in pixels."""
@@ -99,12 +100,12 @@ class Plane:
 
 @cache
 def _runner(
-    gpu: Gpu, cached: CacheOptions, form: CacheFormat, algorithm: str, fragment: str, payload: str
+    gpu: Gpu, cached: Configuration, form: CacheFormat, algorithm: str, fragment: str, payload: str
 ) -> IndependentRunner:
     analysis = analyse(Source("plane.frag", fragment), Source("plane.vert", VERTEX))
     node = next(node for node in analysis.nodes if node.text == payload)
-    options = Options(cache_format=form, cache=cached)
-    emission = rewrite(analysis, node, options, unprofitable=True)
+    options = configured(cached, form=form)
+    emission = rewritten(analysis, node, options, unprofitable=True)
     corners = np.array([[-3.0, -3.0], [9.0, -3.0], [-3.0, 9.0]])
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -117,7 +118,7 @@ def _runner(
 
 def plane(
     gpu: Gpu,
-    cached: CacheOptions,
+    cached: Configuration,
     form: CacheFormat = "rgba32f",
     algorithm: str = "2-pass",
     numbers: Mapping[str, float] | None = None,

@@ -10,16 +10,17 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from shadercache.compiler import emit_original, rewrite
+from shadercache.caching.configuration import Configuration, Mode
+from shadercache.compiler import emit_original
 from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import analyse_scene
-from shadercache.options import DEFAULT_CACHE, CacheOptions, Mode, Options
 from shadercache.paths import data_path
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
 from shadercache.render.variant_runner import CoverageRunner, OriginalRunner
 from shadercache.scene.description import Scene, load_scene
 from shadercache.scene.mesh import Mesh, scene_mesh
+from tests.configured import DEFAULT, configured, rewritten
 
 ALGORITHMS = ("1-pass", "2-pass", "3-pass")
 
@@ -45,14 +46,16 @@ class Subject:
 
 @cache
 def programs(
-    name: str, cache: CacheOptions = DEFAULT_CACHE, mode: Mode = "proof", which: int = -1
+    name: str, cache: Configuration = DEFAULT, mode: Mode = "proof", which: int = -1
 ) -> tuple[Scene, Bundle, Bundle]:
     """A corpus scene, the variants of a node of its demo in RGBA32F, and its original."""
     scene, analysis = analyse_scene(load_scene(data_path("corpus", name)))
     assert scene.demo is not None
     label = scene.demo.nodes[which]
     node = analysis.nodes_of(scene.nodes.get(label, label))
-    found = rewrite(analysis, node, Options(mode, "rgba32f", cache=cache), unprofitable=True)
+    found = rewritten(
+        analysis, node, configured(cache, mode=mode, form="rgba32f"), unprofitable=True
+    )
     plain = emit_original(analysis, mode)
     return scene, Bundle(found.manifest, found.files), Bundle(plain.manifest, plain.files)
 
@@ -62,7 +65,7 @@ def subject(
     gpu: Gpu,
     name: str,
     size: tuple[int, int] = (96, 96),
-    cache: CacheOptions = DEFAULT_CACHE,
+    cache: Configuration = DEFAULT,
     which: int = -1,
 ) -> Iterator[Subject]:
     """A corpus scene with a node's variants in proof mode, on float targets."""

@@ -14,7 +14,7 @@ from typing import Any
 
 from shadercache.cli.tables import format_table
 from shadercache.gpu.context import open_context
-from shadercache.measure.result_files import SCHEMA_VERSION, environment, machine_name, write_json
+from shadercache.measure.result_files import environment, machine_name, write_json
 
 from .collector import OUT
 from .criteria import DEEP, stress_number
@@ -52,7 +52,7 @@ def run_numerics(names: Collection[str], deep: bool, results: Path | None) -> in
     print(f"{about['gl']['renderer']}: {len(found)} tests, {time.monotonic() - start:.0f} s")
     if results is not None or (deep and not wanted):
         folder = results or ROOT / "bench" / "results" / machine_name(about)
-        head = {"schema_version": SCHEMA_VERSION, "environment": about}
+        head = {"schema_version": 1, "environment": about}
         form = {"form": "deep" if deep else "short", "tests": found}
         write_json(folder / "stress-numerics.json", head | form)
     return status

@@ -18,15 +18,17 @@ from pathlib import Path
 
 import numpy as np
 
-from shadercache.compiler import Analysis, rewrite
+from shadercache.caching.configuration import CacheFormat, Configuration
+from shadercache.caching.settings import with_settings
+from shadercache.compiler import Analysis
 from shadercache.gpu.context import Gpu, open_context
 from shadercache.linking.scene_shaders import open_scene
-from shadercache.options import CacheFormat, CacheOptions, Options, read_cache_options
 from shadercache.paths import data_path
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import OriginalRunner, RunOptions, VariantRunner
+from shadercache.render.variant_runner import OriginalRunner, VariantRunner
 from shadercache.scene.description import Scene
+from tests.configured import DEFAULT, configured, rewritten, variant
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))  # as pytest has it
 
@@ -67,7 +69,7 @@ class Soundness:
 
 
 def soundness(
-    gpu: Gpu, name: str, degrees: float, form: CacheFormat, options: Sequence[CacheOptions]
+    gpu: Gpu, name: str, degrees: float, form: CacheFormat, options: Sequence[Configuration]
 ) -> list[Soundness]:
     """Each look-up by itself, and runs of period 32 that go on from their own cache."""
     with RenderScene(
@@ -95,15 +97,15 @@ def open_node(name: str) -> tuple[Scene, Analysis, str]:
     return scene, analysis, scene.nodes[SCENES[name]]
 
 
-def bundle(analysis: Analysis, node: str, form: CacheFormat, cached: CacheOptions) -> Bundle:
+def bundle(analysis: Analysis, node: str, form: CacheFormat, cached: Configuration) -> Bundle:
     """The variants of a node."""
     chosen = next(item for item in analysis.nodes if item.id == node)
-    emission = rewrite(analysis, chosen, Options(cache_format=form, cache=cached))
+    emission = rewritten(analysis, chosen, configured(cached, form=form))
     return Bundle(emission.manifest, emission.files)
 
 
 def errors(
-    gpu: Gpu, name: str, form: CacheFormat, options: Sequence[CacheOptions], frames: int = 33
+    gpu: Gpu, name: str, form: CacheFormat, options: Sequence[Configuration], frames: int = 33
 ) -> list[float]:
     """Root of the mean square error beside the original, of the last frames of a run."""
     scene, analysis, node = open_node(name)
@@ -113,7 +115,7 @@ def errors(
             true = {at: original.image(at).copy() for at in range(frames - 8, frames)}
         found: list[float] = []
         for made in bundles:
-            with VariantRunner(world, made, "2-pass", RunOptions(PERIOD, BLOCK)) as runner:
+            with variant(world, made, "2-pass", period=PERIOD, block=BLOCK) as runner:
                 squares = []
                 for at in range(frames):
                     image = runner.image(at)
@@ -127,7 +129,7 @@ def seconds(
     gpu: Gpu,
     name: str,
     form: CacheFormat,
-    options: Sequence[CacheOptions],
+    options: Sequence[Configuration],
     algorithm: str = "2-pass",
     size: int = 512,
     frames: int = 40,
@@ -138,11 +140,12 @@ def seconds(
         world = stack.enter_context(RenderScene(gpu, scene, (size, size)))
         runners = [
             stack.enter_context(
-                VariantRunner(
+                variant(
                     world,
                     bundle(analysis, node, form, cached),
                     algorithm,
-                    RunOptions(PERIOD, BLOCK),
+                    period=PERIOD,
+                    block=BLOCK,
                 )
             )
             for cached in options
@@ -163,7 +166,7 @@ def _timed(gpu: Gpu, runner: VariantRunner, frame: int) -> float:
 def lines(gpu: Gpu, table: str, form: CacheFormat, scenes: Sequence[str]) -> Iterator[str]:
     """The rows of a table, in Markdown."""
     words = ROWS[table]
-    options = [read_cache_options([text]) for text in words]
+    options = [with_settings(DEFAULT, [text]) for text in words]
     yield "| scene | options | hits | stale | hits, 32 | stale, 32 | RMSE | time, 2 | time, 3 |"
     yield "|---|---|---|---|---|---|---|---|---|"
     for name in scenes:

@@ -7,12 +7,13 @@ from contextlib import closing
 import numpy as np
 import pytest
 
+from shadercache.caching.settings import with_settings
 from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import analyse_scene
-from shadercache.options import read_cache_options
 from shadercache.paths import data_path
 from shadercache.scene.description import load_scene
 from shadercache.verify.verifier import PERIOD, Verifier
+from tests.configured import DEFAULT
 
 from .criteria import Criteria
 
@@ -58,7 +59,7 @@ def test_always_refreshed_is_the_original(gpu: Gpu, stress: Criteria, settings: 
         pytest.skip("not in the short form")
     if "surface" in settings and not draws_primitive_ids(gpu):
         pytest.skip("the driver draws nothing where a shader reads gl_PrimitiveID")
-    cache = read_cache_options([settings] if settings else [])
+    cache = with_settings(DEFAULT, [settings] if settings else [])
     scenes = ("dragon", "trashcan") if stress.deep else ("trashcan",)
     checked, broken = 0, []
     oldest: dict[str, float] = {}
@@ -66,7 +67,7 @@ def test_always_refreshed_is_the_original(gpu: Gpu, stress: Criteria, settings: 
         scene, analysis = analyse_scene(load_scene(data_path("corpus", name)))
         nodes = [node for node in analysis.nodes if node.offered]
         few = nodes[:: max(1, len(nodes) // (24 if stress.deep else 1))]
-        with closing(Verifier(gpu, scene, analysis, (64, 64), cache=cache)) as verifier:
+        with closing(Verifier(gpu, scene, analysis, (64, 64), configuration=cache)) as verifier:
             for node in few:
                 verdict = verifier.check(node, plain=False)
                 checked += 1

@@ -12,8 +12,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from shadercache.caching.configuration import FilterKind
 from shadercache.gpu.context import Gpu
-from shadercache.options import CacheOptions, FilterKind
+from tests.configured import configured
 
 from .criteria import Criteria
 from .plane import SIZE, plane
@@ -31,7 +32,7 @@ START = (20, 20)
 
 def impulses(gpu: Gpu, kind: FilterKind, pan: tuple[float, float]) -> list[NDArray[np.float64]]:
     """What is left of an impulse at ``START`` after each number of frames, (h, w)."""
-    made = plane(gpu, CacheOptions(refresh="none", filter=kind))
+    made = plane(gpu, configured(refresh="none", filter=kind))
     made.draw(0, u_value=(0.0, 0.0, 0.0))
     texels = made.cached().copy()
     texels[START[1], START[0], :3] = 1.0

@@ -6,8 +6,8 @@ import os
 
 import pytest
 
+from shadercache.caching.configuration import CacheFormat, DepthKind
 from shadercache.gpu.context import Gpu
-from shadercache.options import CacheFormat, DepthKind
 
 from .criteria import Criteria
 from .depths import DEPTHS, FORMATS, RANGES, told

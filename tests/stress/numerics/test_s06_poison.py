@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from shadercache.caching.configuration import CacheFormat, FilterKind
 from shadercache.gpu.context import Gpu
-from shadercache.options import CacheFormat, CacheOptions, FilterKind
+from tests.configured import configured
 
 from .criteria import Criteria
 from .plane import SIZE, Plane, plane
@@ -58,7 +59,7 @@ def read_back(poison: float, form: CacheFormat, algorithm: str) -> np.float32:
 def test_none_is_reusable_and_the_pixel_is_right(
     gpu: Gpu, stress: Criteria, form: CacheFormat, algorithm: str
 ) -> None:
-    made = plane(gpu, CacheOptions(guard="miss"), form, algorithm)
+    made = plane(gpu, configured(guard="miss"), form, algorithm)
     at = SIZE // 2
     most, least = LIMITS[form]
     bad = 0
@@ -89,7 +90,7 @@ def test_none_is_reusable_and_the_pixel_is_right(
 @pytest.mark.parametrize("algorithm", ["1-pass", "2-pass", "3-pass"])
 def test_it_is_gone_one_frame_later(gpu: Gpu, algorithm: str, kind: FilterKind) -> None:
     """Although every filter reads across the spot."""
-    cached = CacheOptions(guard="miss", filter=kind, refresh="none")
+    cached = configured(guard="miss", filter=kind, refresh="none")
     made = plane(gpu, cached, "rgba16f", algorithm)
     for poison in (np.nan, np.inf, 65505.0):
         made.runner.reset()
@@ -103,7 +104,7 @@ def test_it_is_gone_one_frame_later(gpu: Gpu, algorithm: str, kind: FilterKind) 
 
 def test_without_a_guard_it_spreads(gpu: Gpu) -> None:
     """What the others say would mean nothing else."""
-    made = plane(gpu, CacheOptions(guard="off", refresh="none"))
+    made = plane(gpu, configured(guard="off", refresh="none"))
     made.draw(0, u_value=CLEAN, u_spot=SPOT, u_spike=(np.nan, np.nan, np.nan))
     image = made.draw(1, u_spot=(1e3, 1e3), u_pan=(0.4, 0.3))
     assert not np.isfinite(image).all()
@@ -113,7 +114,7 @@ def test_without_a_guard_it_spreads(gpu: Gpu) -> None:
 @pytest.mark.parametrize("form", ["rgba16f", "rgba32f"])
 def test_a_clamped_cache_is_read_as_finite(gpu: Gpu, form: CacheFormat, algorithm: str) -> None:
     """In the frame itself the pixel is right; the next one reuses what comes nearest."""
-    cached = CacheOptions(guard="clamp", refresh="none")
+    cached = configured(guard="clamp", refresh="none")
     made = plane(gpu, cached, form, algorithm)
     at = SIZE // 2
     for name, poison in POISONS.items():
@@ -137,7 +138,7 @@ def test_a_clamped_cache_is_read_as_finite(gpu: Gpu, form: CacheFormat, algorith
 def test_what_a_filter_makes_is_kept_alike(gpu: Gpu, algorithm: str) -> None:
     """Between a number above zero and one below a filter finds smaller ones than either: they are
     no poison in any algorithm."""
-    made = plane(gpu, CacheOptions(refresh="none"), "rgba32f", algorithm, {"least": 0.2})
+    made = plane(gpu, configured(refresh="none"), "rgba32f", algorithm, {"least": 0.2})
     made.draw(0, u_value=(0.25, 0.5, 0.75), u_spot=SPOT, u_spike=(-0.25, 0.5, 0.75), u_pan=(0, 0))
     made.draw(1, u_spot=(1e3, 1e3), u_pan=(0.4, 0.3))
     kept = made.cached().reshape(-1, 4)

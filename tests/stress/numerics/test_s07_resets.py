@@ -8,13 +8,14 @@ from functools import partial
 import numpy as np
 import pytest
 
+from shadercache.caching.configuration import Configuration
 from shadercache.gpu.clock import pick_clock
 from shadercache.gpu.context import Gpu
-from shadercache.options import CacheOptions
 from shadercache.render.cut_detector import REASONS, ResetReason
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import OriginalRunner, RunOptions, VariantRunner
+from shadercache.render.variant_runner import OriginalRunner, VariantRunner
 from shadercache.scene.motion import CameraPath, Key
+from tests.configured import configured, variant
 
 from .criteria import Criteria
 from .subjects import ALGORITHMS, Subject, changed, programs, subject
@@ -44,17 +45,17 @@ def disturbed(runner: VariantRunner, made: Subject, reason: ResetReason) -> int:
 
 
 LOST: tuple[ResetReason, ...] = ("cut", "projection change", "lost context")
-OPTIONS = {"plain": CacheOptions(), "age": CacheOptions(age=True)}
+OPTIONS = {"plain": Configuration(), "age": configured(age=True)}
 
 
 @pytest.mark.parametrize("reason", LOST)
 @pytest.mark.parametrize("algorithm", ALGORITHMS)
 @pytest.mark.parametrize("options", OPTIONS.values(), ids=OPTIONS)
 def test_the_frame_after_a_reset_is_the_original(
-    gpu: Gpu, stress: Criteria, algorithm: str, reason: ResetReason, options: CacheOptions
+    gpu: Gpu, stress: Criteria, algorithm: str, reason: ResetReason, options: Configuration
 ) -> None:
     with subject(gpu, "trashcan", cache=options) as made:
-        with VariantRunner(made.world, made.bundle, algorithm, RunOptions(32)) as runner:
+        with variant(made.world, made.bundle, algorithm, period=32) as runner:
             for frame in range(4):
                 runner.draw(frame)
             frame = disturbed(runner, made, reason)
@@ -77,7 +78,7 @@ def test_what_is_new_begins_with_a_reset(gpu: Gpu, stress: Criteria, algorithm: 
         with RenderScene(gpu, scene, size, "rgba32f") as world:
             made = Subject(world, bundle, plain)
             for variants in (bundle, reloaded):
-                with VariantRunner(world, variants, algorithm, RunOptions(32)) as runner:
+                with variant(world, variants, algorithm, period=32) as runner:
                     image = runner.image(5)
                     runner.draw(6)
                     assert runner.resets == ["first frame"]
@@ -88,7 +89,7 @@ def test_what_is_new_begins_with_a_reset(gpu: Gpu, stress: Criteria, algorithm: 
 def test_resets_draw_only_passes_that_compute(gpu: Gpu) -> None:
     with subject(gpu, "trashcan") as made:
         for algorithm, idle in (("2-pass", "hit"), ("3-pass", "reuse")):
-            with VariantRunner(made.world, made.bundle, algorithm, RunOptions(32)) as runner:
+            with variant(made.world, made.bundle, algorithm, period=32) as runner:
                 runner.draw(0)
                 assert runner.work(1)[idle] > 0
                 runner.reset("cut")
@@ -100,14 +101,14 @@ def test_resets_draw_only_passes_that_compute(gpu: Gpu) -> None:
 @pytest.mark.parametrize("options", OPTIONS.values(), ids=OPTIONS)
 @pytest.mark.parametrize("algorithm", ["1-pass", "3-pass"])
 def test_the_pass_of_two_that_computes_stands_for_a_reset(
-    gpu: Gpu, algorithm: str, options: CacheOptions
+    gpu: Gpu, algorithm: str, options: Configuration
 ) -> None:
     """Image and cache are those of the algorithm's own reset, and of the frame that follows."""
     seen: list[list[np.ndarray[tuple[int, ...], np.dtype[np.float32]]]] = []
     with subject(gpu, "trashcan", cache=options) as made:
         for short in (False, True):
-            how = RunOptions(32, short_reset=short)
-            with VariantRunner(made.world, made.bundle, algorithm, how) as runner:
+            how = {"period": 32, "short_reset": short}
+            with variant(made.world, made.bundle, algorithm, **how) as runner:
                 images = []
                 for frame in (3, 4):
                     images += [runner.image(frame).copy(), runner.cache().copy()]
@@ -120,8 +121,8 @@ def test_the_pass_of_two_that_computes_stands_for_a_reset(
 def test_a_short_reset_draws_one_program(gpu: Gpu) -> None:
     with subject(gpu, "trashcan") as made:
         for algorithm in ALGORITHMS:
-            how = RunOptions(32, short_reset=True)
-            with VariantRunner(made.world, made.bundle, algorithm, how) as runner:
+            how = {"period": 32, "short_reset": True}
+            with variant(made.world, made.bundle, algorithm, **how) as runner:
                 drawn = [bound.name for role in runner._roles for bound in role.due]
                 assert drawn == ["miss"]
 
@@ -137,7 +138,7 @@ def test_what_a_reset_costs(gpu: Gpu, stress: Criteria, scene: str, algorithm: s
     ratios = []
     with (
         RenderScene(gpu, found, size) as world,
-        VariantRunner(world, bundle, algorithm, RunOptions(32, short_reset=True)) as runner,
+        variant(world, bundle, algorithm, period=32, short_reset=True) as runner,
         OriginalRunner(world, plain) as original,
     ):
         for frame in range(frames):
@@ -160,7 +161,7 @@ def test_a_cut_that_was_not_told_is_noticed(gpu: Gpu, stress: Criteria, degrees:
         turning = dataclasses.replace(scene.motion, degrees_per_frame=degrees)
         made.world.drawables[0].scene = dataclasses.replace(scene, motion=turning)
         jump = round(160.0 / degrees)
-        with VariantRunner(made.world, made.bundle, "2-pass", RunOptions(32)) as runner:
+        with variant(made.world, made.bundle, "2-pass", period=32) as runner:
             hits = runner.bundle.mask_values["hit"]
             for frame in [*range(12), *range(jump, jump + 12)]:
                 if frame not in (0,):
@@ -181,7 +182,7 @@ def test_every_reason_is_one(gpu: Gpu) -> None:
     assert len(REASONS) == 6
     with (
         subject(gpu, "trashcan", (32, 32)) as made,
-        VariantRunner(made.world, made.bundle, "2-pass") as runner,
+        variant(made.world, made.bundle, "2-pass") as runner,
     ):
         for reason in REASONS:
             runner.reset(reason)
@@ -197,7 +198,7 @@ def test_a_cut_that_the_scene_tells_is_no_suspicion(gpu: Gpu) -> None:
         path = CameraPath(keys=(here, dataclasses.replace(here, frame=3), there))
         made.world.scene = dataclasses.replace(scene, camera_path=path)
         made.world.drawables[0].scene = dataclasses.replace(scene, camera_path=path)
-        with VariantRunner(made.world, made.bundle, "2-pass", RunOptions(32)) as runner:
+        with variant(made.world, made.bundle, "2-pass", period=32) as runner:
             hits = runner.bundle.mask_values["hit"]
             for frame in range(7):
                 mask = runner.hit_mask(frame)

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from shadercache.caching.configuration import FilterKind
 from shadercache.gpu.context import Gpu
-from shadercache.options import CacheOptions, FilterKind
+from tests.configured import configured
 
 from .plane import SIZE, Plane, plane
 
@@ -30,14 +31,14 @@ def reused(made: Plane, **before: object) -> np.ndarray:
 @pytest.mark.parametrize("kind", FILTERS)
 def test_what_was_behind_the_camera_misses(gpu: Gpu, kind: FilterKind) -> None:
     for w in (0.0, -4.0, -1e-30, 1e-30, 1e30, np.inf, -np.inf, np.nan):
-        made = plane(gpu, CacheOptions(filter=kind, refresh="none"))
+        made = plane(gpu, configured(filter=kind, refresh="none"))
         assert not reused(made, u_plane=(0.0, 0.0, w)).any(), w
 
 
 @pytest.mark.parametrize("kind", FILTERS)
 def test_a_plane_through_the_camera_misses_behind_it(gpu: Gpu, kind: FilterKind) -> None:
     """Its 1/w runs through infinity to the other sign across the picture."""
-    made = plane(gpu, CacheOptions(filter=kind, refresh="none"))
+    made = plane(gpu, configured(filter=kind, refresh="none"))
     assert not reused(made, u_plane=(4.0, 0.0, 0.0))[:, : SIZE // 2].any()
 
 
@@ -45,7 +46,7 @@ def test_a_plane_through_the_camera_misses_behind_it(gpu: Gpu, kind: FilterKind)
 def test_the_edge_of_the_picture_is_sharp(gpu: Gpu, kind: FilterKind) -> None:
     """A texel's centre is the last place that was seen: uv of exactly 0 or 1 misses."""
     for pixels in (-0.5, 0.0, 0.5, 1.0):
-        made = plane(gpu, CacheOptions(filter=kind, refresh="none"))
+        made = plane(gpu, configured(filter=kind, refresh="none"))
         found = reused(made, u_pan=(-pixels, 0.0))
         at = np.arange(SIZE) - pixels
         expected = (at >= 0.0) & (at <= SIZE - 1)
@@ -53,4 +54,4 @@ def test_the_edge_of_the_picture_is_sharp(gpu: Gpu, kind: FilterKind) -> None:
 
 
 def test_at_rest_everything_is_reused(gpu: Gpu) -> None:
-    assert reused(plane(gpu, CacheOptions(refresh="none"))).all()
+    assert reused(plane(gpu, configured(refresh="none"))).all()

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from bench.pan import ages, pan
+from shadercache.caching.configuration import RefreshSchedule
 from shadercache.gpu.context import Gpu
-from shadercache.options import CacheOptions, RefreshSchedule
-from shadercache.render.variant_runner import RunOptions
+from tests.configured import configured
 
 from .criteria import Criteria
 
@@ -34,8 +34,9 @@ def test_each_frame_refreshes_its_share(
     for size in sizes:
         for period in (4, 7, 16, 32, 64):
             block = 4
-            how = RunOptions(period=period, block=block)
-            with pan(gpu, (0.0, 0.0), CacheOptions(refresh=schedule), how, size) as runner:
+            with pan(
+                gpu, (0.0, 0.0), configured(refresh=schedule, period=period, block=block), size
+            ) as runner:
                 refresh = runner.bundle.mask_values["refresh"]
                 runner.draw(0)
                 due = np.stack([runner.hit_mask(clock) == refresh for clock in range(period)])
@@ -56,8 +57,7 @@ def test_ages_are_bounded_with_the_guard(gpu: Gpu, stress: Criteria, period: int
     """Law 7, by a payload that is the number of the frame in which it was computed."""
     shares = []
     for velocity in VELOCITIES:
-        how = RunOptions(period=period)
-        with pan(gpu, velocity, CacheOptions(age=True), how, (96, 96)) as runner:
+        with pan(gpu, velocity, configured(age=True, period=period), (96, 96)) as runner:
             found = ages(runner, 40 * period if stress.deep else 2 * period)
         shares.append(np.mean(found.refreshed) * period / (1.0 - found.missed))
         # Frame numbers are blended in 32-bit floats, which adds up to some 1e-4 frames.
@@ -71,8 +71,7 @@ def test_ages_are_bounded_with_the_guard(gpu: Gpu, stress: Criteria, period: int
 def test_a_reset_is_no_burst_a_period_later(gpu: Gpu, stress: Criteria) -> None:
     period = 32
     for velocity in ((0.0, 0.0), (0.5, 0.2), (1.0, 0.0)):
-        how = RunOptions(period=period)
-        with pan(gpu, velocity, CacheOptions(age=True), how, (96, 96)) as runner:
+        with pan(gpu, velocity, configured(age=True, period=period), (96, 96)) as runner:
             found = ages(runner, 3 * period, warm=1)
         share = max(found.refreshed) * period
         stress.at_most(f"worst frame at {velocity}, of a period's share", share, 2.5)
@@ -83,8 +82,7 @@ def test_ages_without_the_guard(gpu: Gpu, stress: Criteria, schedule: RefreshSch
     """Nothing is promised but that refreshing happens: the distribution is told."""
     period = 16
     for velocity in VELOCITIES:
-        how = RunOptions(period=period)
-        with pan(gpu, velocity, CacheOptions(refresh=schedule), how, (96, 96)) as runner:
+        with pan(gpu, velocity, configured(refresh=schedule, period=period), (96, 96)) as runner:
             found = ages(runner, 40 * period if stress.deep else 2 * period)
         told = f"mean {found.mean:.1f}, oldest {found.worst:.0f}, {found.over:.1%} over the period"
         stress.tell(f"ages at {velocity} pixels a frame, period {period}", told)
@@ -94,5 +92,5 @@ def test_ages_without_the_guard(gpu: Gpu, stress: Criteria, schedule: RefreshSch
 
 def test_the_guard_bounds_what_would_grow_old(gpu: Gpu) -> None:
     """The test above could not fail if nothing ever grew older than the period."""
-    with pan(gpu, (1.0, 0.0), CacheOptions(), RunOptions(period=16), (96, 96)) as runner:
+    with pan(gpu, (1.0, 0.0), configured(period=16), (96, 96)) as runner:
         assert ages(runner, 64).worst > 16

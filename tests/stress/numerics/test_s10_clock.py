@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from bench.pan import pan
+from shadercache.caching.configuration import RefreshSchedule
 from shadercache.gpu.context import Gpu
-from shadercache.options import CacheOptions, RefreshSchedule
-from shadercache.render.variant_runner import RunOptions
+from tests.configured import configured
 
 from .criteria import Criteria
 
@@ -22,8 +22,9 @@ EDGES = (2**24, 2**31, 2**32)
 def test_no_phase_jumps(gpu: Gpu, stress: Criteria, schedule: RefreshSchedule, period: int) -> None:
     """At rest each pixel is refreshed once in any ``period`` frames in a row, across the edge."""
     wrong = 0
-    how = RunOptions(period=period, moving=False)
-    with pan(gpu, (0.0, 0.0), CacheOptions(refresh=schedule), how, (64, 64)) as runner:
+    with pan(
+        gpu, (0.0, 0.0), configured(refresh=schedule, period=period), (64, 64), False
+    ) as runner:
         refresh = runner.bundle.mask_values["refresh"]
         runner.draw(0)
         for edge in EDGES:
@@ -39,7 +40,7 @@ def test_no_phase_jumps(gpu: Gpu, stress: Criteria, schedule: RefreshSchedule, p
 def test_ages_do_not_know_the_clock(gpu: Gpu, stress: Criteria) -> None:
     """A run across 2^32 with the guard: no age beyond the period."""
     period = 10
-    with pan(gpu, (0.5, 0.2), CacheOptions(age=True), RunOptions(period=period), (64, 64)) as run:
+    with pan(gpu, (0.5, 0.2), configured(age=True, period=period), (64, 64)) as run:
         oldest = 0.0
         for frame in range(2**32 - 20, 2**32 + 20):
             run.draw(frame)

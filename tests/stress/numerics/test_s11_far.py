@@ -10,8 +10,8 @@ from laws.ground_truth import body_mesh, body_scene, bundle_of
 
 from shadercache.gpu.context import Gpu
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import RunOptions, VariantRunner
 from shadercache.scene.description import Scene
+from tests.configured import variant
 
 from .criteria import Criteria
 
@@ -25,7 +25,7 @@ def hit_rate(gpu: Gpu, scene: Scene, frames: int) -> float:
     bundle = bundle_of("v_position", "rgba16f")
     with (
         RenderScene(gpu, scene, (128, 128), mesh=body_mesh("trashcan")) as world,
-        VariantRunner(world, bundle, "2-pass", RunOptions(period=32)) as runner,
+        variant(world, bundle, "2-pass", period=32) as runner,
     ):
         rates = []
         for frame in range(frames):

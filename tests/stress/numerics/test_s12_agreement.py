@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from shadercache.caching.settings import with_settings
 from shadercache.gpu.context import Gpu
-from shadercache.options import read_cache_options
-from shadercache.render.variant_runner import RunOptions, VariantRunner
+from tests.configured import DEFAULT, variant
 
 from .criteria import Criteria
 from .subjects import ALGORITHMS, changed, subject
@@ -21,12 +21,12 @@ SETTINGS = ("", "filter=mitchell", "filter=bilinear,fallback", "age=on", "ids=on
 def test_from_the_same_cache(gpu: Gpu, stress: Criteria, scene: str, settings: str) -> None:
     if not stress.deep and (scene, settings) not in (("dragon", ""), ("trashcan", "age=on")):
         pytest.skip("not in the short form")
-    cache = read_cache_options([settings] if settings else [])
-    how = RunOptions(period=4)
+    cache = with_settings(DEFAULT, [settings] if settings else [])
+    how = {"period": 4}
     frames = 12 if stress.deep else 3
     differing = hits = 0
     with subject(gpu, scene, (96, 96), cache=cache) as made:
-        with VariantRunner(made.world, made.bundle, "2-pass", how) as runner:
+        with variant(made.world, made.bundle, "2-pass", **how) as runner:
             runner.draw(0)
             stored = [runner.cache()]
             images = []
@@ -36,7 +36,7 @@ def test_from_the_same_cache(gpu: Gpu, stress: Criteria, scene: str, settings: s
                 images.append(runner.image(frame))
                 stored.append(runner.cache())
         for algorithm in ALGORITHMS:
-            with VariantRunner(made.world, made.bundle, algorithm, how) as runner:
+            with variant(made.world, made.bundle, algorithm, **how) as runner:
                 for frame in range(1, frames + 1):
                     runner.restore(stored[frame - 1], frame - 1)
                     image, untied = runner.image(frame), made.untied(frame)

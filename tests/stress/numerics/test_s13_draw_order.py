@@ -10,19 +10,18 @@ from functools import cache
 import numpy as np
 import pytest
 
-from shadercache.compiler import analyse, rewrite
+from shadercache.caching.settings import with_settings
+from shadercache.compiler import analyse
 from shadercache.gpu.context import Gpu
-from shadercache.options import Options, read_cache_options
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
 from shadercache.render.variant_runner import (
     CoverageRunner,
     OriginalRunner,
-    RunOptions,
-    VariantRunner,
 )
 from shadercache.scene.description import Camera, Motion, Scene
 from shadercache.source import Source
+from tests.configured import PROOF, rewritten, variant
 
 from .crowds import Body, ball, crowd, fence, sheet
 
@@ -65,8 +64,8 @@ def proof() -> Bundle:
     """Colours that differ on both sides, and payloads that differ from body to body."""
     analysis = analyse(Source("rings.frag", FRAGMENT), Source("rings.vert", VERTEX))
     node = next(node for node in analysis.nodes if node.text.startswith("rings("))
-    options = Options("proof", "rgba32f", cache=read_cache_options(["ids=on"]))
-    emission = rewrite(analysis, node, options, unprofitable=True)
+    options = with_settings(PROOF, ["ids=on"])
+    emission = rewritten(analysis, node, options, unprofitable=True)
     return Bundle(emission.manifest, emission.files)
 
 
@@ -148,7 +147,7 @@ def test_the_same_image_in_any_order(
     for order in orders:
         with (
             RenderScene(gpu, in_order(scene, order), SIZE, "rgba32f") as world,
-            VariantRunner(world, proof(), algorithm, RunOptions(5)) as runner,
+            variant(world, proof(), algorithm, period=5) as runner,
         ):
             images = [runner.image(frame)[apart[frame]] for frame in FRAMES]
         first = first or images
@@ -160,7 +159,7 @@ def test_the_algorithms_agree(gpu: Gpu, scene: Scene, apart: list[np.ndarray]) -
     with RenderScene(gpu, scene, SIZE, "rgba32f") as world:
         runs = []
         for algorithm in ("1-pass", "2-pass", "3-pass"):
-            with VariantRunner(world, proof(), algorithm, RunOptions(5)) as runner:
+            with variant(world, proof(), algorithm, period=5) as runner:
                 runs.append([runner.image(frame)[apart[frame]] for frame in FRAMES])
         with OriginalRunner(world, proof()) as runner:
             original = [runner.image(frame)[apart[frame]] for frame in FRAMES]

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from shadercache.caching.configuration import FilterKind
 from shadercache.gpu.context import Gpu
-from shadercache.options import CacheOptions, FilterKind
+from tests.configured import configured
 
 from .criteria import Criteria
 from .plane import plane
@@ -35,7 +36,7 @@ def worst(gpu: Gpu, kind: FilterKind, packed: tuple[str, str], use: str) -> floa
     text = PACKED
     for word, meaning in words.items():
         text = text.replace(word, meaning)
-    made = plane(gpu, CacheOptions(refresh="none", filter=kind), fragment=text, payload=packed[1])
+    made = plane(gpu, configured(refresh="none", filter=kind), fragment=text, payload=packed[1])
     apart = 0.0
     for frame in range(6):
         image = made.draw(frame, u_pan=(0.3 * frame, 0.2 * frame))

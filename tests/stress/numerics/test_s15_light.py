@@ -12,16 +12,17 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from shadercache.compiler import emit_original, rewrite
+from shadercache.caching.settings import with_settings
+from shadercache.compiler import emit_original
 from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import analyse_scene
-from shadercache.options import Options, read_cache_options
 from shadercache.paths import data_path
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import RunOptions, VariantRunner, render_original
+from shadercache.render.variant_runner import render_original
 from shadercache.scene.animation import Ramp
 from shadercache.scene.description import Scene, load_scene
+from tests.configured import DEFAULT, configured, rewritten, variant
 
 from .criteria import Criteria
 from .subjects import ALGORITHMS
@@ -49,13 +50,13 @@ def test_an_error_is_that_of_the_period(
     period, frames = (8, 40) if stress.deep else (4, 10)
     scene, analysis = analyse_scene(lit_scene(), mapping="surface")
     node = next(item for item in analysis.nodes if item.text == LIT)
-    cache = read_cache_options([settings] if settings else [])
-    found = rewrite(analysis, node, Options("proof", "rgba32f", cache=cache))
+    cache = with_settings(DEFAULT, [settings] if settings else [])
+    found = rewritten(analysis, node, configured(cache, mode="proof", form="rgba32f"))
     plain = emit_original(analysis, "proof")
     with RenderScene(gpu, scene, (96, 96), "rgba32f") as world:
-        truth = render_original(world, Bundle(plain.manifest, plain.files), range(frames))
+        truth = render_original(world, [Bundle(plain.manifest, plain.files)], range(frames))
         bundle = Bundle(found.manifest, found.files)
-        with VariantRunner(world, bundle, algorithm, RunOptions(period=period)) as runner:
+        with variant(world, bundle, algorithm, period=period) as runner:
             images = [runner.image(frame) for frame in range(frames)]
     step = max(np.abs(now - last).max() for last, now in pairwise(truth))
     errors, strange, reused = [], 0, 0

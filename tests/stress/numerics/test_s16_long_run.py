@@ -8,15 +8,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from shadercache.compiler import rewrite
+from shadercache.caching.configuration import Configuration
 from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import analyse_scene
-from shadercache.options import CacheOptions, Options
 from shadercache.paths import data_path
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import OriginalRunner, RunOptions, VariantRunner
+from shadercache.render.variant_runner import OriginalRunner
 from shadercache.scene.description import load_scene
+from tests.configured import configured, rewritten, variant
 
 from .criteria import Criteria
 from .subjects import knot
@@ -31,13 +31,13 @@ TURN = 5
 """Samples after which the knot is seen from the same side: 5 x 50 x 1.44 degrees are a turn."""
 
 RUNS = {
-    "default": (CacheOptions(), 20_000),
-    "age": (CacheOptions(age=True), 4_000),
-    "random": (CacheOptions(refresh="random"), 4_000),
-    "lanczos2": (CacheOptions(filter="lanczos2"), 4_000),
-    "mitchell": (CacheOptions(filter="mitchell"), 4_000),
-    "bilateral": (CacheOptions(filter="bilateral"), 4_000),
-    "nearest": (CacheOptions(filter="nearest"), 4_000),
+    "default": (Configuration(), 20_000),
+    "age": (configured(age=True), 4_000),
+    "random": (configured(refresh="random"), 4_000),
+    "lanczos2": (configured(filter="lanczos2"), 4_000),
+    "mitchell": (configured(filter="mitchell"), 4_000),
+    "bilateral": (configured(filter="bilateral"), 4_000),
+    "nearest": (configured(filter="nearest"), 4_000),
 }
 
 
@@ -61,16 +61,16 @@ def slope(errors: np.ndarray) -> tuple[float, float]:
 
 
 @pytest.mark.parametrize(("cache", "frames"), RUNS.values(), ids=RUNS)
-def test_a_long_run(gpu: Gpu, stress: Criteria, cache: CacheOptions, frames: int) -> None:
+def test_a_long_run(gpu: Gpu, stress: Criteria, cache: Configuration, frames: int) -> None:
     if not stress.deep:
-        if cache != CacheOptions():
+        if cache != Configuration():
             pytest.skip("only the default in the short form")
         frames = 400
     scene, analysis = analyse_scene(load_scene(data_path("corpus", "dragon")))
     motion = dataclasses.replace(scene.motion, degrees_per_frame=DEGREES)
     scene = dataclasses.replace(scene, motion=motion)
     node = analysis.nodes_of(scene.nodes["albedo"])
-    found = rewrite(analysis, node, Options(cache=cache), (2,), unprofitable=True)
+    found = rewritten(analysis, node, cache, ("2-pass",), unprofitable=True)
     bundle = Bundle(found.manifest, found.files)
     mesh = knot(125, 20)
     assert len(mesh.index) == 5000
@@ -79,7 +79,7 @@ def test_a_long_run(gpu: Gpu, stress: Criteria, cache: CacheOptions, frames: int
     broken = 0
     with (
         RenderScene(gpu, scene, SIZE, "rgba32f", mesh) as world,
-        VariantRunner(world, bundle, "2-pass", RunOptions(period=32)) as runner,
+        variant(world, bundle, "2-pass", period=32) as runner,
         OriginalRunner(world, bundle) as original,
     ):
         for frame in range(frames):

@@ -15,7 +15,8 @@ import pytest
 
 from shadercache.gpu.context import Gpu, open_context
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import OriginalRunner, RunOptions, VariantRunner
+from shadercache.render.variant_runner import OriginalRunner
+from tests.configured import variant
 
 from .crowds import Record, bundle_of, crowd, judge
 from .horrors import CAMERA, bodies, path
@@ -70,7 +71,7 @@ def test_its_own_cache_stays_sound(gpu: Gpu, tmp_path: Path, algorithm: str) -> 
     with (
         RenderScene(gpu, scene, SIZE, "rgba32f") as world,
         OriginalRunner(world, bundle) as original,
-        VariantRunner(world, bundle, algorithm, RunOptions(16, 4)) as runner,
+        variant(world, bundle, algorithm, period=16, block=4) as runner,
     ):
         for frame in range(FRAMES):
             expected = original.image(frame).copy()

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import pytest
 
+from shadercache.caching.configuration import DEFAULT_EPSILON, CacheFormat, DepthKind
 from shadercache.emit.depth_range import resolved_until
 from shadercache.gpu.context import Gpu
-from shadercache.options import DEFAULT_EPSILON, CacheFormat, DepthKind
 
 from .criteria import Criteria
 from .depths import DEPTHS, FORMATS, RANGES, told

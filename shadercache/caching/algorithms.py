@@ -1,0 +1,107 @@
+"""The algorithms: one record each. Whoever has to know one of them reads it here.
+
+Makers are functions of ``emit/``, written ``module:function``: a file of makers and a record are
+all that an algorithm takes.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+COLOR, CACHE, MASK = "color", "cache", "mask"
+PREVIOUS, CURRENT = "previous-cache", "current-cache"
+
+Drawn: TypeAlias = Literal["objects", "screen"]
+
+
+@dataclass(frozen=True, slots=True)
+class AlgorithmPass:
+    """One pass: all objects, or a triangle over the screen, drawn by what ``maker`` builds.
+
+    ``targets`` stand at their index; those that are neither colour nor cache live for a frame.
+    ``reads``: what earlier frames or passes have stored. ``on_reset``: is it drawn where nothing is
+    to be reused?
+    """
+
+    name: str
+    maker: str
+    targets: tuple[str, ...]
+    reads: tuple[str, ...] = ()
+    on_reset: bool = True
+    draws: Drawn = "objects"
+    depth_test: Literal["less", "lequal"] = "less"
+    depth_write: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Algorithm:
+    """``name`` is what files, manifests and tables say, ``word`` what the command line takes.
+
+    ``unfit``: the function of ``emit/`` that says why it cannot be used for a payload, if so.
+    """
+
+    name: str
+    word: str
+    passes: tuple[AlgorithmPass, ...]
+    unfit: str | None = None
+
+    @property
+    def branches(self) -> bool:
+        """Does one pass both look up and compute, so that a branch is between them?"""
+        return any(item.on_reset and PREVIOUS in item.reads for item in self.passes)
+
+    @property
+    def reads_back(self) -> bool:
+        """Is the payload of a frame read from the cache in that frame?"""
+        return any(CURRENT in item.reads for item in self.passes)
+
+    @property
+    def resets_at_once(self) -> bool:
+        """Is a frame after a reset one pass that looks nothing up?"""
+        drawn = [item for item in self.passes if item.on_reset]
+        return len(drawn) == 1 and not self.branches
+
+    def file_of(self, item: AlgorithmPass) -> str:
+        """The name of a pass's files, without their endings."""
+        return self.name if len(self.passes) == 1 else f"{self.name}.{item.name}"
+
+
+ALGORITHMS = (
+    Algorithm(
+        "1-pass",
+        "1",
+        (AlgorithmPass("shade", "one_pass:shade_or_reuse", (COLOR, CACHE), (PREVIOUS,)),),
+        unfit="one_pass:unfit",
+    ),
+    Algorithm(
+        "2-pass",
+        "2",
+        (
+            AlgorithmPass("hit", "two_passes:hit", (COLOR, CACHE), (PREVIOUS,), on_reset=False),
+            AlgorithmPass("miss", "two_passes:miss", (COLOR, CACHE)),
+        ),
+    ),
+    Algorithm(
+        "3-pass",
+        "3",
+        (
+            AlgorithmPass("reuse", "three_passes:reuse", (CACHE,), (PREVIOUS,), on_reset=False),
+            AlgorithmPass("payload", "three_passes:payload_only", (CACHE,)),
+            # The visible surface has been drawn twice already: equal depth is the winner.
+            AlgorithmPass("shade", "three_passes:shade", (COLOR,), (CURRENT,), depth_test="lequal"),
+        ),
+        unfit="three_passes:unfit",
+    ),
+)
+"""In the order of their passes; where one has to be chosen without reason, the last that fits."""
+
+NAMES = tuple(item.name for item in ALGORITHMS)
+
+
+def algorithm(name: str) -> Algorithm:
+    """The record of an algorithm. Raises :class:`KeyError` for a name that is not in the table."""
+    return _BY_NAME[name]
+
+
+_BY_NAME = {item.name: item for item in ALGORITHMS}

@@ -1,0 +1,37 @@
+"""The makers of three passes: payloads are carried over, then computed, then shaded with."""
+
+from __future__ import annotations
+
+from shadercache.emit.assemble import Shader
+from shadercache.emit.builder import PassBuilder
+
+
+def reuse(builder: PassBuilder) -> Shader:
+    """Carry payloads over. What the shader discards is discarded, and where it takes derivatives
+    for that, the misses are discarded behind them."""
+    early = builder.finish("passes/reuse", [builder.shaded("use")] if builder.whole else [])
+    if not builder.takes_derivatives(early.module):
+        return early
+    return builder.finish("passes/reuse_late", [builder.shaded("use")])
+
+
+def payload_only(builder: PassBuilder) -> Shader:
+    """Compute payloads."""
+    if builder.whole:
+        return builder.finish("passes/miss", [builder.shaded("keep")])
+    return builder.finish("passes/payload", [builder.computed()])
+
+
+def shade(builder: PassBuilder) -> Shader:
+    """The colour from the payload."""
+    return builder.finish("passes/shade", [builder.shaded("use")], store=False)
+
+
+def unfit(builder: PassBuilder) -> str | None:
+    """Why the nodes cannot be cached in three passes, if so."""
+    if not builder.decides_loops:
+        return None
+    return (
+        "the value decides how long a loop runs, and in the last of three passes fragments "
+        "along edges read the payloads of others, with which it might never end"
+    )

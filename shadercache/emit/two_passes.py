@@ -1,0 +1,41 @@
+"""The makers of two passes: hits are shaded and misses discarded; then misses are computed."""
+
+from __future__ import annotations
+
+from shadercache.ast import nodes as n
+from shadercache.ast.walk import walk
+from shadercache.emit.assemble import Shader
+from shadercache.emit.builder import PassBuilder
+from shadercache.transform.specialise import CutKind
+
+
+def hit(builder: PassBuilder) -> Shader:
+    """Shade hits. The discard comes last where the shading takes derivatives, where a loop writes
+    into an array, and where the payload decides on a loop: there it is certain that fragments
+    without a payload leave the loop, whatever a driver does behind a discard."""
+    if builder.whole:
+        early = builder.finish("passes/here", [builder.shaded("need")], both=True)
+    else:
+        early = builder.finish("passes/hit", [builder.shaded("use")], both=True)
+    if (
+        not builder.takes_derivatives(early.module)
+        and not _loops_over_arrays(early.module)
+        and not builder.decides_loops
+    ):
+        return early
+    if builder.whole:
+        return builder.finish("passes/here_late", [builder.shaded("lack")], both=True)
+    return builder.finish("passes/hit_late", [builder.shaded("use")], both=True)
+
+
+def miss(builder: PassBuilder) -> Shader:
+    """The original, keeping the payload."""
+    kind: CutKind = "keep" if builder.whole else "store"
+    return builder.finish("passes/miss", [builder.shaded(kind)], both=True)
+
+
+def _loops_over_arrays(module: n.Module) -> bool:
+    """Does a loop use an element of something? Behind a discard llvmpipe writes it wrongly, and
+    what is written by a function or in part is not told from what is read."""
+    loops = (item for item in walk(module) if isinstance(item, n.For | n.While | n.DoWhile))
+    return any(isinstance(item, n.Index) for loop in loops for item in walk(loop))

@@ -1,0 +1,121 @@
+"""Assignments of a scene compiled: finished programs for each of its objects."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+from shadercache.caching.algorithms import NAMES
+from shadercache.caching.assignment import Assignment
+from shadercache.caching.configuration import Configuration, Mode, by_every_algorithm
+from shadercache.compiler import Analysis, emit_original, rewrite
+from shadercache.linking.scene_shaders import analyse_scene, with_aliases
+from shadercache.render.bundle import Bundle
+from shadercache.render.linked_object import LinkedObject
+from shadercache.scene.description import Scene, SceneObject
+
+
+class Linker:
+    """Compiles what draws the objects of a scene; each program once.
+
+    ``scene`` has everything under the names that the objects' shaders have for it now.
+    """
+
+    def __init__(self, scene: Scene, analysis: Analysis) -> None:
+        """Args: ``scene`` and ``analysis`` as ``analyse_scene`` gives them.
+
+        Raises as it does, for objects with shaders of their own.
+        """
+        self.analysis = analysis
+        self._own: dict[tuple[Path, Path | None], Analysis] = {}
+        self._bundles: dict[tuple[object, ...], Bundle] = {}
+        named = tuple(
+            replace(item, scene=with_aliases(item.scene, self._analysis(item).renamed))
+            if item.own_shader
+            else item
+            for item in scene.objects
+        )
+        self.scene = replace(scene, objects=named)
+
+    def assign(self, configuration: Configuration) -> Assignment:
+        """A configuration of the scene's own shader, for all that the scene lets be cached.
+
+        Objects with shaders of their own have the nodes that the scene names for them; a period or
+        a block that an object asks for holds for it.
+        """
+        return Assignment(
+            tuple((item.name, self._chosen(item, configuration)) for item in self.scene.parts)
+        )
+
+    def link(
+        self, assignment: Assignment, bundle: Bundle | None = None
+    ) -> tuple[LinkedObject, ...]:
+        """The programs of each object, in the scene's order.
+
+        An object with a shader of its own that has no variant by its algorithm is drawn by another.
+        ``bundle`` has the programs of the scene's own shader, where they are not to be compiled.
+
+        Raises:
+            InputError, UsageError: as the compiler.
+        """
+        modes = [chosen.mode for _, chosen in assignment.objects if chosen is not None]
+        mode: Mode = modes[0] if modes else "plain"
+        found = []
+        for item, (_, chosen) in zip(self.scene.parts, assignment.objects, strict=True):
+            given = None if item.own_shader else bundle
+            if chosen is None:
+                found.append(LinkedObject(given or self._original(item, mode)))
+                continue
+            linked = LinkedObject(given or self._variants(item, chosen), chosen)
+            found.append(linked.by(chosen.algorithm) if item.own_shader else linked)
+        return tuple(found)
+
+    def algorithms(self, configuration: Configuration) -> tuple[str, ...]:
+        """Those that fit the configuration's nodes. Raises as :meth:`link`."""
+        return self._variants(None, configuration).algorithms
+
+    def originals(self, mode: Mode = "plain", bundle: Bundle | None = None) -> tuple[Bundle, ...]:
+        """The unchanged shaders of each object; ``bundle`` as in :meth:`link`."""
+        return tuple(
+            bundle if bundle and not item.own_shader else self._original(item, mode)
+            for item in self.scene.parts
+        )
+
+    def _chosen(self, item: SceneObject, configuration: Configuration) -> Configuration | None:
+        if not item.cached or (item.own_shader and item.node is None):
+            return None
+        period = min(item.period or configuration.refresh.period, configuration.refresh.period)
+        own = configuration.with_refresh(period, item.block)
+        if not item.own_shader:
+            return own
+        nodes = tuple((item.node or "").split("+"))
+        return replace(own, nodes=nodes, fetches="whole")
+
+    def _variants(self, item: SceneObject | None, configuration: Configuration) -> Bundle:
+        """All variants, since the parts of P/T and of the floor are measured on them.
+
+        Without an item they are the scene's own shader's.
+        """
+        analysis = self.analysis if item is None else self._analysis(item)
+        first = replace(configuration.compiled, algorithm=NAMES[0])
+        key = (id(analysis), first, configuration.storage.format)
+        if key not in self._bundles:
+            emission = rewrite(analysis, by_every_algorithm(configuration), unprofitable=True)
+            self._bundles[key] = Bundle(emission.manifest, emission.files)
+        return self._bundles[key]
+
+    def _original(self, item: SceneObject, mode: Mode) -> Bundle:
+        analysis = self._analysis(item)
+        key = (id(analysis), mode)
+        if key not in self._bundles:
+            emission = emit_original(analysis, mode)
+            self._bundles[key] = Bundle(emission.manifest, emission.files)
+        return self._bundles[key]
+
+    def _analysis(self, item: SceneObject) -> Analysis:
+        if not item.own_shader:
+            return self.analysis
+        shaders = (item.scene.fragment, item.scene.vertex)
+        if shaders not in self._own:
+            self._own[shaders] = analyse_scene(item.scene)[1]
+        return self._own[shaders]

@@ -1,0 +1,154 @@
+"""What takes turns in a measurement: variants, originals, and whatever else can be drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from typing import Protocol
+
+from shadercache.caching.assignment import Assignment
+from shadercache.caching.configuration import Configuration
+from shadercache.linking.linker import Linker
+from shadercache.render.bundle import Bundle
+from shadercache.render.linked_object import LinkedObject
+from shadercache.render.pass_runners import OriginalRunner
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import VariantRunner
+
+
+class Subject(Protocol):
+    """Something that is drawn in turns with others. ``label`` names it in tables."""
+
+    label: str
+
+    def prepare(self, world: RenderScene) -> None:
+        """Compile what it draws with, and take what it needs of the GPU."""
+
+    def draw(self, frame: int) -> None:
+        """Draw a frame into the world's colour target; frames come in order, from 0."""
+
+    def release(self) -> None:
+        """Give everything back."""
+
+
+class OriginalSubject:
+    """The unchanged shaders."""
+
+    def __init__(self, label: str, *bundles: Bundle) -> None:
+        """Args: ``bundles`` are one for all objects, or as many."""
+        self.label = label
+        self._bundles = bundles
+        self._runner: OriginalRunner | None = None
+
+    def prepare(self, world: RenderScene) -> None:
+        """Raises as ``OriginalRunner``."""
+        self._runner = OriginalRunner(world, *self._bundles)
+
+    def draw(self, frame: int) -> None:
+        """Draw a frame."""
+        assert self._runner is not None
+        self._runner.draw(frame)
+
+    def release(self) -> None:
+        """Give the programs back."""
+        if self._runner is not None:
+            self._runner.release()
+
+
+class VariantSubject:
+    """Objects drawn by their assignment. Subjects of one label are of one payload."""
+
+    def __init__(
+        self,
+        label: str,
+        configuration: Configuration,
+        objects: Sequence[LinkedObject],
+        assignment: Assignment | None = None,
+        equal: int = 1,
+    ) -> None:
+        """Args:
+        configuration: that of the scene's own shader.
+        objects: as ``Linker.link`` gives them; one stands for all.
+        equal: for how many nodes of the same value it stands, itself included.
+        """
+        self.label, self.configuration, self.objects = label, configuration, tuple(objects)
+        self.assignment, self.equal = assignment, equal
+        self._runner: VariantRunner | None = None
+
+    @property
+    def bundle(self) -> Bundle:
+        """The programs of the scene's own shader."""
+        nodes = self.configuration.nodes
+        of_scene = (
+            item.bundle
+            for item in self.objects
+            if item.configuration is not None and item.configuration.nodes == nodes
+        )
+        return next(of_scene, self.objects[0].bundle)
+
+    @property
+    def runner(self) -> VariantRunner:
+        """What draws it, once it is prepared."""
+        assert self._runner is not None
+        return self._runner
+
+    def prepare(self, world: RenderScene) -> None:
+        """Raises as ``VariantRunner``."""
+        self._runner = VariantRunner(world, *self.objects, short_reset=True)
+
+    def draw(self, frame: int) -> None:
+        """Draw a frame."""
+        self.runner.draw(frame)
+
+    def release(self) -> None:
+        """Give programs and caches back."""
+        if self._runner is not None:
+            self._runner.release()
+
+    def with_originals(self, world: RenderScene, names: Collection[str]) -> VariantSubject:
+        """The same, but some objects are drawn by their originals."""
+        if not names:
+            return self
+        many = self.objects * len(world.drawables) if len(self.objects) == 1 else self.objects
+        objects = [
+            LinkedObject(item.bundle) if drawable.item.name in names else item
+            for drawable, item in zip(world.drawables, many, strict=True)
+        ]
+        told = self.assignment and self.assignment.with_originals(names)
+        return VariantSubject(self.label, self.configuration, objects, told, self.equal)
+
+    def at_rest(self, period: int) -> tuple[LinkedObject, ...] | None:
+        """Its objects by the algorithm that has a pass for hits alone, refreshed that rarely; None
+        where there is none."""
+        found = self.bundle.hit_pass
+        if found is None:
+            return None
+        return tuple(
+            LinkedObject(item.bundle, item.configuration.with_refresh(period)).by(found[0])
+            if item.configuration is not None
+            else item
+            for item in self.objects
+        )
+
+
+def subjects_of(
+    linker: Linker, label: str, configurations: Sequence[Configuration], equal: int = 1
+) -> list[VariantSubject]:
+    """A subject for each configuration of one payload whose algorithm fits it.
+
+    Raises as :meth:`Linker.link`.
+    """
+    have = linker.algorithms(configurations[0])
+    found = []
+    for configuration in configurations:
+        if configuration.algorithm in have:
+            assignment = linker.assign(configuration)
+            objects = linker.link(assignment)
+            found.append(VariantSubject(label, configuration, objects, assignment, equal))
+    return found
+
+
+def with_refreshes(
+    configuration: Configuration, periods: Sequence[int], blocks: Sequence[int]
+) -> list[Configuration]:
+    """The same at each period and block."""
+    return [configuration.with_refresh(period, block) for period in periods for block in blocks]
