@@ -1,6 +1,6 @@
 #version 330
 // Twelve fetches with implicit level of detail: what is done ahead of one pass's branch, and at
-// what price (docs/TRANSFORMATIONS.md)? shadercache run bench/fetches.frag --passes 1 --fetches level
+// what price (docs/lab/rewriting.md)? shadercache run bench/fetches.frag --passes 1 --fetches level
 uniform vec2 u_resolution;
 uniform sampler2D u_map;
 out vec4 o_color;

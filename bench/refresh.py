@@ -1,7 +1,7 @@
 """Refresh schedules and the guard of ages, measured: ``python -m bench.refresh``.
 
 Three tables: how even the frames are, how old payloads get under constant motion, and what both
-cost and save on corpus scenes. ``docs/NUMERICS.md`` has them with what follows.
+cost and save on corpus scenes. ``docs/lab/refresh.md`` has them with what follows.
 """
 
 from __future__ import annotations

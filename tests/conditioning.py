@@ -10,7 +10,7 @@ liberties change the original, and by the roundings of a colour.
 Varyings, because Mesa 25.0 gives for ``v_normal * 3.0``, where a program needs no more of the
 varying, what interpolating the product would give. What is interpolated is the sum of terms that
 cancel, far larger than itself where triangles are small, so other roundings show. (The one ulp is a
-choice: docs/NUMERICS.md.)
+choice: docs/why/rewriting.md.)
 """
 
 from __future__ import annotations

@@ -7,5 +7,5 @@ Some come from packages that are fetched by name into ``out/public/`` and never 
 * ``gl-transitions``, each transition inside the host's prelude;
 * ``piglit``, the vertex and fragment shaders of a large OpenGL test suite, right ones and wrong;
 
-others from folders (``--shaders``). ``docs/CORPUS.md`` says what is measured.
+others from folders (``--shaders``). ``docs/use/acceptance.md`` says what is measured.
 """

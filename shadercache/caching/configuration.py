@@ -22,7 +22,7 @@ CacheFormat: TypeAlias = Literal["rgba16f", "rgba32f"]
 RefreshSchedule: TypeAlias = Literal["stratified", "random", "tiled", "surface", "none"]
 """Which pixels are recomputed on purpose in a frame, each once in a period: blocks, of which each
 group of neighbours has one due in every frame; blocks by a hash; as many tiles as the period has
-frames, one after another; triangles by a hash of their number; none (docs/NUMERICS.md)."""
+frames, one after another; triangles by a hash of their number; none (docs/why/refresh.md)."""
 
 FilterKind: TypeAlias = Literal["bilateral", "bilinear", "nearest", "lanczos2", "mitchell"]
 """How payloads are resampled between texels."""
@@ -45,7 +45,7 @@ PayloadRate: TypeAlias = Literal["full"]
 """Of how many pixels payloads are computed."""
 
 DEFAULT_EPSILON = 1e-3
-"""Accepted relative difference of 1/w: twice what half floats round it by (docs/NUMERICS.md)."""
+"""Accepted relative difference of 1/w: twice what half floats round it by (docs/why/reuse.md)."""
 
 DEFAULT_MAGNIFICATION = 1.5
 """How many times larger a surface may become from one frame to the next and be reused, where that

@@ -1,4 +1,7 @@
-"""``shadercache bench``: every offered node by every algorithm (seed 003, figure 8)."""
+"""``shadercache bench``: every offered node by every algorithm.
+
+What it measures is figure 8 of Sitthi-amorn et al. 2008.
+"""
 
 from __future__ import annotations
 

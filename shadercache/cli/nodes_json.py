@@ -2,7 +2,7 @@
 
 A shader of 28 KB may have 80,000 nodes, but only some thousand expressions, paths and lists of
 inputs. These stand in tables, and a node has their numbers in them (from 0). The form is described
-in ``docs/NODES.md``.
+in ``docs/use/nodes-json.md``.
 """
 
 from __future__ import annotations

@@ -45,12 +45,12 @@ DEFAULT_SETTINGS: Settings = tuple(written_settings(Configuration()).items())
 FOLDER = Path(__file__).with_name("glsl")
 
 SPREAD = 24.0
-"""How many epsilons a single texel of the filter may be off in depth (docs/NUMERICS.md)."""
+"""How many epsilons a single texel of the filter may be off in depth (docs/why/reuse.md)."""
 
 
 INTERPOLATION = 1.2e-5
 """What the interpolation of positions leaves uncertain in 1/w, relative to it: 4.3e-4 of a pixel,
-on the steepest slope that ``SPREAD`` lets through, and rounding (docs/NUMERICS.md)."""
+on the steepest slope that ``SPREAD`` lets through, and rounding (docs/why/reuse.md)."""
 
 LEAST_WEIGHT = 0.25
 """What those texels must weigh together that fit in the depth-aware filter: as the nearest may."""

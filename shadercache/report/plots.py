@@ -1,4 +1,7 @@
-"""The plots of a sweep: time against P/T, error against time (seed 003, figure 8), hits by frame.
+"""The plots of a sweep: time against P/T, error against time, hits by frame.
+
+The first two are figure 8 of Sitthi-amorn et al. 2008, the last is figure 6.2 of Nehab et al. 2006,
+course.
 
 matplotlib takes half a second to import, so it is imported when a plot is made.
 """
@@ -76,7 +79,7 @@ def plot_error(measurement: Measurement) -> bytes:
 
 
 def plot_hits(measurement: Measurement) -> bytes | None:
-    """The share of hits in every frame of each node, after seed 000's figure 6.2; a PNG file.
+    """The share of hits in every frame of each node; a PNG file.
 
     None where nothing was counted. The level of full reuse is what random refresh leaves.
     """

@@ -7,7 +7,7 @@ Two forms (DESIGN section 4, "Derivatives")::
     level       v = textureQueryLod(map, p).y;              textureLod(map, p, v)
 
 The level is the same to the bit where filtering is isotropic and the driver's query is exact
-(docs/NUMERICS.md).
+(docs/lab/rewriting.md).
 """
 
 from __future__ import annotations

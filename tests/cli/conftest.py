@@ -37,7 +37,7 @@ class Outcome:
 
 
 def whole_node(told: dict[str, Any], node: dict[str, Any]) -> dict[str, Any]:
-    """One node of ``nodes --json`` with what stands in the tables (docs/NODES.md)."""
+    """One node of ``nodes --json`` with what stands in the tables (docs/use/nodes-json.md)."""
     inputs = dict(told["inputs"][node["inputs"]])
     refusal, on_cpu = node.get("refusal"), node.get("on_cpu")
     told_of = {key: value for key, value in node.items() if key != "expression"}

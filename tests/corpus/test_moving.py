@@ -102,7 +102,7 @@ def test_the_laws_hold(gpu: Gpu, opened: tuple[Scene, Analysis]) -> None:
 
 
 def test_most_is_reused_in_motion(gpu: Gpu, opened: tuple[Scene, Analysis]) -> None:
-    """Edges weigh much in so small a picture; docs/MEASUREMENT.md has the curves of large ones."""
+    """Edges weigh much in so small a picture; docs/lab/scenes.md has the curves of large ones."""
     scene, analysis = opened
     (name,) = scene.nodes.values()
     emission = rewritten(analysis, analysis.node(name))

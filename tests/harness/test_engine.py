@@ -98,7 +98,7 @@ def same(one: np.ndarray, other: np.ndarray, kept: np.ndarray) -> bool:
 def test_as_much_is_reused_as_in_a_plain_application(
     gpu: Gpu, scene: Scene, bundle: Bundle, engine: GraphicsState
 ) -> None:
-    # A point lies up to a pixel beside the one that a jittered texel holds (docs/MEASUREMENT.md).
+    # A point lies up to a pixel beside the one that a jittered texel holds (docs/why/reuse.md).
     options = {"period": 65535, "epsilon": 8e-3 if engine.jitter else None}
     rates = []
     for made in (PLAIN, engine):

@@ -190,7 +190,7 @@ def project(matrix: Floats, points: Floats, size: tuple[int, int]) -> tuple[Floa
 
 
 def due(size: tuple[int, int], clock: int, period: int, block: int) -> Mask:
-    """Which pixels the stratified refresh renews (docs/NUMERICS.md), (h, w), written anew.
+    """Which pixels the stratified refresh renews (docs/why/refresh.md), (h, w), written anew.
 
     Of blocks numbered row by row each group of ``period`` neighbours takes every turn once, in an
     order turned by a hash and shuffled by two rounds of swaps.

@@ -1,6 +1,6 @@
 """A shader that computes whatever of another one may be cached, and nothing else.
 
-What the other one costs beyond it is the *refused cost* (docs/TRANSFORMATIONS.md). Values that are
+What the other one costs beyond it is the *refused cost* (docs/lab/rewriting.md). Values that are
 refused because there is no need to cache them count as offered here: constants, what depends on
 uniforms only, and what is cheaper than a fetch.
 """

@@ -1,6 +1,6 @@
 """How well a format and an encoding of depth tell surfaces apart (S4, S18).
 
-``python -m tests.stress.numerics.depths`` prints the table of docs/NUMERICS.md. A plane that faces
+``python -m tests.stress.numerics.depths`` prints the table of docs/lab/reuse.md. A plane that faces
 the camera is drawn at some depth, then asked for at another: at the same depth it must hit (a
 *false miss* else), at one that lies twice the tolerance and the cache's rounding away it must miss
 (a *false hit* else).

@@ -1,4 +1,4 @@
-"""What the cache's options gain and cost: the tables of docs/NUMERICS.md.
+"""What the cache's options gain and cost: the tables of docs/lab/reuse.md.
 
 ``python -m tests.stress.numerics.tables filters`` (or ``guards``, ``tolerances``, ``depths``). Hits
 and stale hits are judged by law 5's ground truth, the error is that of a scene's own node beside

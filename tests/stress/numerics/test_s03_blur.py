@@ -83,7 +83,7 @@ def test_sixteen_texels_keep_more_of_an_impulse(
 
 
 def test_nearest_keeps_all_of_it_and_does_not_move(gpu: Gpu) -> None:
-    """What moves by less than half a pixel a frame is left behind (docs/NUMERICS.md)."""
+    """What moves by less than half a pixel a frame is left behind (docs/why/reuse.md)."""
     image = impulses(gpu, "nearest", (0.25, 0.25))[-1]
     assert image[START[1], START[0]] == image.max() == 1.0
 

@@ -2,7 +2,7 @@
 
 No trails: one frame after anything was hidden no pixel reuses what was stored for something else.
 ``PYTHONPATH=tests python -m tests.stress.numerics.test_s05_grazing_fence_intersecting`` prints the
-table of docs/NUMERICS.md.
+table of docs/lab/reuse.md.
 """
 
 from __future__ import annotations
