@@ -1,6 +1,6 @@
 """How many shaders that nobody here wrote the front end gets right, glslang being the judge.
 
-Some come from packages that are fetched by name into ``out/public/`` and never committed:
+Some come from packages that ``fetch.sh`` fetches by name into ``out/public/``, never committed:
 
 * ``three``, the sources that three.js hands to WebGL for the materials of its ShaderLib, in several
   settings, and ``three examples``, those of its post-processing shaders;

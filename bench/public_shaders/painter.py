@@ -1,16 +1,15 @@
-"""Draws shaders and compares the images: the child process of ``rendering.py``.
+"""Draws shaders and compares the images: the child process of ``drawing.py``.
 
-Each line of the standard input asks for one shader, as JSON; each line of the output answers. The
-process may hang or crash with a driver; its parent then starts another one.
-
-Both programs get the same uniforms and textures, whose values depend on their names alone.
+Each line of the standard input asks for one shader, as JSON; each line of the output answers. Both
+programs get the same uniforms and textures, whose values depend on their names alone.
 """
 
 from __future__ import annotations
 
 import json
+import signal
 import sys
-from contextlib import suppress
+from contextlib import ExitStack, suppress
 from typing import Any
 from zlib import crc32
 
@@ -21,9 +20,11 @@ from numpy.typing import NDArray
 from bench.public_shaders.plain_vertex import POSITION
 from shadercache.gpu.context import open_context
 
+SECONDS = 20
+"""A shader that takes longer hangs, and its process ends."""
+
 SIZE = (32, 32)
-TARGETS = 8
-_FORMATS = {"f": np.dtype("f4"), "i": np.dtype("i4"), "u": np.dtype("u4")}
+_FORMATS = {"f": "f4", "i": "i4", "u": "u4"}
 _TEXELS = 16
 _STORAGE = 1 << 16  # Bytes of a storage block, whatever it would take.
 _CORNERS = np.array([-1, -1, 1, -1, -1, 1, 1, 1], "f4")
@@ -40,9 +41,11 @@ _OTHER_HANDLES = (
     *(range(0x900C, 0x9010), range(0x904C, 0x906D)),
 )
 
+Image = NDArray[np.generic]
+
 
 class Painter:
-    """One context with the targets that all shaders are drawn into."""
+    """One context that all shaders are drawn in."""
 
     def __init__(self) -> None:
         self._ctx = open_context().ctx
@@ -59,83 +62,68 @@ class Painter:
             second = self._draw(vertex, fragments[1], formats, integers)
         except moderngl.Error as error:
             return {"same": False, "why": f"the driver refuses our print: {_short(error)}"}
-        same = all(_equal(one, other) for one, other in zip(first, second, strict=True))
-        varied = any(
-            len(np.unique(image.reshape(-1, image.shape[-1]), axis=0)) > 1 for image in first
-        )
-        return {"same": same, "varied": varied, "why": "" if same else _difference(first, second)}
+        wrong = [int(_differ(a, b).any(axis=-1).sum()) for a, b in zip(first, second, strict=True)]
+        varied = any((image != image[:1, :1]).any() for image in first)
+        why = f"pixels that differ by target, depth last: {wrong}" if any(wrong) else ""
+        return {"same": not why, "varied": bool(varied), "why": why}
 
-    def _draw(
-        self, vertex: str, fragment: str, formats: str, integers: bool
-    ) -> list[NDArray[np.generic]]:
+    def _draw(self, vertex: str, fragment: str, formats: str, integers: bool) -> list[Image]:
         ctx = self._ctx
-        program = ctx.program(vertex_shader=vertex, fragment_shader=fragment)
-        made: list[Any] = [program]
-        try:
-            images = [self._target(kind) for kind in formats]
-            depth = ctx.depth_texture(SIZE)
-            framebuffer = ctx.framebuffer(images, depth)
-            made += [*images, depth, framebuffer]
+        with ExitStack() as made:
+
+            def keep(item: Any) -> Any:
+                made.callback(item.release)
+                return item
+
+            program = keep(ctx.program(vertex_shader=vertex, fragment_shader=fragment))
+            kinds = [_FORMATS[kind] for kind in formats]
+            images = [keep(ctx.texture(SIZE, 4, dtype=kind)) for kind in kinds]
+            depth = keep(ctx.depth_texture(SIZE))
+            framebuffer = keep(ctx.framebuffer(images, depth))
             framebuffer.use()
             framebuffer.clear(depth=1.0)
-            for image, kind in zip(images, formats, strict=True):
-                image.write(np.full((*SIZE, 4), 7, _FORMATS[kind]).tobytes())
+            for image, kind in zip(images, kinds, strict=True):
+                image.write(np.full((*SIZE, 4), 7, kind).tobytes())
             ctx.enable_only(moderngl.DEPTH_TEST)
             ctx.depth_func = "<="
-            made += self._fill(program, integers)
-            array = ctx.vertex_array(program, self._corners, *self._attributes(program))
-            made.append(array)
+            for buffer in self._fill(program, integers):
+                keep(buffer)
+            names = (POSITION,) if POSITION in program else ()
+            array = keep(ctx.vertex_array(program, self._corners, *names))
             array.render(moderngl.TRIANGLE_STRIP, vertices=4)
             ctx.finish()
-            found = [
-                np.frombuffer(image.read(), _FORMATS[kind]).reshape(*SIZE, 4)
-                for image, kind in zip(images, formats, strict=True)
-            ]
-            return [*found, np.frombuffer(depth.read(), "f4").reshape(*SIZE, 1)]
-        finally:
-            for item in made:
-                item.release()
+            pairs = [*zip(images, kinds, strict=True), (depth, "f4")]
+            return [np.frombuffer(i.read(), kind).reshape(*SIZE, -1) for i, kind in pairs]
 
-    @staticmethod
-    def _attributes(program: moderngl.Program) -> tuple[str, ...]:
-        return (POSITION,) if POSITION in program else ()
-
-    def _target(self, kind: str) -> moderngl.Texture:
-        return self._ctx.texture(SIZE, 4, dtype=_FORMATS[kind].str[1:])
-
-    def _fill(self, program: moderngl.Program, integers: bool) -> list[Any]:
-        """Give every uniform and block its value; returns what has to be released."""
-        made: list[Any] = []
-        unit = binding = 0
+    def _fill(self, program: moderngl.Program, integers: bool) -> list[moderngl.Buffer]:
+        """Give every uniform and block its value; returns the buffers."""
+        made: list[moderngl.Buffer] = []
+        unit = 0
         for name in sorted(program):
             member: Any = program[name]
             if isinstance(member, moderngl.Uniform):
                 unit += self._set(name, member, unit)
-                continue
-            elif isinstance(member, moderngl.UniformBlock):
-                buffer = self._ctx.buffer(_block(name, member.size, integers))
-                buffer.bind_to_uniform_block(binding)
-            elif isinstance(member, moderngl.StorageBlock):
-                buffer = self._ctx.buffer(_block(name, _STORAGE, integers))
-                buffer.bind_to_storage_buffer(binding)
-            else:  # An attribute.
-                continue
-            member.binding = binding
-            binding += 1
-            made.append(buffer)
+            elif isinstance(member, moderngl.UniformBlock | moderngl.StorageBlock):
+                size = getattr(member, "size", _STORAGE)  # Only uniform blocks have one.
+                buffer = self._ctx.buffer(_block(name, size, integers))
+                if isinstance(member, moderngl.UniformBlock):
+                    buffer.bind_to_uniform_block(len(made))
+                else:
+                    buffer.bind_to_storage_buffer(len(made))
+                member.binding = len(made)
+                made.append(buffer)
         return made
 
     def _set(self, name: str, member: Any, unit: int) -> int:
         """Set a uniform; returns how many texture units it takes."""
-        kind = member.gl_type
+        kind, length = member.gl_type, member.array_length
         if kind in _SAMPLERS:
-            for offset in range(member.array_length):
+            for offset in range(length):
                 self._texture(*_SAMPLERS[kind]).use(unit + offset)
         if kind in _SAMPLERS or any(kind in handles for handles in _OTHER_HANDLES):
-            units = range(unit, unit + member.array_length)
-            member.write(np.array(units, "i4").tobytes())
-            return int(member.array_length)
-        count = member.dimension * member.array_length
+            member.write(np.arange(unit, unit + length, dtype="i4").tobytes())
+            return int(length)
+        count = member.dimension * length
         random = np.random.default_rng(crc32(name.encode()))
         with suppress(moderngl.Error):  # It cannot write integers of 64 bits, which so remain 0.
             if member.fmt[-1] in "fd":
@@ -145,33 +133,28 @@ class Painter:
         return 0
 
     def _texture(self, sort: str, dtype: str) -> Any:
-        found = self._textures.get((sort, dtype))
-        if found is None:
-            found = self._textures[sort, dtype] = self._make_texture(sort, dtype)
-        return found
+        if (sort, dtype) not in self._textures:
+            self._textures[sort, dtype] = self._make_texture(sort, dtype)
+        return self._textures[sort, dtype]
 
     def _make_texture(self, sort: str, dtype: str) -> Any:
-        size = (_TEXELS, _TEXELS)
+        ctx, size = self._ctx, (_TEXELS, _TEXELS)
         depth = {"3D": _TEXELS, "cube": 6, "array": 4}.get(sort, 1)
-        channels = 1 if sort == "depth" else 4
         random = np.random.default_rng(len(sort))
-        shape = (depth, *size, channels)
-        if dtype == "f4":
-            data = random.uniform(0.0, 1.0, shape).astype("f4").tobytes()
-        else:
-            data = random.integers(0, 4, shape).astype(dtype).tobytes()
-        match sort:
-            case "depth":
-                made: Any = self._ctx.depth_texture(size, data)
-                made.compare_func = "<="
-            case "3D":
-                made = self._ctx.texture3d((*size, depth), 4, data, dtype=dtype)
-            case "cube":
-                made = self._ctx.texture_cube(size, 4, data, dtype=dtype)
-            case "array":
-                made = self._ctx.texture_array((*size, depth), 4, data, dtype=dtype)
-            case _:
-                made = self._ctx.texture(size, 4, data, dtype=dtype)
+        shape = (depth, *size, 1 if sort == "depth" else 4)
+        texels = random.uniform(0.0, 1.0, shape) if dtype == "f4" else random.integers(0, 4, shape)
+        data = texels.astype(dtype).tobytes()
+        if sort == "depth":
+            shadow: Any = ctx.depth_texture(size, data)
+            shadow.compare_func = "<="
+            return shadow
+        makers: dict[str, Any] = {
+            "3D": ctx.texture3d,
+            "cube": ctx.texture_cube,
+            "array": ctx.texture_array,
+        }
+        extent = (*size, depth) if sort in ("3D", "array") else size
+        made: Any = makers.get(sort, ctx.texture)(extent, 4, data, dtype=dtype)
         if dtype != "f4":
             made.filter = (moderngl.NEAREST, moderngl.NEAREST)
         return made
@@ -187,19 +170,12 @@ def _block(name: str, size: int, integers: bool) -> bytes:
     return random.uniform(0.1, 1.0, count).astype("f4").tobytes()[:size]
 
 
-def _equal(one: NDArray[np.generic], other: NDArray[np.generic]) -> bool:
-    """The same bits, but that any NaN is as good as another."""
+def _differ(one: Image, other: Image) -> NDArray[np.bool_]:
+    """Where the bits differ, but that any NaN is as good as another."""
+    wrong = np.asarray(one.view("u4") != other.view("u4"))
     if one.dtype.kind == "f":
-        return bool(
-            ((one.view("u4") == other.view("u4")) | (np.isnan(one) & np.isnan(other))).all()
-        )
-    return bool((one == other).all())
-
-
-def _difference(first: list[Any], second: list[Any]) -> str:
-    places = zip(first, second, strict=True)
-    counts = [int((one != other).any(axis=-1).sum()) for one, other in places]
-    return f"pixels that differ by target, depth last: {counts}"
+        wrong &= ~(np.isnan(one) & np.isnan(other))
+    return wrong
 
 
 def _short(error: Exception) -> str:
@@ -212,10 +188,12 @@ def main() -> None:
     painter = Painter()
     for line in sys.stdin:
         job = json.loads(line)
+        signal.alarm(SECONDS)  # Its default action ends the process, in whatever the driver is.
         try:
-            answer = painter.compare(**job)
+            answer = {"same": None, **job} if "why" in job else painter.compare(**job)
         except Exception as error:  # Whatever a driver or a shader does is an answer.
             answer = {"same": None, "why": f"{type(error).__name__}: {_short(error)}"}
+        signal.alarm(0)
         print(json.dumps(answer), flush=True)
 
 

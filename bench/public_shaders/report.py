@@ -1,27 +1,34 @@
-"""The figures of a collection, and its failures in groups."""
+"""The figures of a collection, and what fails in it."""
 
 from __future__ import annotations
 
 import re
-from collections import Counter, defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from bench.public_shaders.acceptance import Outcome
-from bench.public_shaders.collection import Shader
-from bench.public_shaders.glslang import Verdict
-from bench.public_shaders.rendering import Picture
+from bench.public_shaders.drawing import Picture
+from bench.public_shaders.judge import Verdict
+from bench.public_shaders.reading import Outcome
+from bench.public_shaders.shaders import Shader
+from shadercache.cli.tables import format_table
 
 _NAME = re.compile(r"'[^']*'|\d+")
-_EXTENSION = re.compile(r"^\s*#\s*extension\s+(GL_\w+)\s*:\s*(?:enable|require)", re.MULTILINE)
-_VERSION = re.compile(r"^\s*#\s*version\s+(\d+(?:[ \t]+\w+)?)", re.MULTILINE)
 
-
-HEAD = (
-    *("collection", "shaders", "valid", "accepted", "typed", "taken again", "by glslang", "stable"),
-    *("all of it", "drawn", "same image", "invalid", "rejected", "same line"),
-)
+# Column of the table: what is counted, and out of what.
+_SHARES = {
+    "accepted": ("accepted", "valid"),
+    "typed": ("typed", "valid"),
+    "taken again": ("taken again", "valid"),
+    "by glslang": ("taken again by glslang", "valid"),
+    "stable": ("stable", "valid"),
+    "all of it": ("all of it", "valid"),
+    "same image": ("same image", "drawn"),
+    "rejected": ("rejected", "invalid"),
+    "same line": ("same line", "rejected with a line"),
+}
+_COUNTS = ("shaders", "valid", "drawn", "invalid")
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,25 +47,24 @@ class Row:
     picture: Picture | None = None
 
     @property
-    def failure(self) -> str | None:
-        """What is wrong with what we did, as the heading of a group; ``None`` if nothing is."""
+    def failure(self) -> tuple[str, str] | None:
+        """What is wrong with what we did, and the words for it; ``None`` if nothing is."""
         verdict, outcome = self.verdict, self.outcome
         if not outcome.accepted and not outcome.code.startswith("SC"):
-            return f"TRACEBACK {outcome.code}: {outcome.message}"
+            return f"TRACEBACK {outcome.code}", outcome.message
         if not verdict.accepted:
-            shown = _NAME.sub("'…'", verdict.message)
-            return f"we take what glslang rejects: {shown}" if outcome.accepted else None
+            return ("we take what glslang rejects", verdict.message) if outcome.accepted else None
         if not outcome.accepted:
-            return f"{outcome.code} {_NAME.sub('…', outcome.message)}"
+            return outcome.code, outcome.message
         if self.typing:
-            return f"types: {_NAME.sub('…', self.typing)}"
+            return "types", self.typing
         if outcome.again:
-            return f"our print is rejected by us: {_NAME.sub('…', outcome.again)}"
+            return "our print is rejected by us", outcome.again
         if self.reread is not None and not self.reread.accepted:
-            return f"our print is rejected by glslang: {_NAME.sub('…', self.reread.message)}"
+            return "our print is rejected by glslang", self.reread.message
         if self.picture is not None and self.picture.same is False:
-            return f"our print renders another image: {_NAME.sub('…', self.picture.why)}"
-        return None if outcome.stable else "printed again, the text is another"
+            return "our print renders another image", self.picture.why
+        return None if outcome.stable else ("printed again, the text is another", "")
 
 
 def figures(rows: Sequence[Row]) -> dict[str, int]:
@@ -93,106 +99,55 @@ def figures(rows: Sequence[Row]) -> dict[str, int]:
     }
 
 
-def table(collections: dict[str, dict[str, int]]) -> str:
+def table(collections: Mapping[str, Mapping[str, int]]) -> str:
     """The figures as text, one line for each collection."""
-    lines = [HEAD, *(_line(name, counts) for name, counts in collections.items())]
-    widths = [max(len(line[at]) for line in lines) for at in range(len(HEAD))]
-    return "\n".join(
-        "  ".join(cell.rjust(width) if at else cell.ljust(width) for at, (cell, width) in row)
-        for row in (list(enumerate(zip(line, widths, strict=True))) for line in lines)
-    )
-
-
-def _line(name: str, counts: dict[str, int]) -> tuple[str, ...]:
-    valid = counts["valid"]
-    keys = ("accepted", "typed", "taken again", "taken again by glslang", "stable", "all of it")
-    return (
-        name,
-        str(counts["shaders"]),
-        str(valid),
-        *(_share(counts[key], valid) for key in keys),
-        str(counts["drawn"]),
-        _share(counts["same image"], counts["drawn"]),
-        str(counts["invalid"]),
-        _share(counts["rejected"], counts["invalid"]),
-        _share(counts["same line"], counts["rejected with a line"]),
-    )
+    head = ("collection", *_COUNTS, *_SHARES)
+    rows = [
+        (
+            name,
+            *(str(counts[key]) for key in _COUNTS),
+            *(_share(counts[part], counts[whole]) for part, whole in _SHARES.values()),
+        )
+        for name, counts in collections.items()
+    ]
+    return format_table(head, rows, right=" ".join(_COUNTS))
 
 
 def _share(part: int, whole: int) -> str:
     return f"{100 * part / whole:.2f} %" if whole else "-"
 
 
-def failures(rows: Iterable[Row]) -> dict[str, list[Row]]:
+def failures(rows: Sequence[Row]) -> dict[str, list[Row]]:
     """The rows where something is wrong, by what it is, the largest group first."""
-    groups: dict[str, list[Row]] = defaultdict(list)
+    groups: dict[str, list[Row]] = {}
     for row in rows:
         if row.failure is not None:
-            groups[row.failure].append(row)
-        elif _elsewhere(row):
-            groups["rejected by both, but at another line"].append(row)
+            title = ": ".join(row.failure)
+            groups.setdefault(_NAME.sub("…", title).removesuffix(": "), []).append(row)
+        elif not row.verdict.accepted and row.verdict.line not in (0, row.outcome.line):
+            groups.setdefault("rejected by both, but at another line", []).append(row)
     return dict(sorted(groups.items(), key=lambda item: -len(item[1])))
 
 
-def _elsewhere(row: Row) -> bool:
-    line = row.verdict.line
-    return not row.verdict.accepted and line > 0 and row.outcome.line != line
-
-
-def failures_text(name: str, groups: dict[str, list[Row]], folder: str, examples: int = 5) -> str:
-    """The groups in Markdown: how many, in which versions and extensions, and examples."""
-    lines = [f"# {name}", ""]
-    for title, rows in groups.items():
-        lines += [f"## {len(rows)} x {title}", "", *_common(rows), ""]
-        shown = 40 if title.startswith("rejected by both") else examples
-        lines += [_example(row, folder) for row in rows[:: -(-len(rows) // shown)]]
-        lines.append("")
-    return "\n".join(lines)
-
-
-def _common(rows: Sequence[Row]) -> Iterator[str]:
-    for label, pattern in (("versions", _VERSION), ("extensions", _EXTENSION)):
-        counts: dict[str, int] = defaultdict(int)
-        for row in rows:
-            for found in set(pattern.findall(row.shader.text)) or {"none"}:
-                counts[found] += 1
-        most = sorted(counts.items(), key=lambda item: -item[1])[:8]
-        yield f"{label}: {', '.join(f'{what} {count}' for what, count in most)}"
-
-
-def _example(row: Row, folder: str) -> str:
-    line = row.outcome.line or row.verdict.line
-    texts = row.shader.text.split("\n")
-    text = texts[line - 1].strip()[:160] if 0 < line <= len(texts) else ""
-    theirs = "" if row.verdict.accepted else f" | glslang {row.verdict.line}: {row.verdict.message}"
-    ours = f" | {row.outcome.code} {row.outcome.message}" if row.outcome.code else ""
-    ours += f" | {row.typing}" if row.typing else ""
-    ours += f" | {row.outcome.again}" if row.outcome.again else ""
-    reread = row.reread
-    ours += f" | print: {reread.line}: {reread.message}" if reread and not reread.accepted else ""
-    return f"* `{folder}/{row.shader.file}:{line}`: `{text}`{ours}{theirs}"
-
-
-def to_json(collections: dict[str, list[Row]]) -> dict[str, Any]:
-    """Everything that the table and the list of failures say."""
+def to_json(rows: Sequence[Row]) -> dict[str, Any]:
+    """All figures, why shaders were not drawn, and the failures with their places and words."""
+    pictures = [row.picture for row in rows if row.picture is not None]
+    reasons = [_NAME.sub("…", picture.why) for picture in pictures if picture.same is None]
     return {
-        "schema_version": 1,
-        "collections": {
-            name: {
-                "figures": figures(rows),
-                "not drawn": _reasons(rows),
-                "failures": {
-                    title: [row.shader.file for row in group]
-                    for title, group in failures(rows).items()
-                },
-            }
-            for name, rows in collections.items()
-        },
+        "figures": figures(rows),
+        "not drawn": dict(Counter(reasons).most_common()),
+        "failures": {title: list(map(_example, group)) for title, group in failures(rows).items()},
     }
 
 
-def _reasons(rows: Sequence[Row]) -> dict[str, int]:
-    """Why shaders were not drawn, and how many each; the most frequent first."""
-    pictures = [row.picture for row in rows if row.picture is not None]
-    reasons = [_NAME.sub("…", picture.why) for picture in pictures if picture.same is None]
-    return dict(Counter(reasons).most_common())
+def _example(row: Row) -> str:
+    return " | ".join((f"{row.shader.file}:{row.outcome.line or row.verdict.line}", *_words(row)))
+
+
+def _words(row: Row) -> Iterator[str]:
+    if row.failure is not None:
+        yield row.failure[1]
+    if row.outcome.code:
+        yield f"{row.outcome.code} {row.outcome.message}"
+    if not row.verdict.accepted:
+        yield f"glslang {row.verdict.line}: {row.verdict.message}"

@@ -1,16 +1,16 @@
-// Prints, as JSON, the shaders that three.js hands to WebGL: its own WebGLProgram puts them together,
-// from the chunks of its ShaderLib, for a WebGL that only takes notes.
+// Writes the shaders that three.js hands to WebGL: its own WebGLProgram puts them together, from the
+// chunks of its ShaderLib, for a WebGL that only takes notes.
 //
-//     node three_programs.mjs FOLDER-OF-THE-PACKAGE
+//     node three_programs.mjs FOLDER-OF-THE-PACKAGE FOLDER-FOR-SHADERS
 
-import { readdirSync } from 'node:fs';
-import { join } from 'node:path';
+import { mkdirSync, readdirSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
-const root = process.argv[ 2 ];
+const [ root, out ] = process.argv.slice( 2 );
 const load = ( ...parts ) => import( pathToFileURL( join( root, ...parts ) ) );
 
-// The standard output is for the JSON alone; three.js says there what it thinks of fake materials.
+// three.js says what it thinks of fake materials.
 console.warn = console.error = console.log = () => {};
 
 const { ShaderLib } = await load( 'src', 'renderers', 'shaders', 'ShaderLib.js' );
@@ -63,21 +63,23 @@ const assemble = ( name, material, parameters ) => {
 	noted.length = 0;
 	new WebGLProgram( renderer, '', { ...bare, shaderName: name, shaderType: 'Material', ...parameters,
 		vertexShader: material.vertexShader, fragmentShader: material.fragmentShader }, {} );
-	return noted.map( shader => ( { name, ...shader } ) );
+	for ( const { stage, text } of noted ) {
+
+		const file = join( out, `${ name }.${ stage }` );
+		mkdirSync( dirname( file ), { recursive: true } );
+		writeFileSync( file, text );
+
+	}
 
 };
 
-const shaders = [];
-
 for ( const [ id, material ] of Object.entries( ShaderLib ) )
 	for ( const [ name, parameters ] of Object.entries( settings ) )
-		shaders.push( ...assemble( `ShaderLib/${ id }.${ name }`, material, parameters ) );
+		assemble( `ShaderLib/${ id }.${ name }`, material, parameters );
 
 const isMaterial = value => typeof value?.fragmentShader === 'string' && typeof value.vertexShader === 'string';
 const folder = join( 'examples', 'jsm', 'shaders' );
 
 for ( const file of readdirSync( join( root, folder ) ).sort() )
 	for ( const [ name, material ] of Object.entries( await load( folder, file ) ).filter( ( [ , v ] ) => isMaterial( v ) ) )
-		shaders.push( ...assemble( `examples/${ name }`, material, { defines: { ...defines, ...material.defines }, glslVersion: material.glslVersion } ) );
-
-process.stdout.write( JSON.stringify( shaders ) );
+		assemble( `examples/${ file }/${ name }`, material, { defines: { ...defines, ...material.defines }, glslVersion: material.glslVersion } );

@@ -15,8 +15,8 @@ from functools import partial
 from multiprocessing import Pool
 from pathlib import Path
 
-from bench.public_shaders.collection import Shader
-from bench.public_shaders.glslang import TOOL
+from bench.public_shaders.judge import TOOL
+from bench.public_shaders.shaders import Shader
 from shadercache.ast import nodes as n
 from shadercache.ast.large import allow_deep_trees
 from shadercache.ast.walk import walk

@@ -3,17 +3,24 @@
 from __future__ import annotations
 
 import shutil
+import sys
 from pathlib import Path
 
 import pytest
 
-from bench.public_shaders.acceptance import outcome_of
-from bench.public_shaders.collection import Shader, distinct, evenly
-from bench.public_shaders.folder import folder_shaders, shaders_of
-from bench.public_shaders.glslang import Judge, Verdict
+from bench.public_shaders.drawing import Picture, draw_all, output_formats
+from bench.public_shaders.judge import Verdict, judge
 from bench.public_shaders.plain_vertex import plain_vertex
-from bench.public_shaders.rendering import Picture, output_formats, render_all
+from bench.public_shaders.reading import outcome_of
 from bench.public_shaders.report import Row, failures, figures, table
+from bench.public_shaders.shaders import (
+    Shader,
+    distinct,
+    evenly,
+    evenly_by_folder,
+    folder_shaders,
+    shaders_of,
+)
 from bench.public_shaders.typing import compare_types, shape_of
 from shadercache.source import Source
 from shadercache.valid.read import read
@@ -85,6 +92,27 @@ def test_a_folder_with_included_files(tmp_path: Path) -> None:
     assert found[1].text.split() == ["float", "noise;", "int", "b;"]
 
 
+def test_sections_of_a_test_of_piglit() -> None:
+    text = "[require]\nGLSL >= 1.30\n[vertex shader]\nint v;\n"
+    text += "[fragment shader]\n#version 120\nint f;\n[fragment shader]\nint g;\n[test]\ndraw\n"
+    found = list(shaders_of("piglit/a/x.shader_test", text))
+    assert [shader.file for shader in found] == [
+        f"piglit/a/x.shader_test{end}" for end in (".vert", ".frag", ".2.frag")
+    ]
+    assert [shader.text for shader in found] == [
+        "#version 130\nint v;\n",
+        "#version 120\nint f;\n",
+        "#version 130\nint g;\n",
+    ]
+    assert not list(shaders_of("x.shader_test", text + "[shader include]\n"))
+
+
+def test_choosing_by_folder() -> None:
+    shaders = [Shader(f"{at % 2}/{at}", "fragment", f"int a{at};") for at in range(10)]
+    assert [shader.name for shader in evenly_by_folder(shaders, 2)] == ["0/0", "0/6", "1/1", "1/7"]
+    assert len(evenly_by_folder(shaders, None)) == 10
+
+
 def test_choosing() -> None:
     shaders = [Shader(f"{number}", "fragment", f"int a{number % 7};") for number in range(10)]
     assert [shader.name for shader in distinct(shaders)] == list("0123456")
@@ -115,7 +143,7 @@ def test_types_in_the_words_of_the_judge(words: str, name: str) -> None:
 @needs_judge
 def test_types_agree_or_not(tmp_path: Path) -> None:
     shader = Shader("x", "fragment", FRAGMENT)
-    Judge(tmp_path, tmp_path / "verdicts.json").judge([shader])
+    judge([shader], tmp_path)
     assert compare_types([shader], tmp_path, 1) == [""]
     # The judge is shown another text than we are.
     other = FRAGMENT.replace("vec3 n = v_normal", "vec2 n = v_normal.xy").replace("(n,", "(n, 0.0,")
@@ -152,7 +180,7 @@ def test_images_are_drawn_and_compared(version: str, declaration: str, use: str)
     text = f"#version {version}\n{declaration}\nvoid main() {{ {use} }}\n"
     changed = text.replace("0.0", "0.1").replace(".xy)", ".yx)")
     shader = Shader("x", "fragment", text)
-    same, other, broken = render_all([(shader, text), (shader, changed), (shader, "no GLSL")], 1)
+    same, other, broken = draw_all([(shader, text), (shader, changed), (shader, "no GLSL")], 1)
     assert (same.same, same.varied) == (True, True), same.why
     assert other.same is False
     assert "differ" in other.why or version == "110"
@@ -160,12 +188,25 @@ def test_images_are_drawn_and_compared(version: str, declaration: str, use: str)
     assert "refuses our print" in broken.why
 
 
+def test_a_child_that_dies_costs_one_picture(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    child = tmp_path / "child"
+    child.write_text("#!/bin/sh\nread job && echo '{\"same\": true}'\nkill -SEGV $$\n")
+    child.chmod(0o755)
+    monkeypatch.setattr(sys, "executable", str(child))
+    shader = Shader("x", "fragment", FRAGMENT)
+    found = draw_all([(shader, FRAGMENT)] * 4, 1)
+    assert [picture.same for picture in found] == [True, None, True, None]
+    assert found[1].why == "the driver hangs or crashes"
+
+
 @pytest.mark.xdist_group("gl")
 def test_a_shader_that_the_driver_refuses_is_not_drawn() -> None:
     shader = Shader(
         "x", "fragment", "#version 330\nout vec4 o;\nvec4 f();\nvoid main() { o = f(); }"
     )
-    (picture,) = render_all([(shader, shader.text)], 1)
+    (picture,) = draw_all([(shader, shader.text)], 1)
     assert picture.same is None
     assert picture.why
 

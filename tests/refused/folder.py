@@ -8,9 +8,8 @@ from os import cpu_count
 from pathlib import Path
 from typing import NamedTuple
 
-from bench.public_shaders.acceptance import time_limit
-from bench.public_shaders.collection import Shader
-from bench.public_shaders.folder import folder_shaders
+from bench.public_shaders.reading import time_limit
+from bench.public_shaders.shaders import Shader, folder_shaders
 from shadercache.ast.large import allow_deep_trees
 from shadercache.compiler import analyse
 from shadercache.diagnostics import InputError, Severity

@@ -7,9 +7,10 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from multiprocessing import Pool
-from types import FrameType
+from traceback import extract_tb
+from typing import NoReturn
 
-from bench.public_shaders.collection import Shader, Stage
+from bench.public_shaders.shaders import Shader, Stage
 from shadercache.ast.large import allow_deep_trees
 from shadercache.diagnostics import Diagnostic, InputError, Severity
 from shadercache.emit.printer import print_module
@@ -69,9 +70,7 @@ def _read_again(printed: str, stage: Stage) -> Outcome:
 
 
 def _pass(text: str, stage: Stage) -> str:
-    source = Source("shader", text)
-    module, _ = read(source, stage)
-    return print_module(module)
+    return print_module(read(Source("shader", text), stage)[0])
 
 
 def _line(diagnostic: Diagnostic) -> int:
@@ -81,10 +80,8 @@ def _line(diagnostic: Diagnostic) -> int:
 
 
 def _place(error: Exception) -> str:
-    trace = error.__traceback__
-    while trace is not None and trace.tb_next is not None:
-        trace = trace.tb_next
-    return f"{trace.tb_frame.f_code.co_filename}:{trace.tb_lineno}" if trace else "nowhere"
+    last = extract_tb(error.__traceback__)[-1]
+    return f"{last.filename}:{last.lineno}"
 
 
 @contextmanager
@@ -98,5 +95,5 @@ def time_limit() -> Iterator[None]:
         signal.alarm(0)
 
 
-def _too_long(number: int, frame: FrameType | None) -> None:
+def _too_long(*_: object) -> NoReturn:
     raise TimeoutError(f"more than {SECONDS} s")
