@@ -75,6 +75,17 @@ def parse_passes(text: str) -> tuple[str, ...]:
     raise usage_error("SC008", f"'{text}' is no value for --passes", hint)
 
 
+def one_of(words: Sequence[str]) -> Callable[[str], str]:
+    """A parser of an option that takes one of these words."""
+
+    def word(text: str) -> str:
+        if text not in words:
+            raise typer.BadParameter(f"'{text}' is not one of {', '.join(words)}")
+        return text
+
+    return word
+
+
 def parse_periods(text: str) -> list[int]:
     """Refresh periods in frames (the look-up's arithmetic ends at 65,535)."""
     return parse_numbers(text, "--period", 1, 65_535)

@@ -8,12 +8,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
-from click import Choice
 
 from shadercache.caching.configuration import CacheFormat, Configuration, Mode, Storage
 from shadercache.caching.settings import with_settings
 from shadercache.cli.io import MANIFEST, atomic_folder, folder, read_pair
-from shadercache.cli.measuring import PASSES, parse_passes
+from shadercache.cli.measuring import PASSES, one_of, parse_passes
 from shadercache.cli.reading import (
     CacheOption,
     DefineOption,
@@ -50,7 +49,9 @@ def command(
     ] = None,
     passes: Annotated[
         str,
-        typer.Option(click_type=Choice(PASSES), help="Geometry passes of the variant."),
+        typer.Option(
+            metavar="|".join(PASSES), parser=one_of(PASSES), help="Geometry passes of the variant."
+        ),
     ] = "all",
     cache_format: Annotated[
         CacheFormat, typer.Option("--format", help="Texel format of the cache.")

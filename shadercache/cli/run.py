@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from click import Choice
 
 from shadercache.caching.configuration import (
     DEFAULT_EPSILON,
@@ -20,6 +19,7 @@ from shadercache.cli.io import folder
 from shadercache.cli.measuring import (
     PASSES,
     WeighOption,
+    one_of,
     parse_blocks,
     parse_passes,
     parse_periods,
@@ -55,7 +55,10 @@ def command(
         typer.Option(metavar="ID", help="Node id, or a name from the scene; several are one set."),
     ],
     passes: Annotated[
-        str, typer.Option(click_type=Choice(PASSES[:-1]), help="Passes of the variant.")
+        str,
+        typer.Option(
+            metavar="|".join(PASSES[:-1]), parser=one_of(PASSES[:-1]), help="Passes of the variant."
+        ),
     ] = "2",
     frame: Annotated[
         int, typer.Option(min=1, max=65_535, help="Frame whose pictures are written.")
