@@ -96,6 +96,9 @@ ALGORITHMS = (
 )
 """In the order of their passes; where one has to be chosen without reason, the last that fits."""
 
+DEFAULT = "2-pass"
+"""What a configuration takes where nothing is said."""
+
 NAMES = tuple(item.name for item in ALGORITHMS)
 
 

@@ -12,7 +12,7 @@ from dataclasses import asdict, dataclass, field, fields, is_dataclass, replace
 from hashlib import sha256
 from typing import Any, Literal, TypeAlias, get_args, get_origin, get_type_hints
 
-from shadercache.caching.algorithms import NAMES
+from shadercache.caching.algorithms import DEFAULT, NAMES
 from shadercache.diagnostics import input_error
 from shadercache.transform.hoist_fetches import FetchForm
 
@@ -123,7 +123,7 @@ class Configuration:
     """
 
     nodes: tuple[str, ...] = ()
-    algorithm: str = "2-pass"
+    algorithm: str = DEFAULT
     refresh: Refresh = field(default_factory=Refresh)
     filter: Filter = field(default_factory=Filter)
     hit_test: HitTest = field(default_factory=HitTest)

@@ -21,6 +21,7 @@ from shadercache.caching.configuration import (
 )
 from shadercache.cli.io import folder
 from shadercache.cli.measuring import (
+    PASSES,
     WeighOption,
     parse_blocks,
     parse_passes,
@@ -65,7 +66,7 @@ def command(
     every_node: Annotated[
         bool, typer.Option("--every-node", help="Also nodes of the same value as another.")
     ] = False,
-    passes: Annotated[str, typer.Option(metavar="1,2,3", help="Algorithms.")] = "all",
+    passes: Annotated[str, typer.Option(metavar=",".join(PASSES[:-1]), help="Algorithms.")] = "all",
     period: Annotated[str, typer.Option(metavar="N,...", help="Refresh periods, frames.")] = "32",
     block: Annotated[str, typer.Option(metavar="K,...", help="Block edges, pixels.")] = "4",
     size: Annotated[str, typer.Option(metavar="W[xH]", help="Picture size.")] = "512",

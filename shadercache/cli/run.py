@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from shadercache.caching.algorithms import DEFAULT, algorithm
 from shadercache.caching.configuration import (
     DEFAULT_EPSILON,
     CacheFormat,
@@ -59,7 +60,7 @@ def command(
         typer.Option(
             metavar="|".join(PASSES[:-1]), parser=one_of(PASSES[:-1]), help="Passes of the variant."
         ),
-    ] = "2",
+    ] = algorithm(DEFAULT).word,
     frame: Annotated[
         int, typer.Option(min=1, max=65_535, help="Frame whose pictures are written.")
     ] = 63,
@@ -122,13 +123,14 @@ def command(
     every, edge = parse_periods(str(period))[0], parse_blocks(str(block))[0]
     reading = read_options(define, undefine, include, dialect, max_tokens, unroll)
     scene, analysis = open_scene(find_scene(target), reading, mapping)
+    [by] = parse_passes(passes)
     [(label, chosen)] = choose_nodes(scene, analysis, ["+".join(node)])
     analysis.require_all(chosen, unprofitable)
     configuration = configured(
         scene,
         Configuration(
             nodes=tuple(item.id for item in chosen),
-            algorithm=parse_passes(passes)[0],
+            algorithm=by,
             refresh=Refresh(period=every, block=edge),
             hit_test=HitTest(epsilon=epsilon),
             storage=Storage(cache_format),

@@ -17,6 +17,7 @@ from shadercache.caching.algorithms import (
     PREVIOUS,
     Algorithm,
     AlgorithmPass,
+    Drawn,
     algorithm,
 )
 from shadercache.caching.configuration import Configuration, Mode
@@ -24,6 +25,7 @@ from shadercache.caching.settings import written_settings
 from shadercache.emit.assemble import Shader, interface
 from shadercache.emit.builder import FragmentProgram, exact_original
 from shadercache.emit.fragment import FragmentEmitter, function_named
+from shadercache.emit.full_screen import full_screen_vertex
 from shadercache.emit.printer import print_module
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.sema.facts import Stage
@@ -38,7 +40,7 @@ SECOND = "-2"
 
 @dataclass(frozen=True, slots=True)
 class Pass:
-    """One draw of all objects: its files, targets, depth test and what it reads."""
+    """One draw, of all objects or of the screen: its files, targets, depth and what it reads."""
 
     name: str
     file: str
@@ -47,6 +49,7 @@ class Pass:
     on_reset: bool = True
     depth_test: str = "less"
     depth_write: bool = True
+    draws: Drawn = "objects"
     uniforms: tuple[str, ...] = ()
     attributes: tuple[str, ...] = ()
 
@@ -119,6 +122,7 @@ def _pass(record: Algorithm, item: AlgorithmPass) -> Pass:
         item.on_reset,
         item.depth_test,
         item.depth_write,
+        item.draws,
     )
 
 
@@ -175,6 +179,9 @@ class _Writer:
 
     def add(self, item: Pass, fragment: Shader) -> Pass:
         """Print a pass and the vertex shader for it; return it with its interface filled in."""
+        if item.draws == "screen":
+            _, module = full_screen_vertex(fragment.module)
+            return self._write(item, fragment, interface(module))
         return self._write(item, fragment, self.vertex.for_fragment(fragment))
 
     def _write(self, item: Pass, fragment: Shader, vertex: Shader) -> Pass:

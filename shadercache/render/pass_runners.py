@@ -6,6 +6,7 @@ Arrays that are read back have row 0 at the bottom, as in OpenGL.
 from __future__ import annotations
 
 from abc import abstractmethod
+from collections.abc import Iterable, Sequence
 
 import moderngl
 import numpy as np
@@ -166,3 +167,17 @@ def object_numbers(drawable: Drawable) -> dict[str, NDArray[np.float64]]:
         "object": np.array([drawable.number], np.float64),
         "mask": np.array([drawable.item.mask], np.float64),
     }
+
+
+def render_original(
+    world: RenderScene, bundles: Sequence[Bundle], frames: Iterable[int], moving: bool = True
+) -> list[NDArray[np.float32]]:
+    """The original's images, (h, w, 4) each; a render scene at rest is drawn once.
+
+    Raises as ``OriginalRunner``.
+    """
+    with OriginalRunner(world, *bundles) as runner:
+        if moving:
+            return [runner.image(frame) for frame in frames]
+        still = runner.image(0)
+        return [still for _ in frames]

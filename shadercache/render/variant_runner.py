@@ -5,7 +5,7 @@ Arrays that are read back have row 0 at the bottom, as in OpenGL.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass, replace
 
 import numpy as np
@@ -29,6 +29,7 @@ from shadercache.render.pass_runners import (
     PayloadRunner,
     Runner,
     object_numbers,
+    render_original,
 )
 from shadercache.render.render_scene import RenderScene
 from shadercache.scene.camera import Values
@@ -395,17 +396,3 @@ def _fixed_numbers(camera: Camera, texel: str) -> dict[str, float]:
     that the cache really has."""
     depth = 2.0 * camera.near * camera.far / (camera.far - camera.near)
     return {"unit": depth, **asdict(precision_of(texel))}
-
-
-def render_original(
-    world: RenderScene, bundles: Sequence[Bundle], frames: Iterable[int], moving: bool = True
-) -> list[NDArray[np.float32]]:
-    """The original's images, (h, w, 4) each; a render scene at rest is drawn once.
-
-    Raises as ``OriginalRunner``.
-    """
-    with OriginalRunner(world, *bundles) as runner:
-        if moving:
-            return [runner.image(frame) for frame in frames]
-        still = runner.image(0)
-        return [still for _ in frames]

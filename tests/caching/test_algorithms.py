@@ -6,9 +6,22 @@ import json
 import re
 from pathlib import Path
 
+import pytest
+
 import shadercache
-from shadercache.caching.algorithms import ALGORITHMS, NAMES, algorithm
+from shadercache.caching import algorithms
+from shadercache.caching.algorithms import (
+    ALGORITHMS,
+    CACHE,
+    COLOR,
+    NAMES,
+    Algorithm,
+    AlgorithmPass,
+    algorithm,
+)
 from shadercache.emit.fragment import function_named
+from tests.configured import rewritten
+from tests.shaders import analysed, find
 
 PACKAGE = Path(shadercache.__file__).parent
 
@@ -35,10 +48,26 @@ def test_each_begins_anew_without_the_last_frame() -> None:
         assert {"color", "cache"} <= written
 
 
+def test_a_record_is_all_that_a_pass_takes(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One that draws the screen has a vertex shader of its own, and its depth is the record's."""
+    made = AlgorithmPass(
+        "all", "two_passes:miss", (COLOR, CACHE), draws="screen", depth_write=False
+    )
+    toy = Algorithm("toy", "toy", (made,))
+    monkeypatch.setitem(algorithms._BY_NAME, "toy", toy)
+    analysis = analysed("o_color = vec4(sin(v_position) * cos(v_normal), 1.0);")
+    node = find(analysis, "sin(v_position) * cos(v_normal)")
+    emission = rewritten(analysis, node, algorithms=["toy"], unprofitable=True)
+    [variant] = emission.manifest["variants"]
+    [told] = variant["passes"]
+    assert told["depth"] == {"test": "less", "write": False}
+    assert "gl_VertexID" in emission.files["toy.vert"] and not told["attributes"]
+
+
 def test_no_other_file_names_an_algorithm() -> None:
     named = re.compile("|".join(rf'"{name}"' for name in NAMES))
     for path in PACKAGE.rglob("*.py"):
-        if path.name not in ("algorithms.py", "configuration.py"):
+        if path.name != "algorithms.py":
             assert not named.search(path.read_text(encoding="utf-8")), path
 
 

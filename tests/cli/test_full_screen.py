@@ -73,7 +73,24 @@ def test_run_and_bench_without_a_scene(shell: Shell, static: str, tmp_path: Path
     options = ("--nodes", static, "--passes", "2", "--frames", 3)
     outcome = shell("bench", *CLOUDS, *options, *small, "--json")
     assert outcome.status == 0, outcome.err
-    assert outcome.json[0]["scene"] == "clouds"
+    assert outcome.json["scene"] == "clouds"
+
+
+@gl
+def test_periods_and_blocks_are_measured_beside_each_other(
+    shell: Shell, static: str, tmp_path: Path
+) -> None:
+    small = ("--size", "48x32", "--frames", 4, "-o", tmp_path)
+    refreshes = ("--passes", "1,2", "--period", "2,8", "--block", "2,4")
+    outcome = shell("bench", *CLOUDS, "--nodes", static, *refreshes, *small, "--json")
+    assert outcome.status == 0, outcome.err
+    [group] = outcome.json["groups"]
+    found = [variant["configuration"] for variant in group["nodes"][0]["variants"]]
+    told = [(item["refresh"]["period"], item["refresh"]["block"]) for item in found]
+    assert told == [(n, k) for n in (2, 8) for k in (2, 4) for _ in range(2)]
+    assert [item["algorithm"] for item in found[:2]] == ["1-pass", "2-pass"]
+    names = {path.name for path in tmp_path.iterdir()}
+    assert {"clouds.json", "clouds.csv", "clouds-time.png", "clouds-hits.png"} <= names
 
 
 SOLID = "#version 330\nin vec3 v;\nout vec4 c;\nvoid main() { c = vec4(WAVE); }\n"
