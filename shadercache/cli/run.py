@@ -115,7 +115,7 @@ def command(
     from shadercache.linking.user_places import at_home
     from shadercache.measure.measure import measure
     from shadercache.measure.measurement import MeasureOptions
-    from shadercache.measure.subjects import subjects_of
+    from shadercache.measure.subjects import VariantSubject
     from shadercache.render.render_scene import RenderScene
     from shadercache.scene.mesh import replacement_mesh
 
@@ -140,7 +140,8 @@ def command(
     )
     context.obj.show(depth_warnings(configuration, scene.camera.near, scene.camera.far))
     linker = Linker(scene, analysis)
-    subjects = subjects_of(linker, label, [configuration])
+    assignment = linker.assign(configuration)
+    subject = VariantSubject(label, configuration, linker.link(assignment), assignment)
     how = MeasureOptions(frame + 1, picture_frame=frame, weigh=weigh)
     replacement = replacement_mesh(scene, mesh)
     with (
@@ -149,7 +150,7 @@ def command(
         RenderScene(gpu, linker.scene, extent, mesh=replacement) as world,
         step_progress(f"running {label}") as tell,
     ):
-        found = measure(world, linker.originals(), subjects, how, tell)
+        found = measure(world, linker.originals(), [subject], how, tell)
     print(f"mapping: {analysis.mapping}")
     print(f"{summary(found)}\n\n{result_table(found, lambda item: item.label)}\n")
     for shot in found.shots:

@@ -53,7 +53,7 @@ def measure(
             ``BoundPass``.
     """
     if not subjects or options.frames < 2:
-        raise usage_error("SC027", "a measurement needs at least one node and two frames")
+        raise usage_error("SC027", "a measurement needs a node with a variant, and two frames")
     clock = pick_clock(world.gpu)
     variants = [item for item in subjects if isinstance(item, VariantSubject)]
     gains = weigh(world, variants, clock) if options.weigh else ()

@@ -93,6 +93,34 @@ def test_periods_and_blocks_are_measured_beside_each_other(
     assert {"clouds.json", "clouds.csv", "clouds-time.png", "clouds-hits.png"} <= names
 
 
+FETCHED = """#version 330
+uniform vec2 u_resolution;
+uniform sampler2D u_map;
+out vec4 c;
+void main() {
+    vec2 p = gl_FragCoord.xy / u_resolution;
+    vec3 a = vec3(0.0);
+    if (p.x > 0.25) {
+        a = sin(texture(u_map, p * 3.0).rgb * 3.0) * cos(p.y * 7.0);
+    }
+    c = vec4(a * p.x, 1.0);
+}
+"""
+
+
+@gl
+def test_an_algorithm_that_does_not_fit_is_told(shell: Shell, tmp_path: Path) -> None:
+    path = tmp_path / "fetched.frag"
+    path.write_text(FETCHED)
+    nodes = shell("nodes", path, "--json").nodes
+    node = next(item["id"] for item in nodes if item["offered"] and "sin(" in item["text"])
+    small = ("--size", "32x32", "-o", tmp_path / "out")
+    told = shell("run", path, "--node", node, "--passes", "1", "--frame", 2, *small)
+    assert told.status == 2 and "[SC026]" in told.err and "2-pass, 3-pass" in told.err
+    told = shell("bench", path, "--nodes", node, "--passes", "1", "--frames", 3, *small)
+    assert told.status == 2 and "[SC027]" in told.err
+
+
 SOLID = "#version 330\nin vec3 v;\nout vec4 c;\nvoid main() { c = vec4(WAVE); }\n"
 SOLID = SOLID.replace("WAVE", "sin(v.x) * cos(v.y) * sin(v.z + 3.0 * cos(v.x)) * sin(v.y)")
 DERIVING = """#version 330
