@@ -11,7 +11,7 @@ from sema.glslang import TOOL
 _ENTRY = re.compile(r"(\w+):  global (.*?) ?\b\1\((.*)\)( <[\w, ]*>)?$")
 _QUALIFIERS = re.compile(
     r"^(?:(?:in|out|inout|const|temp|global|read only|highp|mediump|lowp|coherent|volatile"
-    r"|readonly|writeonly|restrict|\(read only\)) )+"
+    r"|nontemporal|readonly|writeonly|restrict|\(read only\)) )+"
 )
 _PARAMETERS = re.compile(r"\s*,\s*(?=(?:in|out|inout|const)\b)")
 _ARRAY = re.compile(r"(\d+)-element array of (.*)")

@@ -14,7 +14,8 @@ from shadercache.lang.builtins import variable, variable_names
 # Of other stages and of extensions; the constants of images, which glslang has from 1.30 on, and
 # those of the compatibility profile, which it keeps; the blocks whose members are ours one by one.
 LEFT_OUT = re.compile(
-    r"gl_\w*(Ray|Semantics|Scope|Mesh|Task|HitKind|Subgroup)\w*|gl_\w+(NV|EXT)"
+    r"gl_\w*(Ray|Semantics|Scope|Mesh|Task|HitKind|Subgroup|CooperativeMatrix)\w*|gl_\w+(NV|EXT)"
+    r"|gl_Matrix(Use|Operands)\w+"
     r"|gl_Max\w*(Image|CombinedShaderOutputResources)\w*|gl_PerVertex|gl_PerFragment"
     r"|gl_Max(Lights|ClipPlanes|TextureUnits|TextureCoords)"
 )
