@@ -7,13 +7,22 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from functools import lru_cache
-from typing import Literal
+from math import isfinite
+from typing import Literal, TypeAlias
 
 from shadercache.ast import nodes as n
+from shadercache.emit.block_members import (
+    InputMember,
+    block_members,
+    joined_members,
+    number_of,
+    struct_members,
+)
 from shadercache.emit.packing import Packing, is_default
-from shadercache.lang.types import StructType, Type
+from shadercache.emit.printer import print_node
+from shadercache.lang.types import Type
 from shadercache.sema.facts import Facts, Stage
+from shadercache.sema.fold import Value, flattened, fold_construct
 
 InputKind = Literal[
     "attribute",
@@ -25,29 +34,20 @@ InputKind = Literal[
     "storage block",
 ]
 
+Default: TypeAlias = tuple[float, ...] | str
+"""The numbers of an initialiser, or its text where only a driver knows them."""
+
 _STORAGES = ("uniform", "buffer")
-
-MOST_MEMBERS = 1_000
-"""A struct of more, all told, is given by its type alone."""
-
-
-@dataclass(frozen=True, slots=True)
-class Member:
-    """A member of a block or of a struct; ``layout`` as it is written on it."""
-
-    name: str
-    type: str
-    layout: str = ""
-    members: tuple[Member, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
 class Input:
     """Something that an engine gives.
 
-    ``name`` is that of a block, not of its instance; ``dims`` are the sizes of an array of blocks,
-    whose elements have a buffer each. ``location`` and ``binding`` are those that are declared.
-    ``previous_of``: it wants what the one of this name had in the last frame.
+    ``name`` is that of a block, not of its instance; ``dims`` are the sizes of an array; the
+    elements of an array of blocks have a buffer each. ``location`` and ``binding`` are those that
+    are declared. ``previous_of``: it wants what the one of this name had in the last frame.
+    ``default``: what the shaders initialise it with.
     """
 
     kind: InputKind
@@ -56,11 +56,12 @@ class Input:
     stages: tuple[Stage, ...] = ()
     location: int | None = None
     binding: int | None = None
-    members: tuple[Member, ...] = ()
+    members: tuple[InputMember, ...] = ()
     instance: str | None = None
     dims: tuple[int, ...] = ()
     layout: Packing | None = None
     previous_of: str | None = None
+    default: Default | None = None
 
 
 def inputs_of(stages: Iterable[tuple[n.Module, Facts, Stage]]) -> tuple[Input, ...]:
@@ -83,6 +84,8 @@ def _joined(one: Input, other: Input) -> Input:
         stages=(*one.stages, *other.stages),
         location=other.location if one.location is None else one.location,
         binding=other.binding if one.binding is None else one.binding,
+        members=joined_members(one.members, other.members),
+        default=other.default if one.default is None else one.default,
     )
 
 
@@ -120,7 +123,7 @@ def _inputs(module: n.Module, facts: Facts, stage: Stage) -> Iterator[Input]:
                 if is_default(decl, storage):
                     defaults[storage] = defaults[storage].under(decl.qualifiers)
         elif isinstance(decl, n.BlockDecl) and decl.qualifiers.has(*_STORAGES):
-            yield _block(decl, facts, stage, defaults)
+            yield _block(decl, module, facts, stage, defaults)
         elif isinstance(decl, n.VarDecl) and _is_given(decl, stage):
             yield from _variables(decl, facts, stage)
 
@@ -137,9 +140,11 @@ def _variables(decl: n.VarDecl, facts: Facts, stage: Stage) -> Iterator[Input]:
             name=item.name,
             type=str(kind),
             stages=(stage,),
-            location=_number(decl.qualifiers, "location", facts),
-            binding=_number(decl.qualifiers, "binding", facts),
-            members=_fields(kind),
+            location=number_of(decl.qualifiers, "location", facts),
+            binding=number_of(decl.qualifiers, "binding", facts),
+            members=struct_members(kind),
+            dims=tuple(size or 0 for size in kind.dims),
+            default=_default(item.init, facts),
         )
 
 
@@ -151,62 +156,41 @@ def _kind(kind: Type) -> InputKind:
     return "image" if "image" in kind.name else "sampler"
 
 
-def _fields(kind: Type) -> tuple[Member, ...]:
-    if kind.struct is None or _count(kind.struct) > MOST_MEMBERS:
-        return ()
-    return tuple(
-        Member(name, str(inner), members=_fields(inner))
-        for name, inner in kind.struct.fields.items()
-    )
-
-
-@lru_cache
-def _count(struct: StructType) -> int:
-    """The members of a struct, and of those in it: forty structs of two have 2^40."""
-    inner = (kind.struct for kind in struct.fields.values())
-    return len(struct.fields) + sum(_count(item) for item in inner if item is not None)
-
-
-def _block(decl: n.BlockDecl, facts: Facts, stage: Stage, defaults: Mapping[str, Packing]) -> Input:
+def _block(
+    decl: n.BlockDecl,
+    module: n.Module,
+    facts: Facts,
+    stage: Stage,
+    defaults: Mapping[str, Packing],
+) -> Input:
     storage = next(word for word in _STORAGES if decl.qualifiers.has(word))
     dims = facts.declared[decl].type.dims if decl.instance is not None else ()
+    layout = defaults[storage].under(decl.qualifiers)
     return Input(
         kind="uniform block" if storage == "uniform" else "storage block",
         name=decl.name,
         stages=(stage,),
-        binding=_number(decl.qualifiers, "binding", facts),
-        members=tuple(_members(decl, facts)),
+        binding=number_of(decl.qualifiers, "binding", facts),
+        members=block_members(module, decl, facts, layout),
         instance=decl.instance,
         dims=tuple(size or 1 for size in dims),
-        layout=defaults[storage].under(decl.qualifiers),
+        layout=layout,
     )
 
 
-def _members(decl: n.BlockDecl, facts: Facts) -> Iterator[Member]:
-    for field in decl.fields:
-        for item in field.declarators:
-            if decl.instance is not None:
-                struct = facts.declared[decl].type.struct
-                assert struct is not None
-                kind = struct.fields[item.name]
-            else:
-                kind = facts.declared[item].type
-            yield Member(item.name, str(kind), _layout(field.qualifiers, facts), _fields(kind))
+def _default(init: n.Expr | None, facts: Facts) -> Default | None:
+    """The numbers of an initialiser, or its text where only the driver knows them."""
+    if init is None:
+        return None
+    value = _value(init, facts)
+    numbers = () if value is None else tuple(map(float, flattened(value)))
+    return numbers if numbers and all(map(isfinite, numbers)) else print_node(init)
 
 
-def _layout(qualifiers: n.Qualifiers, facts: Facts) -> str:
-    """The inside of a member's ``layout(...)``."""
-    parts = []
-    for item in qualifiers.layout or ():
-        number = None if item.value is None else facts.constants.get(item.value)
-        parts.append(item.name if number is None else f"{item.name} = {number}")
-    return ", ".join(parts)
-
-
-def _number(qualifiers: n.Qualifiers, word: str, facts: Facts) -> int | None:
-    found = None
-    for item in qualifiers.layout or ():
-        if item.name.lower() == word and item.value is not None:
-            value = facts.constants.get(item.value)
-            found = value if isinstance(value, int) else None
-    return found
+def _value(expr: n.Expr, facts: Facts) -> Value | None:
+    known: Value | None = facts.constants.get(expr)
+    if known is not None or not isinstance(expr, n.Construct):
+        return known
+    parts = [_value(part, facts) for part in expr.args]
+    values = [part for part in parts if part is not None]
+    return fold_construct(facts.types[expr], values) if len(values) == len(parts) else None

@@ -17,7 +17,7 @@ from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 from shadercache.diagnostics import input_error
 from shadercache.front.parse import parse
-from shadercache.lang.packing import alignment
+from shadercache.lang.block_layout import alignment
 from shadercache.lang.types import Type
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.infer import infer

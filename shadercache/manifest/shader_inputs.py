@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from shadercache.emit.block_members import InputMember
 from shadercache.emit.program_set import ProgramSet
-from shadercache.emit.reflection import Input, Member, with_twins
+from shadercache.emit.reflection import Input, with_twins
 
 
 def described_inputs(inputs: Sequence[Input], programs: ProgramSet) -> list[dict[str, Any]]:
@@ -46,7 +47,7 @@ def _block(item: Input) -> dict[str, Any]:
     return found
 
 
-def _member(member: Member) -> dict[str, Any]:
+def _member(member: InputMember) -> dict[str, Any]:
     found: dict[str, Any] = {"name": member.name, "type": member.type}
     if member.layout:
         found["layout"] = member.layout

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from shadercache.ast.nodes import BlockDecl
-from shadercache.lang.packing import alignment
+from shadercache.lang.block_layout import alignment
 from shadercache.lang.types import Type
 from shadercache.sema.problems import ERROR
 from shadercache.valid.subject import Subject

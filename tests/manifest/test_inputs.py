@@ -126,7 +126,9 @@ def test_kinds_that_a_vertex_shader_alone_may_have() -> None:
         "u_image": ("image", 2),
         "u_count": ("atomic counter", 3),
     }
-    assert found["B"].members == (reflection.Member("all", "vec4[]"),)
+    (member,) = found["B"].members
+    assert (member.name, member.type, member.dims) == ("all", "vec4[]", (0,))
+    assert (member.offset, member.stride, member.read) == (0, 16, True)
     assert found["B"].layout == Packing("std430")
 
 
