@@ -33,7 +33,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Generic, TypeVar
 
 from shadercache.analysed import Analysis
 from shadercache.analysis.candidates import (
@@ -63,7 +63,9 @@ from shadercache.emit.layout import Layout, extras_of
 from shadercache.emit.printer import print_node
 from shadercache.front.read_options import ReadOptions
 from shadercache.front.webgl import is_webgl
-from shadercache.manifest import Setting, build_manifest, needed_manifest, original_manifest
+from shadercache.manifest.build import build_manifest, needed_manifest, original_manifest
+from shadercache.manifest.model import Manifest, NeededManifest, OriginalManifest
+from shadercache.manifest.setting import Setting
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.infer import infer
 from shadercache.source import Source
@@ -90,12 +92,15 @@ USUAL_RANGE = (0.1, 100.0)
 __all__ = ["Analysis", "Emission", "analyse", "emit_needed", "emit_original", "rewrite"]
 
 
+Told = TypeVar("Told", Manifest, OriginalManifest, NeededManifest)
+
+
 @dataclass(frozen=True, slots=True)
-class Emission:
+class Emission(Generic[Told]):
     """What a rewrite yields: the texts by file name, the manifest, and what is to be known."""
 
     files: dict[str, str]
-    manifest: dict[str, Any]
+    manifest: Told
     notes: tuple[Diagnostic, ...] = ()
 
 
@@ -205,7 +210,7 @@ def rewrite(
     configurations: Configuration | Sequence[Configuration],
     *,
     unprofitable: bool = False,
-) -> Emission:
+) -> Emission[Manifest]:
     """The programs of a configuration, or of several that differ in their algorithm alone, with
     their manifest.
 
@@ -246,17 +251,17 @@ def rewrite(
     return Emission(programs.files, manifest, notes)
 
 
-def emit_original(analysis: Analysis, mode: Mode = "plain") -> Emission:
+def emit_original(analysis: Analysis, mode: Mode = "plain") -> Emission[OriginalManifest]:
     """The user's own shaders, printed from the tree: what variants are compared with.
 
     In plain mode nothing is changed but the layout; proof mode also makes every value precise.
     """
     _check_names(analysis, mode)
     programs = program_set.emit_original(analysis.program, analysis.vertex_emitter, mode)
-    return Emission(programs.files, original_manifest(programs, mode))
+    return Emission(programs.files, original_manifest(programs, mode, analysis.inputs))
 
 
-def emit_needed(analysis: Analysis, configuration: Configuration) -> Emission:
+def emit_needed(analysis: Analysis, configuration: Configuration) -> Emission[NeededManifest]:
     """The program that tells which pixels have payloads of the nodes, and which of them are fit.
 
     It is part of no variant: who counts hits needs it to know how many there must be.
@@ -264,7 +269,8 @@ def emit_needed(analysis: Analysis, configuration: Configuration) -> Emission:
     vertex = analysis.vertex_emitter
     nodes = analysis.nodes_of("+".join(configuration.nodes))
     programs = program_set.emit_needed(analysis.program, vertex, nodes, configuration)
-    return Emission(programs.files, needed_manifest(programs, configuration.mode))
+    manifest = needed_manifest(programs, configuration.mode, analysis.inputs)
+    return Emission(programs.files, manifest)
 
 
 def _check_names(analysis: Analysis, mode: Mode, queries: bool = False) -> None:

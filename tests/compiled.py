@@ -8,6 +8,8 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from manifests import plain
+
 if TYPE_CHECKING:
     from shadercache.compiler import Emission
     from shadercache.gpu.context import Gpu
@@ -15,9 +17,9 @@ if TYPE_CHECKING:
 Pair = tuple[str, str]
 
 
-def pairs_of(emission: Emission) -> list[Pair]:
+def pairs_of(emission: Emission[Any]) -> list[Pair]:
     """The texts of vertex and fragment shader of every program of an emission."""
-    manifest = emission.manifest
+    manifest = plain(emission.manifest)
     passes: list[Any] = [item for v in manifest.get("variants", ()) for item in v["passes"]]
     passes += [manifest[name] for name in ("original", "payload", "debug") if name in manifest]
     return [(emission.files[p["vertex"]], emission.files[p["fragment"]]) for p in passes]

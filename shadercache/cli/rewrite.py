@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -30,6 +29,7 @@ from shadercache.front.read_options import MAX_TOKENS
 
 if TYPE_CHECKING:
     from shadercache.compiler import Emission
+    from shadercache.manifest.model import Manifest
 
 
 def command(
@@ -109,9 +109,10 @@ def command(
     )
 
 
-def _write(emission: Emission, out: Path) -> None:
+def _write(emission: Emission[Manifest], out: Path) -> None:
+    from shadercache.manifest.codec import encode
+
     with atomic_folder(out) as folder:
         for name, text in emission.files.items():
             (folder / name).write_text(text, encoding="utf-8", newline="")
-        manifest = json.dumps(emission.manifest, indent=2) + "\n"
-        (folder / MANIFEST).write_text(manifest, encoding="utf-8")
+        (folder / MANIFEST).write_text(encode(emission.manifest), encoding="utf-8", newline="")

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from typing import Literal
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.caching.algorithms import (
@@ -47,7 +48,7 @@ class Pass:
     targets: tuple[str, ...]
     reads: tuple[str, ...] = ()
     on_reset: bool = True
-    depth_test: str = "less"
+    depth_test: Literal["less", "lequal"] = "less"
     depth_write: bool = True
     draws: Drawn = "objects"
     uniforms: tuple[str, ...] = ()

@@ -108,8 +108,8 @@ class Linker:
         analysis = self._analysis(item)
         key = (id(analysis), mode)
         if key not in self._bundles:
-            emission = emit_original(analysis, mode)
-            self._bundles[key] = Bundle(emission.manifest, emission.files)
+            original = emit_original(analysis, mode)
+            self._bundles[key] = Bundle(original.manifest, original.files)
         return self._bundles[key]
 
     def _analysis(self, item: SceneObject) -> Analysis:

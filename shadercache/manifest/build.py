@@ -1,13 +1,12 @@
-"""Manifests put together from what was emitted.
-
-The published schema is ``manifest.schema.json`` in the folder above.
-"""
+"""Manifests put together from what was emitted."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from hashlib import sha256
 from typing import Any
+
+from msgspec import UNSET, convert
 
 from shadercache import __version__
 from shadercache.analysis.candidates import Candidate
@@ -17,16 +16,47 @@ from shadercache.caching.settings import written_settings
 from shadercache.emit.dependencies import Dependency
 from shadercache.emit.layout import Layout, extras_of
 from shadercache.emit.program_set import Pass, ProgramSet
+from shadercache.emit.reflection import Input
 from shadercache.emit.runtime import outcomes
 from shadercache.emit.uniforms import added_uniforms
+from shadercache.manifest.cache_model import (
+    CacheEntry,
+    NodeEntry,
+    PlacesEntry,
+    SpanEntry,
+    TargetEntry,
+)
+from shadercache.manifest.kinds import TargetName
+from shadercache.manifest.model import (
+    SCHEMA_VERSION,
+    ColorEntry,
+    DependencyEntry,
+    Manifest,
+    MappingEntry,
+    NeededManifest,
+    OriginalManifest,
+    SourceEntry,
+    SourcesEntry,
+)
+from shadercache.manifest.pass_model import (
+    AddedUniform,
+    DebugEntry,
+    DepthEntry,
+    DepthFunctionName,
+    DepthFunctions,
+    NeededEntry,
+    ObjectsEntry,
+    PassEntry,
+    RefusedEntry,
+    TriangleEntry,
+    VariantEntry,
+)
 from shadercache.manifest.relies import relies_on
 from shadercache.manifest.sentences import frame_sentences, reset_sentences
 from shadercache.manifest.setting import Setting
 from shadercache.manifest.shader_inputs import described_inputs
 from shadercache.manifest.state import state_of
 from shadercache.source import Source
-
-SCHEMA_VERSION = 2
 
 CLEAR = (0.0, 0.0, 0.0, -1.0)
 """Of an empty cache texel: depths are positive where something is drawn, so -1 matches nothing."""
@@ -50,8 +80,8 @@ _ALWAYS = ("previous-cache", "current-cache", "previous-cache-2", "current-cache
 
 _CHANNELS = ("x", "xy", "xyz", "xyzw")
 
-OBJECTS = {"geometry": "objects"}
-FULL_SCREEN = {"geometry": "full-screen triangle", "mode": "triangles", "vertices": 3}
+OBJECTS = ObjectsEntry()
+FULL_SCREEN = TriangleEntry(mode="triangles", vertices=3)
 """Three vertices without attributes: the vertex shaders make their positions."""
 
 DEBUG = {"format": "r32f", "clear": 0, "depth_buffer": "own"}
@@ -63,10 +93,10 @@ _WHEN = (
 )
 _HIDDEN = "objects that are not cached hide what is behind them and write 0"
 
-_FORWARD: dict[str, Any] = {"less": "less", "lequal": "lequal", "clear": 1}
-_REVERSED: dict[str, Any] = {"less": "greater", "lequal": "gequal", "clear": 0}
+_FORWARD = DepthFunctions(less="less", lequal="lequal", clear=1)
+_REVERSED = DepthFunctions(less="greater", lequal="gequal", clear=0)
 
-DEPTH_FUNCTIONS: dict[str, dict[str, Any]] = {
+DEPTH_FUNCTIONS: dict[DepthFunctionName, DepthFunctions] = {
     "less": _FORWARD,
     "lequal": _FORWARD,
     "greater": _REVERSED,
@@ -85,80 +115,94 @@ def build_manifest(
     configuration: Configuration,
     programs: ProgramSet,
     setting: Setting,
-) -> dict[str, Any]:
+) -> Manifest:
     """The manifest of a program set."""
     assert programs.original is not None and programs.debug is not None
     assert programs.payload is not None
     layout = Layout(tuple(node.type for node in nodes), extras=extras_of(configuration))
     declared = _declared(programs)
-    return {
-        "schema_version": SCHEMA_VERSION,
-        "generator": f"shadercache {__version__}",
-        "source": {"fragment": _source(fragment), "vertex": _source(vertex)},
-        "nodes": [
+    cache = _cache(layout, configuration)
+    return Manifest(
+        schema_version=SCHEMA_VERSION,
+        generator=f"shadercache {__version__}",
+        source=SourcesEntry(fragment=_source(fragment), vertex=_source(vertex)),
+        nodes=tuple(
             _node(fragment, node, place) for node, place in zip(nodes, layout.places, strict=True)
-        ],
-        "mode": configuration.mode,
-        "color": {"output": programs.color, "location": 0},
-        "cache": _cache(layout, configuration),
-        "uniforms": [
-            entry
+        ),
+        mode=configuration.mode,
+        color=ColorEntry(output=programs.color, location=0),
+        cache=cache,
+        targets=_targets(cache),
+        uniforms=tuple(
+            AddedUniform(**entry)
             for entry in added_uniforms(programs.prefix, layout, configuration)
             if entry["name"] in declared or entry["role"] in _ALWAYS
-        ],
-        "renamed": dict(setting.renamed),
-        "previous": programs.previous,
-        "inputs": described_inputs(setting.inputs, programs),
-        "depends_on": [_dependency(item) for item in setting.depends_on],
-        "mapping": _mapping(setting),
-        "draw": dict(FULL_SCREEN if setting.full_screen else OBJECTS),
-        "original": _pass(programs.original),
-        "variants": [
-            {"algorithm": name, "passes": [_pass(item) for item in passes]}
+        ),
+        renamed=dict(setting.renamed),
+        previous=programs.previous,
+        inputs=described_inputs(setting.inputs, programs),
+        depends_on=tuple(map(_dependency, setting.depends_on)),
+        mapping=_mapping(setting),
+        draw=FULL_SCREEN if setting.full_screen else OBJECTS,
+        original=PassEntry(**_pass(programs.original)),
+        variants=tuple(
+            VariantEntry(
+                algorithm=name,
+                passes=tuple(PassEntry(**_pass(item)) for item in passes),
+            )
             for name, passes in programs.variants.items()
-        ],
-        "refused": [
-            {"algorithm": name, "reason": reason} for name, reason in programs.refused.items()
-        ],
-        "payload": _pass(programs.payload),
-        "debug": _debug(programs.debug, configuration, setting),
-        "frame": frame_sentences(bool(layout.second), setting, programs),
-        "reset": reset_sentences(configuration, setting, programs),
-        "relies_on": relies_on(configuration, programs, setting),
-        "state": state_of(setting.full_screen),
-    } | ({} if setting.full_screen else {"depth_functions": _depth_functions()})
+        ),
+        refused=tuple(
+            RefusedEntry(algorithm=name, reason=reason) for name, reason in programs.refused.items()
+        ),
+        payload=PassEntry(**_pass(programs.payload)),
+        debug=_debug(programs.debug, configuration, setting),
+        frame=tuple(frame_sentences(bool(layout.second), setting, programs)),
+        reset=tuple(reset_sentences(configuration, setting, programs)),
+        relies_on=tuple(relies_on(configuration, programs, setting)),
+        state=state_of(setting.full_screen),
+        depth_functions=UNSET if setting.full_screen else DEPTH_FUNCTIONS,
+    )
 
 
-def _depth_functions() -> dict[str, Any]:
-    return {name: dict(found) for name, found in DEPTH_FUNCTIONS.items()}
-
-
-def _mapping(setting: Setting) -> dict[str, Any]:
-    """Where payloads are found."""
-    how: dict[str, Any] = {"kind": setting.mapping}
-    if setting.unchanged is not None:
-        how["exact_while_unchanged"] = list(setting.unchanged)
-    return how
-
-
-def original_manifest(programs: ProgramSet, mode: Mode) -> dict[str, Any]:
-    """The part of a manifest that says how to draw the unchanged shader."""
+def original_manifest(
+    programs: ProgramSet, mode: Mode, inputs: Sequence[Input]
+) -> OriginalManifest:
+    """How to draw the unchanged shader."""
     assert programs.original is not None
-    return {
-        "schema_version": SCHEMA_VERSION,
-        "mode": mode,
-        "original": _pass(programs.original),
-    }
+    return OriginalManifest(
+        schema_version=SCHEMA_VERSION,
+        mode=mode,
+        inputs=described_inputs(inputs, programs),
+        original=PassEntry(**_pass(programs.original)),
+    )
 
 
-def needed_manifest(programs: ProgramSet, mode: Mode) -> dict[str, Any]:
-    """The part of a manifest that says how to draw which pixels have payloads."""
+def needed_manifest(programs: ProgramSet, mode: Mode, inputs: Sequence[Input]) -> NeededManifest:
+    """How to draw which pixels have payloads."""
     assert programs.debug is not None
-    return {
-        "schema_version": SCHEMA_VERSION,
-        "mode": mode,
-        "needed": _pass(programs.debug) | {"by_some": programs.whole},
+    return NeededManifest(
+        schema_version=SCHEMA_VERSION,
+        mode=mode,
+        inputs=described_inputs(inputs, programs),
+        needed=NeededEntry(**_pass(programs.debug), by_some=programs.whole),
+    )
+
+
+def _mapping(setting: Setting) -> MappingEntry:
+    """Where payloads are found."""
+    unchanged = UNSET if setting.unchanged is None else tuple(setting.unchanged)
+    return MappingEntry(kind=setting.mapping, exact_while_unchanged=unchanged)
+
+
+def _targets(cache: CacheEntry) -> dict[TargetName, TargetEntry]:
+    found: dict[TargetName, TargetEntry] = {
+        "color": TargetEntry(format=None),
+        "cache": TargetEntry(format=cache.format),
     }
+    if cache.second is not UNSET:
+        found["cache-2"] = TargetEntry(format=cache.second.format)
+    return found | {"mask": TargetEntry(format="r32f")}
 
 
 def _declared(programs: ProgramSet) -> set[str]:
@@ -168,14 +212,14 @@ def _declared(programs: ProgramSet) -> set[str]:
     return {name for item in passes for name in item.uniforms}
 
 
-def _cache(layout: Layout, configuration: Configuration) -> dict[str, Any]:
+def _cache(layout: Layout, configuration: Configuration) -> CacheEntry:
     formats = layout.formats(configuration.storage.format)
     first, rest = layout.payload_channels
     depth = _DEPTHS[configuration.storage.depth]
     cache: dict[str, Any] = {
         "format": formats[0],
         "buffers": 2,
-        "clear": list(_clear(layout, configuration)),
+        "clear": _clear(layout, configuration),
         "filter": "nearest",
         "wrap": "clamp-to-edge",
         "channels": {"payload": _CHANNELS[first - 1], "depth": "w"} | _extras(layout, 0),
@@ -185,8 +229,8 @@ def _cache(layout: Layout, configuration: Configuration) -> dict[str, Any]:
     if layout.second:
         payload = {"payload": _CHANNELS[rest - 1]} if rest else {}
         channels = payload | _extras(layout, 1)
-        cache["second"] = {"format": formats[1], "clear": [0.0] * 4, "channels": channels}
-    return cache
+        cache["second"] = {"format": formats[1], "clear": (0.0,) * 4, "channels": channels}
+    return convert(cache, CacheEntry)
 
 
 def _clear(layout: Layout, configuration: Configuration) -> tuple[float, ...]:
@@ -204,37 +248,36 @@ def _extras(layout: Layout, texel: int) -> dict[str, Any]:
     return {"extras": held} if held else {}
 
 
-def _source(source: Source) -> dict[str, str]:
-    return {"name": source.name, "sha256": sha256(source.text.encode()).hexdigest()}
+def _source(source: Source) -> SourceEntry:
+    return SourceEntry(name=source.name, sha256=sha256(source.text.encode()).hexdigest())
 
 
-def _debug(item: Pass, configuration: Configuration, setting: Setting) -> dict[str, Any]:
+def _debug(item: Pass, configuration: Configuration, setting: Setting) -> DebugEntry:
     when = _WHEN if setting.full_screen else f"{_WHEN}; {_HIDDEN}"
-    return _pass(item) | DEBUG | {"when": when, "values": outcomes(configuration)}
+    return convert(
+        _pass(item) | DEBUG | {"when": when, "values": outcomes(configuration)}, DebugEntry
+    )
 
 
-def _dependency(item: Dependency) -> dict[str, Any]:
-    found: dict[str, Any] = {"kind": item.kind, "name": item.name, "stages": list(item.stages)}
-    return found | ({"members": list(item.members)} if item.members else {})
+def _dependency(item: Dependency) -> DependencyEntry:
+    found = {"kind": item.kind, "name": item.name, "stages": item.stages}
+    return convert(found | ({"members": item.members} if item.members else {}), DependencyEntry)
 
 
-def _node(source: Source, node: Candidate, place: tuple[str, str]) -> dict[str, Any]:
-    first, second = place
+def _node(source: Source, node: Candidate, place: tuple[str, str]) -> NodeEntry:
+    places = zip(("cache", "second"), place, strict=True)
     start, end = source.position(node.expr.span.start), source.position(node.expr.span.end)
-    return {
-        "id": node.id,
-        "path": node.path,
-        "text": node.text,
-        "type": str(node.type),
-        "span": {
-            "line": start.line,
-            "column": start.column,
-            "end_line": end.line,
-            "end_column": end.column,
-        },
-        "channels": {name: text for name, text in (("cache", first), ("second", second)) if text},
-        "conditional": is_skipped(node),
-    }
+    return NodeEntry(
+        id=node.id,
+        path=node.path,
+        text=node.text,
+        type=str(node.type),
+        span=SpanEntry(
+            line=start.line, column=start.column, end_line=end.line, end_column=end.column
+        ),
+        channels=convert({k: v for k, v in places if v}, PlacesEntry),
+        conditional=is_skipped(node),
+    )
 
 
 def _pass(item: Pass) -> dict[str, Any]:
@@ -242,10 +285,10 @@ def _pass(item: Pass) -> dict[str, Any]:
         "name": item.name,
         "vertex": f"{item.file}.vert",
         "fragment": f"{item.file}.frag",
-        "targets": list(item.targets),
-        "depth": {"test": item.depth_test, "write": item.depth_write},
-        "reads": list(item.reads),
-        "uniforms": list(item.uniforms),
-        "attributes": list(item.attributes),
+        "targets": item.targets,
+        "depth": DepthEntry(test=item.depth_test, write=item.depth_write),
+        "reads": item.reads,
+        "uniforms": item.uniforms,
+        "attributes": item.attributes,
         "on_reset": item.on_reset,
     }

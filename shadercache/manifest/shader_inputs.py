@@ -2,55 +2,156 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
+import re
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any, TypeVar
+
+from msgspec import UNSET, UnsetType
 
 from shadercache.emit.block_members import InputMember
-from shadercache.emit.program_set import ProgramSet
-from shadercache.emit.reflection import Input, with_twins
+from shadercache.emit.program_set import Pass, ProgramSet
+from shadercache.emit.reflection import Input, InputKind, with_twins
+from shadercache.lang.block_layout import LAID_OUT, up
+from shadercache.manifest.interface import (
+    AttributeInput,
+    CounterInput,
+    ImageInput,
+    InputEntry,
+    MemberEntry,
+    SamplerInput,
+    StorageBlockInput,
+    UniformBlockInput,
+    UniformInput,
+)
+
+T = TypeVar("T")
+
+_TEXTURE = re.compile(
+    r"([iu]?)(?:sampler|image)(1D|2D|3D|Cube|Buffer|ExternalOES)(Rect)?(MS)?(Array)?(Shadow)?"
+)
+_DIMENSIONS = {"Cube": "cube", "Buffer": "buffer", "ExternalOES": "2D"}
+_COMPONENTS = {"": "float", "i": "int", "u": "uint"}
+_BUFFER_UNIT = 16
 
 
-def described_inputs(inputs: Sequence[Input], programs: ProgramSet) -> list[dict[str, Any]]:
+def described_inputs(inputs: Sequence[Input], programs: ProgramSet) -> tuple[InputEntry, ...]:
     """An entry for every input that a program of the set declares, the added ones apart."""
-    passes = [item for variant in programs.variants.values() for item in variant]
-    passes += [item for item in (programs.original, programs.debug, programs.payload) if item]
-    declared = {name for item in passes for name in (*item.uniforms, *item.attributes)}
-    return [
-        _described(item) for item in with_twins(inputs, programs.previous) if item.name in declared
-    ]
+    declared = {name for item in _passes(programs) for name in (*item.uniforms, *item.attributes)}
+    return tuple(
+        _ENTRIES[item.kind](item)
+        for item in with_twins(inputs, programs.previous)
+        if item.name in declared
+    )
 
 
-def _described(item: Input) -> dict[str, Any]:
-    found: dict[str, Any] = {"kind": item.kind, "name": item.name, "stages": list(item.stages)}
-    if item.type is not None:
-        found["type"] = item.type
-    if item.kind.endswith("block"):
-        found |= _block(item)
-    if item.kind in ("attribute", "uniform"):
-        found["location"] = item.location
-    else:
-        found["binding"] = item.binding
-    if item.members:
-        found["members"] = [_member(member) for member in item.members]
-    if item.previous_of is not None:
-        found["previous_of"] = item.previous_of
-    return found
+def _passes(programs: ProgramSet) -> Iterable[Pass]:
+    for variant in programs.variants.values():
+        yield from variant
+    for item in (programs.original, programs.debug, programs.payload):
+        if item is not None:
+            yield item
+
+
+def _variable(item: Input) -> dict[str, Any]:
+    return {"name": item.name, "stages": item.stages, "type": item.type, "dims": item.dims}
+
+
+def _attribute(item: Input) -> InputEntry:
+    return AttributeInput(**_variable(item), location=item.location)
+
+
+def _uniform(item: Input) -> InputEntry:
+    return UniformInput(
+        **_variable(item),
+        location=item.location,
+        default=_or_unset(item.default),
+        members=tuple(map(_member, item.members)),
+        previous_of=_or_unset(item.previous_of),
+    )
+
+
+def _texture(item: Input) -> dict[str, Any]:
+    """What the name of a type says of a texture."""
+    found = _TEXTURE.match(item.type or "")
+    assert found is not None, item.type
+    return _variable(item) | {
+        "binding": item.binding,
+        "dimension": "rectangle" if found[3] else _DIMENSIONS.get(found[2], found[2]),
+        "component": _COMPONENTS[found[1]],
+        "layers": bool(found[5]),
+        "multisampled": bool(found[4]),
+    }
+
+
+def _sampler(item: Input) -> InputEntry:
+    kind = item.type or ""
+    return SamplerInput(
+        **_texture(item), compares="Shadow" in kind, external=kind.startswith("samplerExternalOES")
+    )
+
+
+def _image(item: Input) -> InputEntry:
+    return ImageInput(**_texture(item))
+
+
+def _counter(item: Input) -> InputEntry:
+    return CounterInput(**_variable(item), binding=item.binding)
 
 
 def _block(item: Input) -> dict[str, Any]:
     assert item.layout is not None
-    found: dict[str, Any] = {"instance": item.instance, "dims": list(item.dims)}
-    found |= {"packing": item.layout.packing, "matrices": item.layout.matrices}
+    end = max(((member.offset or 0) + member.size for member in item.members), default=0)
+    return {
+        "name": item.name,
+        "stages": item.stages,
+        "instance": item.instance,
+        "dims": item.dims,
+        "packing": item.layout.packing,
+        "matrices": item.layout.matrices,
+        "binding": item.binding,
+        "size": up(end, _BUFFER_UNIT) if item.layout.packing in LAID_OUT else UNSET,
+        "members": tuple(map(_member, item.members)),
+        "previous_of": _or_unset(item.previous_of),
+    }
+
+
+def _uniform_block(item: Input) -> InputEntry:
+    found = _block(item)
+    twin: bool | UnsetType = UNSET
     if item.previous_of is not None:
         # Of a packed block a program may leave out what it does not read.
-        found["takes_the_last_buffer"] = item.layout.packing != "packed"
-    return found
+        twin = found["packing"] != "packed"
+    return UniformBlockInput(**found, takes_the_last_buffer=twin)
 
 
-def _member(member: InputMember) -> dict[str, Any]:
-    found: dict[str, Any] = {"name": member.name, "type": member.type}
-    if member.layout:
-        found["layout"] = member.layout
-    if member.members:
-        found["members"] = [_member(inner) for inner in member.members]
-    return found
+def _storage_block(item: Input) -> InputEntry:
+    return StorageBlockInput(**_block(item))
+
+
+def _member(member: InputMember) -> MemberEntry:
+    return MemberEntry(
+        name=member.name,
+        type=member.type,
+        dims=member.dims,
+        offset=_or_unset(member.offset),
+        stride=_or_unset(member.stride),
+        matrix_stride=_or_unset(member.matrix_stride),
+        layout=member.layout or UNSET,
+        read=member.read,
+        members=tuple(map(_member, member.members)),
+    )
+
+
+def _or_unset(value: T | None) -> T | UnsetType:
+    return UNSET if value is None else value
+
+
+_ENTRIES: dict[InputKind, Callable[[Input], InputEntry]] = {
+    "attribute": _attribute,
+    "uniform": _uniform,
+    "sampler": _sampler,
+    "image": _image,
+    "atomic counter": _counter,
+    "uniform block": _uniform_block,
+    "storage block": _storage_block,
+}

@@ -6,19 +6,23 @@ This is all the harness knows about a variant; it holds no knowledge of the algo
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
+
+from msgspec import UNSET
 
 from shadercache import foreign_files as foreign
 from shadercache.caching.configuration import DEFAULT_EPSILON, Configuration, Mode
 from shadercache.caching.settings import with_settings
-from shadercache.diagnostics import InputError, UsageError, input_error, usage_error
+from shadercache.diagnostics import UsageError, input_error, usage_error
+from shadercache.manifest.codec import decode, unusable
+from shadercache.manifest.interface import InputEntry
+from shadercache.manifest.model import AnyManifest, Manifest, NeededManifest
+from shadercache.manifest.pass_model import NeededEntry, PassEntry
 from shadercache.source import Source
-
-SCHEMA_VERSION = 2
 
 _GLSL = Path(__file__).parent / "glsl"
 _DEPTH_TESTS = {"less": "<", "lequal": "<="}
@@ -29,7 +33,8 @@ _VERSION_LINE = re.compile(r"^\s*#\s*version\b.*$", re.MULTILINE)
 class PassSpec:
     """One draw of all objects. ``depth_test`` is ``<`` or ``<=``; targets stand at their index.
 
-    ``looks``: does it look up what the last frame stored?
+    ``looks``: does it look up what the last frame stored? ``inputs``: what it declares of the
+    user's, and the twins.
     """
 
     name: str
@@ -40,6 +45,7 @@ class PassSpec:
     depth_write: bool
     on_reset: bool
     looks: bool = False
+    inputs: tuple[InputEntry, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -55,49 +61,58 @@ class CacheSpec:
 class Bundle:
     """A manifest with its files (name -> text).
 
-    Every property raises InputError SC021 where the manifest lacks what it stands for, and SC022
-    for a file it names that is not there.
+    Properties raise InputError SC021 where the manifest is of an original alone and has no such
+    part, and SC022 for a file it names that is not there.
     """
 
-    manifest: Mapping[str, Any]
+    manifest: AnyManifest
     files: Mapping[str, str]
 
-    def node(self, key: str) -> str:
-        """What the manifest says of the cached nodes: ``id``, ``path``, ``text`` or ``type``.
+    @property
+    def has_variants(self) -> bool:
+        """Is anything cached, so that there is more than the original?"""
+        return isinstance(self.manifest, Manifest)
+
+    def node(self, key: Literal["id", "path", "text", "type"]) -> str:
+        """What the manifest says of the cached nodes.
 
         Of several the ids are joined as on the command line, ``a+b``, the rest by ``" | "``.
         """
-        found = [str(_need(node, key)) for node in _need(self.manifest, "nodes")]
+        found = [str(getattr(node, key)) for node in self._told.nodes]
         return ("+" if key == "id" else " | ").join(found)
 
     @property
-    def mode(self) -> str:
+    def mode(self) -> Mode:
         """``plain`` or ``proof``."""
-        return str(_need(self.manifest, "mode"))
+        return self.manifest.mode
 
     @cached_property
     def configuration(self) -> Configuration:
         """What the manifest says of how its variants are made and run, by its first algorithm."""
-        mode: Mode = "proof" if self.mode == "proof" else "plain"
-        plain = Configuration(mode=mode)
-        if "cache" not in self.manifest:
+        plain = Configuration(mode=self.mode)
+        if not self.has_variants:
             return plain
-        cache = _need(self.manifest, "cache")
-        settings = [f"{key}={word}" for key, word in cache.get("options", {}).items()]
-        found = with_settings(plain, settings)
-        short = str(_need(cache, "format")).endswith("16f")
+        cache = self._told.cache
+        found = with_settings(plain, [f"{key}={word}" for key, word in cache.options.items()])
         return replace(
             found,
-            nodes=tuple(self.node("id").split("+")),
-            algorithm=self.algorithms[0] if self.algorithms else plain.algorithm,
+            nodes=tuple(node.id for node in self._told.nodes),
+            algorithm=self.algorithms[0],
             hit_test=replace(found.hit_test, epsilon=self.defaults.get("epsilon", DEFAULT_EPSILON)),
-            storage=replace(found.storage, format="rgba16f" if short else "rgba32f"),
+            storage=replace(
+                found.storage, format="rgba16f" if cache.format == "rgba16f" else "rgba32f"
+            ),
         )
 
     @cached_property
     def algorithms(self) -> tuple[str, ...]:
         """The algorithms there are variants by."""
-        return tuple(str(_need(variant, "algorithm")) for variant in self._variants())
+        return tuple(variant.algorithm for variant in self._told.variants)
+
+    @cached_property
+    def refused(self) -> dict[str, str]:
+        """The algorithms there cannot be variants by, and why."""
+        return {item.algorithm: item.reason for item in self._told.refused}
 
     def passes(self, algorithm: str) -> tuple[PassSpec, ...]:
         """The passes of a variant, in order.
@@ -105,9 +120,9 @@ class Bundle:
         Raises:
             UsageError: SC026, the manifest has no such variant.
         """
-        for variant in self._variants():
-            if _need(variant, "algorithm") == algorithm:
-                return tuple(self._pass(entry) for entry in _need(variant, "passes"))
+        for variant in self._told.variants:
+            if variant.algorithm == algorithm:
+                return tuple(map(self._pass, variant.passes))
         raise _no_variant(self, algorithm)
 
     @cached_property
@@ -128,33 +143,35 @@ class Bundle:
     @cached_property
     def original(self) -> PassSpec:
         """The unchanged shader."""
-        return self._pass(_need(self.manifest, "original"))
+        if isinstance(self.manifest, NeededManifest):
+            raise unusable("it tells of no original")
+        return self._pass(self.manifest.original)
 
     @cached_property
     def payload(self) -> PassSpec:
         """The payload alone, drawn like the original: what computing it costs."""
-        return self._pass(_need(self.manifest, "payload"))
+        return self._pass(self._told.payload)
 
     @cached_property
     def debug(self) -> PassSpec:
         """The program that tells hits from misses."""
-        return self._pass(_need(self.manifest, "debug"))
+        return self._pass(self._told.debug)
 
     @cached_property
     def mask_values(self) -> dict[str, int]:
         """What the debug program writes for each outcome: hit, refresh, outside, depth."""
-        return dict(_need(self.manifest, "debug", "values"))
+        return {str(outcome): value for outcome, value in self._told.debug.values.items()}
 
     @cached_property
     def needed(self) -> PassSpec:
         """The program that tells which pixels have payloads (1), do without (2), or have some that
         a guard keeps from being reused (3)."""
-        return self._pass(_need(self.manifest, "needed"))
+        return self._pass(self._needed)
 
     @property
     def needed_by_some(self) -> bool:
         """Are there pixels that may do without payloads?"""
-        return bool(_need(self.manifest, "needed", "by_some"))
+        return self._needed.by_some
 
     @cached_property
     def geometry(self) -> PassSpec:
@@ -162,8 +179,8 @@ class Bundle:
 
         The manifest's own ``geometry`` entry if it has one, else made from the original.
         """
-        if "geometry" in self.manifest:
-            return self._pass(self.manifest["geometry"])
+        if isinstance(self.manifest, Manifest) and self.manifest.geometry is not UNSET:
+            return self._pass(self.manifest.geometry)
         return self.coverage
 
     @cached_property
@@ -175,16 +192,17 @@ class Bundle:
         if version is not None:
             text = _VERSION_LINE.sub(version[0].strip(), text, count=1)
         fragment = Source("constant.frag", text)
-        return PassSpec("geometry", vertex, fragment, ("color",), "<", True, False)
+        return PassSpec(
+            "geometry", vertex, fragment, ("color",), "<", True, False, inputs=self.original.inputs
+        )
 
     @cached_property
     def cache(self) -> CacheSpec:
         """How the cache textures are made."""
-        cache = _need(self.manifest, "cache")
-        textures = [cache, cache["second"]] if "second" in cache else [cache]
-        formats = tuple(str(_need(texture, "format")) for texture in textures)
-        clear = tuple(tuple(map(float, _need(texture, "clear"))) for texture in textures)
-        return CacheSpec(formats, clear, str(_need(cache, "filter")))
+        cache = self._told.cache
+        textures = (cache,) if cache.second is UNSET else (cache, cache.second)
+        formats = tuple(texture.format for texture in textures)
+        return CacheSpec(formats, tuple(texture.clear for texture in textures), cache.filter)
 
     @property
     def refreshes(self) -> bool:
@@ -195,64 +213,65 @@ class Bundle:
     @cached_property
     def age_channel(self) -> int | None:
         """The channel of a cache read back that holds the payload's age, if one does."""
-        cache = _need(self.manifest, "cache")
-        for start, texture in ((0, cache), (4, cache.get("second", {}))):
-            name = texture.get("channels", {}).get("extras", {}).get("age")
-            if name is not None:
-                return start + "xyzw".index(name)
+        cache = self._told.cache
+        held = [cache.channels.extras]
+        if cache.second is not UNSET:
+            held.append(cache.second.channels.extras)
+        for start, extras in zip((0, 4), held, strict=False):
+            if extras is not UNSET and "age" in extras:
+                return start + "xyzw".index(extras["age"])
         return None
 
     @cached_property
     def roles(self) -> dict[str, str]:
         """Added uniform -> its role: previous-cache, current-cache, clock, period, ..."""
-        uniforms = _need(self.manifest, "uniforms")
-        return {str(_need(entry, "name")): str(_need(entry, "role")) for entry in uniforms}
+        return {item.name: item.role for item in self._told.uniforms}
 
     @cached_property
     def defaults(self) -> dict[str, float]:
         """Role -> default value, of the added uniforms that have one."""
-        entries = _need(self.manifest, "uniforms")
-        return {
-            str(_need(entry, "role")): float(entry["default"])
-            for entry in entries
-            if entry.get("default") is not None
-        }
+        uniforms = self._told.uniforms
+        return {item.role: item.default for item in uniforms if item.default is not None}
 
     @cached_property
     def reset_numbers(self) -> dict[str, float]:
         """Role -> value in the draws of a reset, of the added uniforms that have another then."""
-        entries = _need(self.manifest, "uniforms")
-        return {
-            str(_need(entry, "role")): float(entry["on_reset"])
-            for entry in entries
-            if "on_reset" in entry
-        }
+        uniforms = self._told.uniforms
+        return {item.role: item.on_reset for item in uniforms if item.on_reset is not UNSET}
 
     @cached_property
     def twins(self) -> dict[str, str]:
         """Uniform that wants the last frame's value -> the uniform whose value it is."""
-        return {twin: name for name, twin in _need(self.manifest, "previous").items()}
+        return {twin: name for name, twin in self._told.previous.items()}
 
-    def _variants(self) -> list[Mapping[str, Any]]:
-        return list(_need(self.manifest, "variants"))
+    @property
+    def _told(self) -> Manifest:
+        if not isinstance(self.manifest, Manifest):
+            raise unusable("it tells of no variants")
+        return self.manifest
 
-    def _pass(self, entry: Mapping[str, Any]) -> PassSpec:
-        test = str(_need(entry, "depth", "test"))
-        if test not in _DEPTH_TESTS:
-            raise _broken(f"depth test {test!r} is neither less nor lequal")
+    @property
+    def _needed(self) -> NeededEntry:
+        if not isinstance(self.manifest, NeededManifest):
+            raise unusable("it does not tell which pixels have payloads")
+        return self.manifest.needed
+
+    def _pass(self, entry: PassEntry) -> PassSpec:
+        declared = {*entry.uniforms, *entry.attributes}
         return PassSpec(
-            name=str(_need(entry, "name")),
-            vertex=self._file(_need(entry, "vertex")),
-            fragment=self._file(_need(entry, "fragment")),
-            targets=tuple(_need(entry, "targets")),
-            depth_test=_DEPTH_TESTS[test],
-            depth_write=bool(_need(entry, "depth", "write")),
-            on_reset=bool(entry.get("on_reset", False)),
-            looks="previous-cache" in entry.get("reads", ()),
+            name=entry.name,
+            vertex=self._file(entry.vertex),
+            fragment=self._file(entry.fragment),
+            targets=entry.targets,
+            depth_test=_DEPTH_TESTS[entry.depth.test],
+            depth_write=entry.depth.write,
+            on_reset=entry.on_reset,
+            looks="previous-cache" in entry.reads,
+            inputs=tuple(item for item in self.manifest.inputs if item.name in declared),
         )
 
-    def _file(self, name: object) -> Source:
-        if not isinstance(name, str) or name not in self.files:
+    def _file(self, name: str) -> Source:
+        if name not in self.files:
             raise input_error("SC022", f"the manifest names the file {name}, which is not there")
         return Source(name, self.files[name])
 
@@ -277,58 +296,9 @@ def bundle_of(manifest: Any, files: Mapping[str, str], name: str) -> Bundle:
     """A manifest that somebody else wrote, with its files.
 
     Raises:
-        InputError: SC021 not a manifest of this version.
+        InputError: SC021 not a manifest of this version, or one with something wrong in it.
     """
-    if not isinstance(manifest, dict) or manifest.get("schema_version") != SCHEMA_VERSION:
-        raise _broken(f"{name} is not of schema_version {SCHEMA_VERSION}")
-    bundle = Bundle(manifest, files)
-    _check_types(bundle)
-    return bundle
-
-
-_PARTS: tuple[tuple[str, Callable[[Bundle], object]], ...] = (
-    ("nodes", lambda bundle: bundle.node("id")),
-    ("variants", lambda bundle: [bundle.passes(name) for name in bundle.algorithms]),
-    ("original", lambda bundle: bundle.original),
-    ("payload", lambda bundle: bundle.payload),
-    ("debug", lambda bundle: bundle.debug),
-    ("debug", lambda bundle: bundle.mask_values),
-    ("needed", lambda bundle: bundle.needed),
-    ("geometry", lambda bundle: bundle.geometry),
-    ("cache", lambda bundle: bundle.cache),
-    ("cache", lambda bundle: bundle.configuration),
-    ("cache", lambda bundle: bundle.age_channel),
-    ("uniforms", lambda bundle: bundle.roles),
-    ("uniforms", lambda bundle: bundle.defaults),
-    ("uniforms", lambda bundle: bundle.reset_numbers),
-    ("previous", lambda bundle: bundle.twins),
-)
-"""Parts of a manifest, and what is made of them."""
-
-
-def _check_types(bundle: Bundle) -> None:
-    """SC021 where a part of a manifest is of another kind than it has to be; what is missing is
-    told when it is asked for."""
-    for name, read in _PARTS:
-        try:
-            if name in bundle.manifest:
-                read(bundle)
-        except (InputError, UsageError):
-            continue
-        except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError):
-            raise _broken(f"its '{name}' is not what it has to be") from None
-
-
-def _need(entry: Any, *keys: str) -> Any:
-    for key in keys:
-        if not isinstance(entry, Mapping) or key not in entry:
-            raise _broken(f"it lacks {'.'.join(keys)}")
-        entry = entry[key]
-    return entry
-
-
-def _broken(reason: str) -> InputError:
-    return input_error("SC021", f"the manifest cannot be used: {reason}")
+    return Bundle(decode(manifest, name), files)
 
 
 def _no_variant(bundle: Bundle, algorithm: str) -> UsageError:

@@ -22,7 +22,7 @@ class LinkedObject:
 
         Without any it is drawn by its original.
         """
-        have = self.bundle.algorithms if "variants" in self.bundle.manifest else ()
+        have = self.bundle.algorithms if self.bundle.has_variants else ()
         fit = [algorithm, *reversed(NAMES)]
         chosen = next((name for name in fit if name in have), None)
         if self.configuration is None or chosen is None:

@@ -120,12 +120,12 @@ class PayloadRunner(PassRunner):
 
     def __init__(self, world: RenderScene, *objects: LinkedObject) -> None:
         """Args: ``objects`` are one for all, or as many. Raises as ``BoundPass``."""
-        named = next(item.bundle for item in objects if "payload" in item.bundle.manifest)
+        named = next(item.bundle for item in objects if item.bundle.has_variants)
         super().__init__(
             world,
             *(
                 item.bundle.payload
-                if item.configuration is not None and "payload" in item.bundle.manifest
+                if item.configuration is not None and item.bundle.has_variants
                 else item.bundle.geometry
                 for item in objects
             ),

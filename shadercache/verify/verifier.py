@@ -243,8 +243,7 @@ class Verifier:
 
     def _check_modes(self, nodes: Sequence[Candidate], verdict: Verdict, plain: bool) -> None:
         bundle = self._rewritten(nodes, "proof")
-        for entry in bundle.manifest["refused"]:
-            verdict.refused[entry["algorithm"]] = entry["reason"]
+        verdict.refused.update(bundle.refused)
         self.check_bundle(bundle, verdict)
         if verdict.broken:
             verdict.cause = self._cause(nodes, bundle)

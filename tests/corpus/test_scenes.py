@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 from pathlib import Path
 from types import ModuleType
@@ -13,6 +12,7 @@ from PIL import Image
 
 from shadercache.compiler import Analysis, analyse
 from shadercache.gpu.context import Gpu
+from shadercache.manifest.codec import encode
 from shadercache.render.bundle import Bundle, load_bundle
 from shadercache.render.render_scene import RenderScene
 from shadercache.render.variant_runner import CoverageRunner
@@ -41,7 +41,7 @@ def bundle(analysis: Analysis, tmp_path: Path) -> Bundle:
     emission = rewritten(analysis, next(node for node in analysis.nodes if node.offered))
     for file, text in emission.files.items():
         (tmp_path / file).write_text(text)
-    (tmp_path / "manifest.json").write_text(json.dumps(emission.manifest))
+    (tmp_path / "manifest.json").write_text(encode(emission.manifest))
     return load_bundle(tmp_path)
 
 

@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 from conftest import Golden
 from jsonschema import Draft202012Validator
+from manifests import SCHEMA, plain
 from shaders import analysed, find
 
-import shadercache
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.effects import Does
 from shadercache.ast import nodes as n
@@ -76,7 +76,8 @@ def test_golden_programs_of_a_set(analysis: Analysis, golden: Golden) -> None:
     emission = rewritten(analysis, [find(analysis, text) for text in SET[:2]])
     for file in ("1-pass.frag", "2-pass.miss.frag", "3-pass.payload.frag", "3-pass.shade.frag"):
         golden(f"tests/emit/goldens/set/{file}", emission.files[file])
-    parts = {key: emission.manifest[key] for key in ("nodes", "cache")}
+    manifest = plain(emission.manifest)
+    parts = {key: manifest[key] for key in ("nodes", "cache")}
     golden("tests/emit/goldens/set/manifest.json", json.dumps(parts, indent=2) + "\n")
     check_programs(emission)
 
@@ -89,12 +90,11 @@ def test_what_only_feeds_others_of_a_set_is_refused(analysis: Analysis) -> None:
 
 @pytest.mark.parametrize("mode", ["plain", "proof"])
 def test_every_manifest_follows_the_schema(mode: Mode, analysis: Analysis) -> None:
-    path = Path(shadercache.__file__).with_name("manifest.schema.json")
-    validator = Draft202012Validator(json.loads(path.read_text(encoding="utf-8")))
+    validator = Draft202012Validator(json.loads(SCHEMA.read_text(encoding="utf-8")))
     for text in NODES.values():
         node = find(analysis, text)
         validator.validate(
-            rewritten(analysis, node, configured(mode=mode), unprofitable=True).manifest
+            plain(rewritten(analysis, node, configured(mode=mode), unprofitable=True).manifest)
         )
 
 
@@ -116,9 +116,10 @@ def test_every_program_is_valid_and_holds_nothing_unused(analysis: Analysis) -> 
 
 def check_programs(emission: Emission) -> None:
     """Parse and type every program of an emission; nothing declared in it goes unused."""
-    passes = [p for v in emission.manifest["variants"] for p in v["passes"]]
-    exact = emission.manifest["mode"] == "proof"  # else the original is as the user wrote it
-    passes += [emission.manifest[name] for name in ("payload", "debug", *["original"] * exact)]
+    manifest = plain(emission.manifest)
+    passes = [p for v in manifest["variants"] for p in v["passes"]]
+    exact = manifest["mode"] == "proof"  # else the original is as the user wrote it
+    passes += [manifest[name] for name in ("payload", "debug", *["original"] * exact)]
     for item in passes:
         fragment = module_of(emission, item["fragment"])
         vertex = module_of(emission, item["vertex"])
@@ -228,7 +229,7 @@ def test_a_fetch_that_cannot_be_moved_is_refused_for_one_pass_only() -> None:
         "o_color = vec4(sin(a) * cos(a), 1.0);"
     )
     node = find(analysis, "sin(a) * cos(a)")
-    manifest = rewritten(analysis, node).manifest
+    manifest = plain(rewritten(analysis, node).manifest)
     assert [item["algorithm"] for item in manifest["variants"]] == ["2-pass", "3-pass"]
     assert manifest["refused"][0]["algorithm"] == "1-pass"
     with pytest.raises(InputError) as error:
@@ -296,7 +297,9 @@ def test_a_global_without_a_type_name_forbids_one_pass() -> None:
         "box.x = v_uv.x; o_color = vec4(sin(v_position * v_position.yzx), box.x);",
         "struct { float x; } box;",
     )
-    manifest = rewritten(analysis, find(analysis, "sin(v_position * v_position.yzx)")).manifest
+    manifest = plain(
+        rewritten(analysis, find(analysis, "sin(v_position * v_position.yzx)")).manifest
+    )
     assert [item["algorithm"] for item in manifest["variants"]] == ["2-pass", "3-pass"]
     assert "without a name" in manifest["refused"][0]["reason"]
 

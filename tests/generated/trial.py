@@ -175,7 +175,7 @@ def _drawn(
                 verdict.failure = str(error)
             report.algorithms.update(list(verdict.always))
             report.algorithms["of a set"] += len(nodes) > 1
-            refused = [entry["algorithm"] for entry in bundle.manifest["refused"]]
+            refused = list(bundle.refused)
             report.algorithms.update(f"{name} refused" for name in refused)
             if verdict.broken:
                 what = ", ".join(verdict.broken)

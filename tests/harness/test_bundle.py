@@ -10,13 +10,14 @@ from typing import Any
 
 import pytest
 from jsonschema import Draft202012Validator
+from manifests import SCHEMA
+from msgspec.structs import replace
 
-import shadercache
 from shadercache.diagnostics import InputError, UsageError
-from shadercache.render.bundle import Bundle, load_bundle
+from shadercache.manifest.model import Manifest
+from shadercache.render.bundle import Bundle, bundle_of, load_bundle
 
 FOLDER = Path(__file__).parent / "fixtures" / "emission"
-SCHEMA = Path(shadercache.__file__).parent / "manifest.schema.json"
 
 Change = Callable[[dict[str, Any]], Any]
 
@@ -93,7 +94,8 @@ def test_what_a_bundle_says(bundle: Bundle) -> None:
     assert [item.name for item in bundle.passes("3-pass")] == ["reuse", "payload", "shade"]
     assert bundle.passes("3-pass")[2].depth_test == "<="
     assert bundle.geometry.fragment.text.startswith("#version 400 core\n")
-    given = Bundle({**bundle.manifest, "geometry": bundle.manifest["original"]}, bundle.files)
+    assert isinstance(bundle.manifest, Manifest)
+    given = Bundle(replace(bundle.manifest, geometry=bundle.manifest.original), bundle.files)
     assert given.geometry.fragment.name == "original.frag"
 
 
@@ -104,11 +106,18 @@ def test_bundles_that_cannot_be_used(bundle: Bundle, manifest: dict[str, Any]) -
         _ = Bundle(bundle.manifest, {}).original
     broken = copy.deepcopy(manifest)
     broken["original"]["depth"]["test"] = "greater"
-    with pytest.raises(InputError, match="neither less nor lequal"):
-        _ = Bundle(broken, bundle.files).original
+    with pytest.raises(InputError, match=r"original\.depth\.test: .* 'greater' \[SC021"):
+        bundle_of(broken, bundle.files, "m")
+    broken = copy.deepcopy(manifest)
     del broken["cache"]
-    with pytest.raises(InputError, match="it lacks cache"):
-        _ = Bundle(broken, bundle.files).cache
+    with pytest.raises(InputError, match=r"missing required field 'cache' \[SC021"):
+        bundle_of(broken, bundle.files, "m")
+
+
+def test_other_versions_are_told(manifest: dict[str, Any]) -> None:
+    for version in (1, 3, "2", None):
+        with pytest.raises(InputError, match=r"m is not of schema_version 2 \[SC021"):
+            bundle_of(manifest | {"schema_version": version}, {}, "m")
 
 
 def test_folders_that_hold_no_manifest(tmp_path: Path) -> None:

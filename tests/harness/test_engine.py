@@ -10,7 +10,7 @@ import pytest
 
 from shadercache.diagnostics import InputError
 from shadercache.gpu.context import Gpu
-from shadercache.manifest import DEPTH_FUNCTIONS
+from shadercache.manifest.build import DEPTH_FUNCTIONS
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
 from shadercache.render.variant_runner import (
@@ -168,7 +168,7 @@ def test_it_is_read_from_a_scene_file(scene_folder: Path) -> None:
 def test_the_manifest_says_what_is_done_here(engine: GraphicsState) -> None:
     said = DEPTH_FUNCTIONS[engine.depth]
     words = {"less": "<", "lequal": "<=", "greater": ">", "gequal": ">="}
-    assert engine.function("<") == words[said["less"]]
-    assert engine.function("<=") == words[said["lequal"]]
-    assert engine.empty_depth == said["clear"]
+    assert engine.function("<") == words[said.less]
+    assert engine.function("<=") == words[said.lequal]
+    assert engine.empty_depth == said.clear
     assert set(FUNCTIONS) == set(DEPTH_FUNCTIONS)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import random
 from pathlib import Path
 from typing import Any
 
 import pytest
 from laws.slices import amount, seed
+from manifests import plain
 from runner import independent_runner
 from runner.canvas import Canvas
 from runner.independent_runner import IndependentRunner, Turn, draw_together
@@ -17,6 +17,7 @@ from shadercache.caching.settings import with_settings
 from shadercache.compiler import Emission, analyse
 from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import open_scene
+from shadercache.manifest.codec import encode
 from shadercache.paths import data_path
 from shadercache.render.bundle import Bundle, load_bundle
 from shadercache.render.drawable import Drawable
@@ -92,7 +93,7 @@ def test_same_bits_full_screen(gpu: Gpu, tmp_path: Path, name: str) -> None:
 def write(emission: Emission, folder: Path) -> None:
     for file, text in emission.files.items():
         (folder / file).write_text(text)
-    (folder / "manifest.json").write_text(json.dumps(emission.manifest))
+    (folder / "manifest.json").write_text(encode(emission.manifest))
 
 
 def corpus_scenes() -> list[str]:
@@ -150,14 +151,14 @@ def test_same_bits_for_several_objects(
         RenderScene(gpu, scene, (96, 80), "rgba32f") as world,
         variant(world, bundle, algorithm, period=5, block=4) as runner,
     ):
-        canvas = Canvas(gpu.ctx, world.size, bundle.manifest["cache"])
+        canvas = Canvas(gpu.ctx, world.size, plain(bundle.manifest)["cache"])
         others: list[tuple[Drawable, Any]] = []
         linked = drawn_by(scene, bundle, algorithm)
         for drawable, item in zip(world.drawables, linked, strict=True):
             own = item.bundle
             folder = tmp_path / drawable.item.name
             folder.mkdir()
-            write(Emission(dict(own.files), dict(own.manifest)), folder)
+            write(Emission(dict(own.files), own.manifest), folder)
             attributes = {
                 name: drawable.mesh.arrays[array]
                 for name, array in drawable.scene.attributes.items()

@@ -211,7 +211,7 @@ def test_the_bones_of_the_last_frame_are_the_twin(crowd: RenderScene, proof: Bun
             variant(world, proof, "2-pass", period=65535) as runner,
         ):
             bundle = runner._roles[0].bundle
-            assert bundle.manifest["previous"]["u_bones"].endswith("previous_u_bones")
+            assert bundle.manifest.previous["u_bones"].endswith("previous_u_bones")
             found = []
             for frame in range(4):
                 if frame:

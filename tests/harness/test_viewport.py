@@ -139,8 +139,8 @@ def test_without_the_option_no_viewport_is_told_of(opened: tuple[Scene, Analysis
     plain, told = bundle_of(opened[1]), bundle_of(opened[1], "viewport")
     assert not any("viewport" in text for text in plain.files.values())
     assert any("viewport" in text for text in told.files.values())
-    assert any("covers the whole target" in text for text in plain.manifest["relies_on"])
-    assert not any("covers the whole target" in text for text in told.manifest["relies_on"])
+    assert any("covers the whole target" in text for text in plain.manifest.relies_on)
+    assert not any("covers the whole target" in text for text in told.manifest.relies_on)
 
 
 def test_it_is_read_from_a_scene_file(scene_folder: Path) -> None:

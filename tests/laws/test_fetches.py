@@ -103,7 +103,7 @@ def test_texts(opened: tuple[Scene, Analysis], fetches: FetchForm, ahead: str, b
     assert found and behind.format(found[1]) in text
     assert "textureOffset(u_map" in text.split("sc_fetch_ahead()")[0]
     assert ("#version 400" in text) == (fetches == "level")
-    relies = " ".join(emission.manifest["relies_on"])
+    relies = " ".join(emission.manifest.relies_on)
     assert ("isotropic" in relies) == (fetches == "level")
 
 

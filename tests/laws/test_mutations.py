@@ -6,7 +6,6 @@ behind a discard all the same. The order is checked in the emitted text, by the 
 
 from __future__ import annotations
 
-import copy
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import closing
 from dataclasses import dataclass
@@ -21,10 +20,12 @@ from laws.ground_truth import (
     true_frames,
 )
 from laws.look_ups import LawFive
+from manifests import plain
 
 from shadercache.compiler import analyse
 from shadercache.emit.runtime import SPREAD
 from shadercache.gpu.context import Gpu
+from shadercache.manifest.codec import decode
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
 from shadercache.source import Source
@@ -149,14 +150,14 @@ def test_laws_2_to_4_notice(
 
 def test_laws_2_to_4_notice_a_wrong_manifest(verifier: Verifier, proof: Bundle) -> None:
     def change(edit: Callable[[Mapping[str, dict[str, object]]], None]) -> set[str]:
-        manifest = copy.deepcopy(dict(proof.manifest))
+        manifest = plain(proof.manifest)
         passes = {
             f"{variant['algorithm']} {item['name']}": item
             for variant in manifest["variants"]
             for item in variant["passes"]
         }
         edit(passes)
-        return broken(verifier, Bundle(manifest, proof.files))
+        return broken(verifier, Bundle(decode(manifest, "m"), proof.files))
 
     depth = {"test": "less", "write": True}
     # Where everything is refreshed the second pass, which is guarded, has drawn the colour.

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
@@ -17,6 +16,7 @@ from payloads import DESKTOP, ES, FRAGMENT, PAYLOADS, VERTEX, analysed_payload
 from shadercache.analysis.candidates import Candidate
 from shadercache.compiler import analyse
 from shadercache.gpu.context import Gpu
+from shadercache.manifest.codec import encode
 from shadercache.render.bundle import Bundle, load_bundle
 from shadercache.render.render_scene import RenderScene
 from shadercache.render.variant_runner import OriginalRunner
@@ -97,7 +97,7 @@ def test_an_engine_needs_only_the_manifest(gpu: Gpu, tmp_path: Path, name: str) 
     emission = rewritten(analysis, node, unprofitable=True)
     for file, text in emission.files.items():
         (tmp_path / file).write_text(text)
-    (tmp_path / "manifest.json").write_text(json.dumps(emission.manifest))
+    (tmp_path / "manifest.json").write_text(encode(emission.manifest))
     bundle = load_bundle(tmp_path)
     scene, mesh = body_scene("trashcan", 3.0), body_mesh("trashcan")
     with RenderScene(gpu, scene, (96, 96), "rgba32f", mesh) as world:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import closing
 from dataclasses import replace
@@ -16,12 +15,14 @@ from laws.slices import VARIABLE, amount, seed
 from laws.test_conditions import FOLDER as CONDITIONS
 from laws.test_conditions import SHADERS
 from laws.test_mutations import Replace, broken
+from manifests import plain
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import InputError
 from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import analyse_scene, read_shaders
+from shadercache.manifest.codec import encode
 from shadercache.paths import data_path
 from shadercache.render.bundle import Bundle, load_bundle
 from shadercache.render.render_scene import RenderScene
@@ -220,7 +221,7 @@ def test_an_engine_needs_only_the_manifest(name: str, gpu: Gpu, tmp_path: Path) 
     emission = rewritten(analysis, pick(analysis, SETS[name]), unprofitable=True)
     for file, text in emission.files.items():
         (tmp_path / file).write_text(text)
-    (tmp_path / "manifest.json").write_text(json.dumps(emission.manifest))
+    (tmp_path / "manifest.json").write_text(encode(emission.manifest))
     bundle = load_bundle(tmp_path)
     with RenderScene(gpu, scene, SIZE, "rgba32f") as world:
         for algorithm in bundle.algorithms:
@@ -231,7 +232,7 @@ def test_a_fetch_under_a_condition_takes_one_pass_away_from_a_set() -> None:
     analysis = load("textures")[1]
     wanted = ("texture(picture, uv * 3.0).rgb", "noise(floor(p * 8.0)) * n")
     nodes = pick(analysis, [f"main: {text}" for text in wanted])
-    found = rewritten(analysis, nodes, unprofitable=True).manifest
+    found = plain(rewritten(analysis, nodes, unprofitable=True).manifest)
     assert [item["algorithm"] for item in found["refused"]] == ["1-pass"]
     with pytest.raises(InputError, match=r"' and 'noise.*in one pass.*SC407"):
         rewritten(analysis, nodes, algorithms=("1-pass",), unprofitable=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+from manifests import plain
 
 from shadercache.analysis.mapping import MappingKind
 from shadercache.caching.settings import with_settings
@@ -61,7 +62,7 @@ def manifest_of(text: str, mapping: MappingKind = "surface", *settings: str) -> 
     analysis = analyse(Source("t.frag", FRAGMENT), Source("t.vert", VERTEX), mapping=mapping)
     node = next(node for node in analysis.nodes if node.text == text and node.legal)
     options = with_settings(DEFAULT, settings)
-    return rewritten(analysis, node, options, unprofitable=True).manifest
+    return plain(rewritten(analysis, node, options, unprofitable=True).manifest)
 
 
 def told(manifest: dict[str, Any]) -> set[tuple[str, ...]]:

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
 from typing import Any
 
 import pytest
 from jsonschema import Draft202012Validator
+from manifests import SCHEMA, plain
 
-import shadercache
 from shadercache.compiler import analyse
 from shadercache.emit import reflection
 from shadercache.emit.packing import Packing
+from shadercache.emit.program_set import Pass, ProgramSet
+from shadercache.manifest.interface import SamplerInput, StorageBlockInput
+from shadercache.manifest.shader_inputs import described_inputs
 from shadercache.source import Source
 from shadercache.valid.read import read
 from tests.configured import rewritten
@@ -30,9 +32,6 @@ in vec3 a_position;
 out vec3 v_p;
 void main() {{ v_p = a_position; gl_Position = {matrix} * vec4(a_position, 1.0); }}
 """
-SCHEMA = json.loads(
-    Path(shadercache.__file__).with_name("manifest.schema.json").read_text(encoding="utf-8")
-)
 
 
 def manifest_of(
@@ -44,8 +43,8 @@ def manifest_of(
         Source("t.vert", VERTEX.format(declared=declared, matrix=matrix)),
     )
     node = next(node for node in analysis.nodes if node.offered and node.text == "wave(v_p)")
-    manifest = rewritten(analysis, node).manifest
-    Draft202012Validator(SCHEMA).validate(manifest)
+    manifest = plain(rewritten(analysis, node).manifest)
+    Draft202012Validator(json.loads(SCHEMA.read_text(encoding="utf-8"))).validate(manifest)
     return manifest
 
 
@@ -103,13 +102,117 @@ def test_members_with_layouts_and_structs() -> None:
         {
             "name": "s",
             "type": "S[3]",
-            "members": [{"name": "a", "type": "vec2"}, {"name": "b", "type": "float[2]"}],
+            "dims": [3],
+            "read": False,
+            "members": [
+                {"name": "a", "type": "vec2"},
+                {"name": "b", "type": "float[2]", "dims": [2]},
+            ],
         },
     ]
     placed = declared.replace("row_major", "offset = 64").replace(
         "uniform", "layout(std140) uniform"
     )
-    assert block(placed, "m")["members"][0]["layout"] == "offset = 64"
+    first, second = block(placed, "m")["members"]
+    assert (first["layout"], first["offset"], first["matrix_stride"]) == ("offset = 64", 64, 16)
+    assert (second["offset"], second["stride"]) == (128, 48)
+    assert [item["offset"] for item in second["members"]] == [0, 16]
+    assert block(placed, "m")["size"] == 272
+
+
+PLACES = {
+    "float a; vec3 b; float c; vec2 d;": ([0, 16, 28, 32], [0, 16, 28, 32], (48, 48)),
+    "float a[3]; vec3 b[2]; float c;": ([0, 48, 80], [0, 16, 48], (96, 64)),
+    "mat3 a; mat2x4 b[2]; float c;": ([0, 48, 112], [0, 48, 112], (128, 128)),
+    "layout(row_major) mat2x3 a; float b;": ([0, 48], [0, 24], (64, 32)),
+    "mat2 a; float b[2][3];": ([0, 32], [0, 16], (128, 48)),
+    "float a; layout(align = 32) vec2 b; double c;": ([0, 32, 40], [0, 32, 40], (48, 48)),
+    "S a; float b;": ([0, 16], [0, 16], (32, 32)),
+    "layout(offset = 8) float a; float b[];": ([8, 16], [8, 12], (16, 16)),
+}
+"""Members, and where std140 and std430 put them, and how many bytes there are."""
+
+
+@pytest.mark.parametrize("members", PLACES)
+@pytest.mark.parametrize("packing", ["std140", "std430"])
+def test_where_members_lie(members: str, packing: str) -> None:
+    text = f"""#version 450
+        struct S {{ vec2 a; float b; }};
+        layout({packing}) buffer B {{ {members} }};
+        void main() {{ gl_Position = vec4(a[0]); }}"""
+    if "S a" in members:
+        text = text.replace("a[0]", "a.b")
+    elif not any(word in members for word in ("a[3]", "mat")):
+        text = text.replace("a[0]", "a")
+    elif "mat" in members:
+        text = text.replace("a[0]", "a[0][0]")
+    module, facts = read(Source("t.vert", text), "vertex")
+    inputs = reflection.inputs_of([(module, facts, "vertex")])
+    (entry,) = described_inputs(inputs, declaring("B"))
+    assert isinstance(entry, StorageBlockInput)
+    std140, std430, sizes = PLACES[members]
+    wanted = std140 if packing == "std140" else std430
+    assert [item.offset for item in entry.members] == wanted
+    assert entry.size == sizes[packing == "std430"]
+    assert [item.read for item in entry.members] == [True, *[False] * (len(wanted) - 1)]
+
+
+def declaring(*names: str) -> ProgramSet:
+    return ProgramSet(original=Pass("", "", (), uniforms=names))
+
+
+def test_others_are_placed_by_the_driver() -> None:
+    found = block("uniform B { mat4 m; vec4 t; } b;", "b.m")
+    assert "size" not in found
+    assert found["members"] == [
+        {"name": "m", "type": "mat4"},
+        {"name": "t", "type": "vec4", "read": False},
+    ]
+
+
+DEFAULTS = {
+    "float u = 2;": [2.0],
+    "vec3 u = vec3(1.0, 2.0, 3.0 * 4.0);": [1.0, 2.0, 12.0],
+    "mat2 u = mat2(3.0);": [3.0, 0.0, 0.0, 3.0],
+    "float u[2] = float[2](1.0, -0.5);": [1.0, -0.5],
+    "bool u = true;": [1.0],
+    "float u = 1.0 / 0.0;": "1.0 / 0.0",
+    "vec2 u = 2.0 * vec2(gl_MaxDrawBuffers);": "2.0 * vec2(gl_MaxDrawBuffers)",
+    "vec3 u;": None,
+}
+
+
+@pytest.mark.parametrize("declared", DEFAULTS)
+def test_what_the_shader_initialises_is_told(declared: str) -> None:
+    at = "[0]" if "[2]" in declared else "[0][0]" if "mat" in declared else ""
+    inputs = inputs_of(f"uniform mat4 u_m; uniform {declared}", f"float(u{at}) * u_m")
+    if "vec" in declared:
+        inputs = inputs_of(f"uniform mat4 u_m; uniform {declared}", "u.x * u_m")
+    assert inputs["u"].get("default") == inputs["sc_previous_u"].get("default")
+    assert inputs["u"].get("default") == DEFAULTS[declared]
+
+
+SAMPLERS = {
+    "sampler2D": ("2D", "float"),
+    "isampler3D": ("3D", "int"),
+    "usampler2DArray": ("2D", "uint", "layers"),
+    "samplerCubeArrayShadow": ("cube", "float", "layers", "compares"),
+    "sampler2DMS": ("2D", "float", "multisampled"),
+    "sampler2DRectShadow": ("rectangle", "float", "compares"),
+    "isamplerBuffer": ("buffer", "int"),
+    "sampler1D": ("1D", "float"),
+    "samplerExternalOES": ("2D", "float", "external"),
+}
+
+
+@pytest.mark.parametrize("kind", SAMPLERS)
+def test_samplers_have_a_kind(kind: str) -> None:
+    found = reflection.Input("sampler", "u", kind, ("fragment",))
+    (entry,) = described_inputs([found], declaring("u"))
+    assert isinstance(entry, SamplerInput)
+    words = ("layers", "compares", "multisampled", "external")
+    said = {word for word in words if getattr(entry, word)}
+    assert (entry.dimension, entry.component, said) == (*SAMPLERS[kind][:2], {*SAMPLERS[kind][2:]})
 
 
 def test_kinds_that_a_vertex_shader_alone_may_have() -> None:
@@ -139,7 +242,8 @@ def test_uniforms_samplers_and_attributes() -> None:
         more="layout(binding = 2) uniform sampler2D u_map; layout(location = 9) uniform vec3 u_l;",
         read="textureLod(u_map, v_p.xy, 0.0).x + u_l.x",
     )
-    place = {"kind": "uniform", "type": "E[2]", "members": [{"name": "m", "type": "mat4"}]}
+    place = {"kind": "uniform", "type": "E[2]", "dims": [2]}
+    place |= {"members": [{"name": "m", "type": "mat4"}]}
     assert inputs["u_e"] == place | {"name": "u_e", "stages": ["vertex"], "location": 4}
     assert inputs["sc_previous_u_e"] == place | {
         "name": "sc_previous_u_e",

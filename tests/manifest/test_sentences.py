@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 from jsonschema import Draft202012Validator
+from manifests import SCHEMA, plain
 from shaders import analysed, find
 
-import shadercache
 from shadercache.analysis.mapping import MappingKind
 from shadercache.caching.algorithms import NAMES
 from shadercache.compiler import analyse
@@ -18,20 +18,19 @@ from shadercache.source import Source
 from tests.configured import rewritten
 
 FULL_SCREEN = Path(__file__).parent.parent / "laws" / "full_screen"
-SCHEMA = Path(shadercache.__file__).with_name("manifest.schema.json")
 
 
 def of_triangle(mapping: MappingKind) -> dict[str, Any]:
     text = (FULL_SCREEN / "orbit.frag").read_text(encoding="utf-8")
     analysis = analyse(Source("orbit.frag", text), mapping=mapping)
     node = next(node for node in analysis.nodes if node.offered)
-    return rewritten(analysis, node).manifest
+    return plain(rewritten(analysis, node).manifest)
 
 
 def of_objects(algorithms: tuple[str, ...] = NAMES) -> dict[str, Any]:
     analysis = analysed("o_color = vec4(sin(v_position) * cos(v_normal), 1.0);")
     node = find(analysis, "sin(v_position) * cos(v_normal)")
-    return rewritten(analysis, node, algorithms=algorithms, unprofitable=True).manifest
+    return plain(rewritten(analysis, node, algorithms=algorithms, unprofitable=True).manifest)
 
 
 def state(manifest: dict[str, Any]) -> dict[str, str]:

@@ -6,18 +6,20 @@ bytes for the next frame.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from manifests import plain
 from runner.independent_runner import IndependentRunner
 from runner.inputs import Inputs
 
 from shadercache.compiler import Emission, analyse
 from shadercache.gpu.context import Gpu
+from shadercache.manifest.codec import encode
+from shadercache.manifest.model import Manifest
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
 from shadercache.scene.description import load_scene
@@ -49,7 +51,7 @@ SIZES = {"float": (4, 4), "vec2": (8, 8), "vec3": (16, 12), "vec4": (16, 16), "m
 """Alignment and size in std140; Mesa lays out shared and packed blocks alike if all is read."""
 
 
-def emission_of(name: str) -> Emission:
+def emission_of(name: str) -> Emission[Manifest]:
     path = FOLDER / f"{name}.frag"
     fragment = path if path.exists() else FOLDER / "shader.frag"
     sources = [Source(p.name, p.read_text("utf-8")) for p in (fragment, FOLDER / f"{name}.vert")]
@@ -95,13 +97,16 @@ def packed(item: Mapping[str, Any], element: str, values: Mapping[str, Any]) -> 
     for member in item["members"]:
         align, size = SIZES[member["type"]]
         data += bytes(-len(data) % align)
+        assert member.get("offset", len(data)) == len(data)
         numbers = np.array(number_of(member["name"], element, values), "f4")
         if member["type"] == "mat4":
             columns = numbers.reshape(4, 4)
             is_row = "row_major" in (member.get("layout"), item["matrices"])
             numbers = (columns.T if is_row else columns).ravel()
         data += numbers.tobytes()[:size]
-    return bytes(data + bytes(-len(data) % 16))
+    data += bytes(-len(data) % 16)
+    assert item.get("size", len(data)) == len(data)
+    return bytes(data)
 
 
 def given(manifest: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
@@ -127,17 +132,17 @@ def independent(world: RenderScene, folder: Path, algorithm: str) -> Independent
     )
 
 
-def written(name: str, folder: Path) -> Emission:
+def written(name: str, folder: Path) -> Emission[Manifest]:
     emission = emission_of(name)
     for file, text in emission.files.items():
         (folder / file).write_text(text)
-    (folder / "manifest.json").write_text(json.dumps(emission.manifest))
+    (folder / "manifest.json").write_text(encode(emission.manifest))
     return emission
 
 
 def same_frames(
     world: RenderScene,
-    reference: Emission,
+    reference: Emission[Manifest],
     folder: Path,
     manifest: Mapping[str, Any],
     algorithm: str,
@@ -164,7 +169,7 @@ def test_the_manifest_is_enough_to_bind_blocks_and_twins(
     emission = written(name, tmp_path)
     reference = emission_of(PLAIN) if name in UNFILLED else emission
     for algorithm in ("1-pass", "2-pass", "3-pass"):
-        same = same_frames(world, reference, tmp_path, emission.manifest, algorithm)
+        same = same_frames(world, reference, tmp_path, plain(emission.manifest), algorithm)
         assert all(same), (algorithm, same)
 
 
@@ -173,7 +178,8 @@ def test_a_twin_left_alone_reads_the_current_block(
 ) -> None:
     """What happened where the manifest told nothing."""
     emission = written(REPORTED, tmp_path)
-    twin = next(i["name"] for i in emission.manifest["inputs"] if i.get("previous_of") == "Camera")
+    inputs = plain(emission.manifest)["inputs"]
+    twin = next(item["name"] for item in inputs if item.get("previous_of") == "Camera")
     kept = Inputs._bind
 
     def bind(self: Inputs, block: Any, index: int, name: str, content: bytes) -> None:
@@ -181,12 +187,12 @@ def test_a_twin_left_alone_reads_the_current_block(
             kept(self, block, index, name, content)
 
     monkeypatch.setattr(Inputs, "_bind", bind)
-    same = same_frames(world, emission, tmp_path, emission.manifest, "2-pass")
+    same = same_frames(world, emission, tmp_path, plain(emission.manifest), "2-pass")
     assert not all(same)
 
 
 def test_the_reported_block_is_told() -> None:
-    manifest = emission_of(REPORTED).manifest
+    manifest = plain(emission_of(REPORTED).manifest)
     inputs = {item["name"]: item for item in manifest["inputs"]}
     (twin,) = (item for item in inputs.values() if item.get("previous_of") == "Camera")
     assert inputs["Camera"]["kind"] == twin["kind"] == "uniform block"

@@ -24,6 +24,7 @@ from shadercache.cli.app import main
 from shadercache.diagnostics import InputError, UsageError
 from shadercache.gpu import textures
 from shadercache.gpu.textures import load_pixels
+from shadercache.manifest.codec import encode
 from shadercache.measure.result_files import read_json
 from shadercache.render.bundle import Bundle, bundle_of, load_bundle
 from shadercache.scene import npz
@@ -304,8 +305,8 @@ def test_manifests_with_anything_anywhere(instead: object) -> None:
     analysis = analysed("o_color = vec4(sin(v_position * 3.0) * exp(v_uv.x), 1.0);")
     node = next(node for node in analysis.nodes if node.offered)
     emission = rewritten(analysis, node)
-    whole = json.dumps(emission.manifest)
-    for path in leaves(emission.manifest):
+    whole = encode(emission.manifest)
+    for path in leaves(json.loads(whole)):
         broken = [json.loads(whole)]
         at: Any = broken
         for key, after in pairwise((0, *path, None)):

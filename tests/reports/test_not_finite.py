@@ -286,16 +286,16 @@ def test_half_floats_hold_no_larger_numbers(gpu: Gpu) -> None:
     assert light.max() > 7e4
     held = np.minimum(light, 65504.0)
     assert image[..., 0] == pytest.approx(held / (held + 3e4), rel=1e-3)
-    assert any("65504" in sentence for sentence in made.manifest["relies_on"])
+    assert any("65504" in sentence for sentence in made.manifest.relies_on)
     wide = bundle(name, LARGE, "rgba32f")
-    assert not any("65504" in sentence for sentence in wide.manifest["relies_on"])
+    assert not any("65504" in sentence for sentence in wide.manifest.relies_on)
     assert frame(gpu, name, wide, "3-pass") == pytest.approx(truth, rel=1e-6)
 
 
 def test_the_manifest_says_what_a_reset_shows(gpu: Gpu) -> None:
     name = "surface_spots"
     made = bundle(name, PAYLOADS[name][0], "rgba16f")
-    said = " ".join(made.manifest["reset"])
+    said = " ".join(made.manifest.reset)
     assert "and the image is the original's" not in said
     assert "rgba16f rounds it" in said
     two, three = (frame(gpu, name, made, which) for which in ("2-pass", "3-pass"))

@@ -10,6 +10,7 @@ import re
 from typing import Any
 
 import pytest
+from manifests import plain
 from vertex_stages import REPORTS, analysed, names, without_position
 
 from shadercache.analysis.vertex_inputs import Fate, function_fate, variable_fate
@@ -51,7 +52,7 @@ def manifest(name: str) -> dict[str, Any]:
     node = next(node for node in analysis.nodes if node.text == "costly(v_p)")
     emission = rewritten(analysis, node)
     assert not list(without_position(emission))
-    return emission.manifest
+    return plain(emission.manifest)
 
 
 @pytest.mark.parametrize("name", ACCEPTED)

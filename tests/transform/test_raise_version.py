@@ -267,13 +267,13 @@ def test_the_manifest_says_what_is_renamed() -> None:
     )
     node = next(item for item in analysis.nodes if item.offered)
     manifest = rewritten(analysis, node).manifest
-    assert manifest["renamed"] == {
+    assert manifest.renamed == {
         "gl_FragColor": "legacy_FragColor",
         "gl_Normal": "legacy_Normal",
         "gl_ModelViewProjectionMatrix": "legacy_ModelViewProjectionMatrix",
         "gl_Vertex": "legacy_Vertex",
     }
-    assert manifest["previous"] == {
+    assert manifest.previous == {
         "legacy_ModelViewProjectionMatrix": "sc_previous_legacy_ModelViewProjectionMatrix"
     }
     assert [note.code for note in analysis.notes] == ["SC410", "SC411"] + ["SC410"] + ["SC411"] * 3

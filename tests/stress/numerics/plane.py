@@ -21,7 +21,7 @@ from runner.independent_runner import IndependentRunner
 from shadercache.caching.configuration import CacheFormat, Configuration
 from shadercache.compiler import analyse
 from shadercache.gpu.context import Gpu
-from shadercache.measure.result_files import write_json
+from shadercache.manifest.codec import encode
 from shadercache.source import Source
 from tests.configured import configured, rewritten
 
@@ -111,7 +111,7 @@ def _runner(
         folder = Path(name)
         for file, text in emission.files.items():
             (folder / file).write_text(text)
-        write_json(folder / "manifest.json", emission.manifest)
+        (folder / "manifest.json").write_text(encode(emission.manifest))
         size, index = (SIZE, SIZE), np.array([[0, 1, 2]])
         return IndependentRunner(gpu.ctx, folder, algorithm, size, {"a_corner": corners}, index, {})
 

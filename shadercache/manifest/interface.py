@@ -1,0 +1,206 @@
+"""The reflection in a manifest: what of the user's a program declares and an engine gives."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, TypeAlias
+
+from msgspec import UNSET, Meta, UnsetType
+
+from shadercache.manifest.kinds import (
+    UNIQUE,
+    Dims,
+    GlslType,
+    Identifier,
+    ManifestPart,
+    Size,
+    StageName,
+    Unsigned,
+    Words,
+)
+
+Dimension: TypeAlias = Literal["1D", "2D", "3D", "cube", "rectangle", "buffer"]
+Component: TypeAlias = Annotated[
+    Literal["float", "int", "uint"],
+    Meta(description="of a texel's numbers, as the shader has them"),
+]
+Binding: TypeAlias = Annotated[
+    Unsigned | None,
+    Meta(description="as it is declared; null: texture or image unit 0 when left alone"),
+]
+Twin: TypeAlias = Annotated[
+    Identifier | UnsetType,
+    Meta(
+        description="it is the twin of the input of this name, and gets what that one had in the "
+        "last frame"
+    ),
+]
+StageNames: TypeAlias = Annotated[
+    tuple[StageName, ...],
+    Meta(description="the stages that declare it", min_length=1, extra_json_schema=UNIQUE),
+]
+
+
+class MemberEntry(ManifestPart, frozen=True, kw_only=True):
+    """A member of a block or of a struct.
+
+    In blocks of packing std140 or std430 the offsets are told: those of a block's members from its
+    beginning, those of a struct's from the struct's. Of other blocks, ask the linked program by
+    name.
+    """
+
+    name: Identifier
+    type: GlslType
+    dims: Dims = ()
+    offset: Annotated[Unsigned | UnsetType, Meta(description="in bytes")] = UNSET
+    stride: Annotated[
+        Size | UnsetType,
+        Meta(description="of an array: bytes from one element of the innermost array to the next"),
+    ] = UNSET
+    matrix_stride: Annotated[
+        Size | UnsetType,
+        Meta(description="of a matrix: bytes from one column (row_major: one row) to the next"),
+    ] = UNSET
+    layout: Annotated[Words | UnsetType, Meta(description="what is written in its layout(...)")] = (
+        UNSET
+    )
+    read: Annotated[
+        bool, Meta(description="of a block's member: false where no program reads it")
+    ] = True
+    members: Annotated[tuple[MemberEntry, ...], Meta(description="of a struct", min_length=1)] = ()
+
+
+class _Variable(ManifestPart, frozen=True, kw_only=True):
+    """What all inputs but blocks have."""
+
+    name: Identifier
+    stages: StageNames
+    type: GlslType
+    dims: Dims = ()
+
+
+class AttributeInput(_Variable, frozen=True, kw_only=True, tag_field="kind", tag="attribute"):
+    """A vertex attribute."""
+
+    location: Annotated[
+        Unsigned | None,
+        Meta(description="as it is declared; null: each program has one of its own choice"),
+    ]
+
+
+class UniformInput(_Variable, frozen=True, kw_only=True, tag_field="kind", tag="uniform"):
+    """A uniform that is no texture, outside of blocks."""
+
+    location: Annotated[
+        Unsigned | None,
+        Meta(description="as it is declared; null: each program has one of its own choice"),
+    ]
+    default: Annotated[
+        tuple[float, ...] | str | UnsetType,
+        Meta(
+            description="what the shaders initialise it with, so that it may be left alone: its "
+            "numbers in order (a matrix by columns), or the expression where they are not known"
+        ),
+    ] = UNSET
+    members: Annotated[
+        tuple[MemberEntry, ...],
+        Meta(
+            description="of a struct; GL names its parts name.member, name[0].member", min_length=1
+        ),
+    ] = ()
+    previous_of: Twin = UNSET
+
+
+class _Texture(_Variable, frozen=True, kw_only=True):
+    """What samplers and images have."""
+
+    binding: Binding
+    dimension: Dimension
+    component: Component
+    layers: Annotated[bool, Meta(description="is it an array texture?")] = False
+    multisampled: bool = False
+
+
+class SamplerInput(_Texture, frozen=True, kw_only=True, tag_field="kind", tag="sampler"):
+    """A texture that is sampled."""
+
+    compares: Annotated[
+        bool, Meta(description="is it a shadow sampler, which compares depths?")
+    ] = False
+    external: Annotated[bool, Meta(description="is it a samplerExternalOES?")] = False
+
+
+class ImageInput(_Texture, frozen=True, kw_only=True, tag_field="kind", tag="image"):
+    """An image that is read and written by texel."""
+
+
+class CounterInput(_Variable, frozen=True, kw_only=True, tag_field="kind", tag="atomic counter"):
+    """An atomic counter."""
+
+    binding: Annotated[Unsigned | None, Meta(description="as it is declared")]
+
+
+class _BlockInput(ManifestPart, frozen=True, kw_only=True):
+    """What blocks have."""
+
+    name: Annotated[
+        Identifier,
+        Meta(
+            description="the block's name, by which GL knows it (of an array of blocks: name[0], "
+            "name[1], ...)"
+        ),
+    ]
+    stages: StageNames
+    instance: Annotated[
+        Identifier | None,
+        Meta(description="by which the shaders know it; null: they know its members"),
+    ]
+    dims: Annotated[
+        tuple[Size, ...],
+        Meta(description="sizes of an array of blocks; each element has a buffer"),
+    ]
+    packing: Literal["shared", "packed", "std140", "std430"]
+    matrices: Literal["column_major", "row_major"]
+    binding: Annotated[
+        Unsigned | None,
+        Meta(description="as it is declared; null: point 0 when left alone, so give it a free one"),
+    ]
+    size: Annotated[
+        Unsigned | UnsetType,
+        Meta(
+            description="bytes that a buffer has to have (and more for an array without a size at "
+            "its end); with std140 and std430"
+        ),
+    ] = UNSET
+    members: Annotated[tuple[MemberEntry, ...], Meta(min_length=1)]
+    previous_of: Twin = UNSET
+
+
+class UniformBlockInput(
+    _BlockInput, frozen=True, kw_only=True, tag_field="kind", tag="uniform block"
+):
+    """A uniform block."""
+
+    takes_the_last_buffer: Annotated[
+        bool | UnsetType,
+        Meta(
+            description="of a twin: is it laid out like the other one, so that the same buffer can "
+            "be bound a frame later?"
+        ),
+    ] = UNSET
+
+
+class StorageBlockInput(
+    _BlockInput, frozen=True, kw_only=True, tag_field="kind", tag="storage block"
+):
+    """A shader storage block."""
+
+
+InputEntry: TypeAlias = (
+    AttributeInput
+    | UniformInput
+    | SamplerInput
+    | ImageInput
+    | CounterInput
+    | UniformBlockInput
+    | StorageBlockInput
+)

@@ -1,0 +1,220 @@
+"""What a manifest says of passes: their files, targets and state, and what was added for them."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, TypeAlias
+
+from msgspec import UNSET, Meta, UnsetType
+
+from shadercache.caching.algorithms import NAMES
+from shadercache.manifest.kinds import (
+    UNIQUE,
+    FileName,
+    Identifier,
+    ManifestPart,
+    ReadName,
+    TargetName,
+    Words,
+)
+
+Role: TypeAlias = Literal[
+    "previous-cache",
+    "current-cache",
+    "previous-cache-2",
+    "current-cache-2",
+    "clock",
+    "period",
+    "block",
+    "epsilon",
+    "object",
+    "viewport",
+    "previous-viewport",
+    "reset",
+    "mask",
+    "unit",
+    "magnification",
+    "resolution",
+    "limit",
+    "least",
+]
+
+Outcomes: TypeAlias = Annotated[
+    dict[
+        Literal[
+            "hit",
+            "refresh",
+            "outside",
+            "depth",
+            "id",
+            "poison",
+            "magnified",
+            "opted-out",
+            "old",
+        ],
+        Annotated[int, Meta(ge=1, le=255)],
+    ],
+    Meta(
+        description="what is written for each outcome; 0 means that nothing was drawn",
+        extra_json_schema={"required": ["hit", "refresh", "outside", "depth"]},
+    ),
+]
+
+
+class AddedUniform(ManifestPart, frozen=True, kw_only=True):
+    """A uniform that was added; it has no location or binding of its own."""
+
+    name: Identifier
+    type: Literal["ivec4", "sampler2D", "usampler2D", "int", "float"]
+    role: Role
+    meaning: Words
+    unit: str | None
+    range: str | None
+    default: int | float | None
+    on_reset: Annotated[
+        int | float | UnsetType, Meta(description="its value in the draws of a reset")
+    ] = UNSET
+
+
+class ObjectsEntry(ManifestPart, frozen=True, kw_only=True, tag_field="geometry", tag="objects"):
+    """The engine's own objects."""
+
+
+class TriangleEntry(
+    ManifestPart, frozen=True, kw_only=True, tag_field="geometry", tag="full-screen triangle"
+):
+    """One triangle over the whole target, of three vertices without attributes or index."""
+
+    mode: Literal["triangles"]
+    vertices: Literal[3]
+
+
+class DepthEntry(ManifestPart, frozen=True, kw_only=True):
+    """What a pass does with the depth buffer."""
+
+    test: Annotated[
+        Literal["less", "lequal"],
+        Meta(description="depth function; depth is cleared to 1 once per frame, not per pass"),
+    ]
+    write: bool
+
+
+class PassEntry(ManifestPart, frozen=True, kw_only=True):
+    """One draw of all objects.
+
+    What it declares is told by name; each name has one entry in 'inputs' or 'uniforms'.
+    """
+
+    name: Annotated[Words, Meta(description="what the pass is called in messages and results")]
+    vertex: Annotated[FileName, Meta(description="file of the vertex shader, beside the manifest")]
+    fragment: Annotated[
+        FileName, Meta(description="file of the fragment shader, beside the manifest")
+    ]
+    targets: Annotated[
+        tuple[TargetName, ...],
+        Meta(
+            description="entry i is bound at colour attachment i: the colour target, the cache "
+            "that is written in this frame (cache-2: its second texture), or the debug mask (one "
+            "float channel)",
+            min_length=1,
+            extra_json_schema=UNIQUE,
+        ),
+    ]
+    depth: DepthEntry
+    reads: Annotated[
+        tuple[ReadName, ...],
+        Meta(
+            description="caches that the pass samples: that of the last frame, or the one written "
+            "in this frame",
+            extra_json_schema=UNIQUE,
+        ),
+    ]
+    uniforms: Annotated[
+        tuple[Identifier, ...],
+        Meta(
+            description="every uniform that the program declares, the user's and the added ones, "
+            "and every block",
+            extra_json_schema=UNIQUE,
+        ),
+    ]
+    attributes: Annotated[
+        tuple[Identifier, ...],
+        Meta(
+            description="every vertex attribute that the program declares",
+            extra_json_schema=UNIQUE,
+        ),
+    ]
+    on_reset: Annotated[bool, Meta(description="whether the pass is drawn on a reset frame")]
+
+
+class DebugEntry(PassEntry, frozen=True, kw_only=True):
+    """Draws the outcome of the hit test; instead of a variant, with the same previous cache and
+    clock."""
+
+    targets: tuple[Literal["mask"]]
+    values: Outcomes
+    format: Annotated[Literal["r32f"], Meta(description="of the mask")]
+    clear: Annotated[Literal[0], Meta(description="what the mask is cleared to: nothing was drawn")]
+    depth_buffer: Annotated[
+        Literal["own"],
+        Meta(
+            description="own: another one than the passes', or the same if it is cleared before "
+            "and after; it is cleared like theirs"
+        ),
+    ]
+    when: Words
+
+
+class NeededEntry(PassEntry, frozen=True, kw_only=True):
+    """Draws which pixels have payloads; no part of a manifest that is written.
+
+    ``by_some``: are there pixels that may do without?
+    """
+
+    by_some: bool
+
+
+class VariantEntry(ManifestPart, frozen=True, kw_only=True):
+    """An algorithm; its passes are drawn in order."""
+
+    algorithm: Annotated[Words, Meta(examples=list(NAMES))]
+    passes: Annotated[
+        tuple[PassEntry, ...],
+        Meta(
+            min_length=1,
+            extra_json_schema={
+                "contains": {"required": ["on_reset"], "properties": {"on_reset": {"const": True}}}
+            },
+        ),
+    ]
+
+
+class RefusedEntry(ManifestPart, frozen=True, kw_only=True):
+    """An algorithm that the values cannot be cached with."""
+
+    algorithm: Words
+    reason: Words
+
+
+class StateEntry(ManifestPart, frozen=True, kw_only=True):
+    """Something an engine sets of the pipeline, and what it must be."""
+
+    state: Words
+    must: Annotated[
+        Literal["off", "on", "equal", "fill"],
+        Meta(
+            description="equal: the same in every pass of a frame, in the debug program, and where "
+            "the shader is drawn without a cache"
+        ),
+    ]
+    why: Words
+
+
+DepthFunctionName: TypeAlias = Literal["less", "lequal", "greater", "gequal", "equal"]
+
+
+class DepthFunctions(ManifestPart, frozen=True, kw_only=True):
+    """What the depth functions of passes are in an application with another one."""
+
+    less: Literal["less", "greater"]
+    lequal: Literal["lequal", "gequal"]
+    clear: Literal[0, 1]
