@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import OrderedDict
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -13,7 +14,8 @@ from numpy.typing import NDArray
 
 from shadercache.diagnostics import Diagnostic, InputError, input_error
 from shadercache.gpu.context import Gpu
-from shadercache.gpu.uniform_blocks import Member, Place, UniformBuffer, members_of
+from shadercache.gpu.uniform_blocks import BlockNumbers, BufferPlace, UniformBuffer, members_of
+from shadercache.manifest.interface import UniformBlockInput
 from shadercache.source import Source, Span
 
 # GL types of samplers and what moderngl must bind for them; others are told to be unsupported.
@@ -49,7 +51,7 @@ class Uniform:
 
     name: str
     sampler: str | None
-    _gl: moderngl.Uniform | Place
+    _gl: moderngl.Uniform | BufferPlace
     _dtype: np.dtype[Any]
     _count: int
     _is_array: bool
@@ -124,10 +126,17 @@ class Programs:
         """How many are kept although nobody uses them (at most ``MOST_IDLE``)."""
         return len(self._by_text) - self.used
 
-    def acquire(self, vertex: Source, fragment: Source, captured: str = "") -> Program:
+    def acquire(
+        self,
+        vertex: Source,
+        fragment: Source,
+        blocks: Sequence[UniformBlockInput] = (),
+        captured: str = "",
+    ) -> Program:
         """The program of two shaders; call ``release`` with it once for every ``acquire``.
 
-        ``captured`` is a varying: the program is the vertex shader alone, and keeps that.
+        ``blocks`` are the uniform blocks that it may have. ``captured`` is a varying: the program
+        is the vertex shader alone, and keeps that.
 
         Raises:
             InputError: SC602 with the driver's log, SC524 for inputs the harness cannot give.
@@ -135,7 +144,7 @@ class Programs:
         key = (_HEADING.sub("//", vertex.text), _HEADING.sub("//", fragment.text), captured)
         program = self._by_text.get(key)
         if program is None:
-            program = self._by_text[key] = _link(self._gpu.ctx, vertex, fragment, key)
+            program = self._by_text[key] = _link(self._gpu.ctx, vertex, fragment, key, blocks)
         program.users += 1
         self._by_text.move_to_end(key)
         return program
@@ -155,7 +164,11 @@ class Programs:
 
 
 def _link(
-    ctx: moderngl.Context, vertex: Source, fragment: Source, texts: tuple[str, str, str]
+    ctx: moderngl.Context,
+    vertex: Source,
+    fragment: Source,
+    texts: tuple[str, str, str],
+    told: Sequence[UniformBlockInput],
 ) -> Program:
     try:
         if texts[2]:
@@ -179,15 +192,15 @@ def _link(
     buffers: dict[str, UniformBuffer] = {}
     if blocks:
         sizes = {name: block.size for name, block in blocks.items()}
-        members = members_of(((vertex, "vertex"), (fragment, "fragment")), sizes)
+        members = members_of(fragment.name, told, sizes)
         for at, (name, block) in enumerate(blocks.items()):
             buffers[name] = UniformBuffer(ctx, block, at)
         uniforms |= {item.name: _member(item, buffers[item.block]) for item in members}
     return Program(fragment.name, gl, uniforms, attributes, tuple(buffers.values()))
 
 
-def _member(item: Member, buffer: UniformBuffer) -> Uniform:
-    place = Place(buffer, item.words)
+def _member(item: BlockNumbers, buffer: UniformBuffer) -> Uniform:
+    place = BufferPlace(buffer, item.words)
     return Uniform(item.name, None, place, item.dtype, len(item.words), item.is_array)
 
 

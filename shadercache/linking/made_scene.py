@@ -16,7 +16,7 @@ from pathlib import Path
 
 from shadercache.ast import nodes as n
 from shadercache.compiler import Analysis
-from shadercache.gpu.uniform_blocks import block_fields
+from shadercache.emit.block_members import block_fields
 from shadercache.lang.types import Type
 from shadercache.scene.description import (
     RESTING_CAMERA,

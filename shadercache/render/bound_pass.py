@@ -7,13 +7,14 @@ from dataclasses import dataclass
 
 import moderngl
 import numpy as np
+from msgspec import UNSET
 
-from shadercache.ast import nodes as n
 from shadercache.diagnostics import Diagnostic, InputError
-from shadercache.front.parse import parse
 from shadercache.gpu.cache_textures import CachePair
 from shadercache.gpu.programs import Uniform
 from shadercache.gpu.textures import GlTexture, texture_kind
+from shadercache.gpu.uniform_blocks import blocks_of
+from shadercache.manifest.interface import UniformInput
 from shadercache.render.bundle import PassSpec
 from shadercache.render.drawable import Drawable
 from shadercache.render.render_scene import RenderScene
@@ -87,7 +88,14 @@ class BoundPass:
         self._before: list[tuple[Uniform, str]] = []
         self._numbers: list[tuple[Uniform, str]] = []
         self._units: list[tuple[Uniform, GlTexture | str]] = []
-        self._program = world.programs.acquire(spec.vertex, spec.fragment, captured)
+        self._initialised = {
+            item.name
+            for item in spec.inputs
+            if isinstance(item, UniformInput) and item.default is not UNSET
+        }
+        self._program = world.programs.acquire(
+            spec.vertex, spec.fragment, blocks_of(spec.inputs), captured
+        )
         try:
             self._array = drawable.vertex_array(self._program)
             self._bind(naming)
@@ -184,7 +192,7 @@ class BoundPass:
     def _bind_value(self, uniform: Uniform, twin: str | None, values: Values) -> list[Diagnostic]:
         name = uniform.name if twin is None else twin
         if name not in values:
-            if _has_initialiser(self._spec, uniform.name):
+            if uniform.name in self._initialised:
                 return []
             key = name if root_of(name) == name else f'"{name}"'
             hint = f"in the scene, under [uniforms], add: {key} = ..."
@@ -199,17 +207,6 @@ class BoundPass:
     def _problem(self, code: str, what: str, hint: str | None = None) -> Diagnostic:
         place = Source(str(self._drawable.scene.path), "")
         return Diagnostic(code, f"{self._spec.fragment.name} {what}", place, hint=hint)
-
-
-def _has_initialiser(spec: PassSpec, name: str) -> bool:
-    """Whether the shaders themselves give a uniform its value (``uniform float gain = 2.0;``)."""
-    return any(
-        item.name == name and item.init is not None
-        for source in (spec.vertex, spec.fragment)
-        for decl in parse(source).decls
-        if isinstance(decl, n.VarDecl) and decl.qualifiers.has("uniform")
-        for item in decl.declarators
-    )
 
 
 def _cache_texture(role: str, caches: CachePair | None) -> moderngl.Texture:

@@ -7,10 +7,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from manifests import reflected
 
 from shadercache.diagnostics import InputError
 from shadercache.gpu.context import Gpu
-from shadercache.gpu.programs import Programs
+from shadercache.gpu.programs import Program, Programs
+from shadercache.gpu.uniform_blocks import blocks_of
 from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
@@ -76,6 +78,12 @@ are nested, llvmpipe 25.0 (not 22.3) writes past the end of its stack of them an
 """
 
 
+def acquired(programs: Programs, vertex: str, fragment: str) -> Program:
+    """The program of two texts, with the blocks that a manifest would tell of."""
+    sources = Source("t.vert", vertex), Source("t.frag", fragment)
+    return programs.acquire(*sources, blocks_of(reflected(*sources)))
+
+
 def numbers(gpu: Gpu, declarations: str, prefix: str) -> tuple[list[str], np.ndarray]:
     """What programs read of their uniforms: their names, and every number as the shader has it."""
     read = [part.format(prefix + name) for name, kind in MEMBERS.items() for part in PARTS[kind]]
@@ -95,7 +103,7 @@ def _drawn(
     fragment = f"""{HEAD} {declarations} out float o;
         void main() {{ o = -1.0; switch (int(gl_FragCoord.x)) {{ {cases} }} }}"""
     programs = Programs(gpu)
-    program = programs.acquire(Source("t.vert", HEAD + VERTEX), Source("t.frag", fragment))
+    program = acquired(programs, HEAD + VERTEX, fragment)
     for uniform in program.uniforms.values():
         # Equal names, equal numbers; different ones for each number.
         seed = sum(map(ord, uniform.name.removeprefix(prefix)))
@@ -137,8 +145,7 @@ def test_two_blocks_and_members_that_nobody_reads(gpu: Gpu) -> None:
         layout(std140) uniform Second { vec4 two; double never; } second;
         out vec4 o; void main() { o = one + second.two; }""".replace("double", "float")
     programs = Programs(gpu)
-    vertex = Source("t.vert", "#version 330\n" + VERTEX)
-    program = programs.acquire(vertex, Source("t.frag", fragment))
+    program = acquired(programs, "#version 330\n" + VERTEX, fragment)
     assert set(program.uniforms) == {"one", "second.two"}
     programs.release_all()
 
@@ -157,9 +164,7 @@ def test_other_layouts_are_told_to_be_unsupported(gpu: Gpu, block: str) -> None:
     which = "b[1].m" if "[2]" in block else "b.m"
     fragment = f"#version 430\n{block} out vec4 o; void main() {{ o = vec4({which}[0], 1.0); }}"
     with pytest.raises(InputError, match="SC524"):
-        Programs(gpu).acquire(
-            Source("t.vert", "#version 430\n" + VERTEX), Source("t.frag", fragment)
-        )
+        acquired(Programs(gpu), "#version 430\n" + VERTEX, fragment)
 
 
 VERTEX_OF = """#version 330

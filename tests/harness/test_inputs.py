@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
@@ -10,12 +11,14 @@ from types import MappingProxyType
 import moderngl
 import numpy as np
 import pytest
+from manifests import reflected
 from PIL import Image
 
 from shadercache.diagnostics import GraphicsError, InputError
 from shadercache.gpu.context import APT_LINE, Gpu, open_context
 from shadercache.gpu.targets import Targets
 from shadercache.gpu.textures import load_pixels
+from shadercache.manifest.interface import InputEntry
 from shadercache.render.bundle import PassSpec
 from shadercache.render.render_scene import RenderScene
 from shadercache.render.variant_runner import PassRunner
@@ -34,7 +37,11 @@ void main() { gl_Position = u_modelViewProjection * vec4(a_position, 1.0); }
 
 def spec(fragment: str, vertex: str = VERTEX) -> PassSpec:
     sources = Source("test.vert", vertex), Source("test.frag", "#version 330\n" + fragment)
-    return PassSpec("test", *sources, ("color",), "<", True, False)
+    inputs: tuple[InputEntry, ...] = ()
+    # What only the driver turns down has no manifest that tells of it.
+    with suppress(InputError):
+        inputs = reflected(*sources)
+    return PassSpec("test", *sources, ("color",), "<", True, False, inputs=inputs)
 
 
 def codes(world: RenderScene, fragment: str, vertex: str = VERTEX) -> tuple[list[str], str]:
