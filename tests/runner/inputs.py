@@ -33,9 +33,8 @@ class Inputs:
         textures: Mapping[str, moderngl.Texture | moderngl.TextureCube],
     ) -> None:
         self.textures = textures
-        self.roles = {item["name"]: item["role"] for item in manifest["uniforms"]}
-        self.listed = {item["name"]: item for item in manifest["inputs"]}
-        self.points = _points(list(self.listed.values()))
+        self.told = {item["name"]: item for item in (*manifest["inputs"], *manifest["uniforms"])}
+        self.points = _points(manifest["inputs"])
         self.buffers: dict[str, moderngl.Buffer] = {}
         self.ctx = ctx
 
@@ -44,36 +43,29 @@ class Inputs:
         units = itertools.count()
         for name in program:
             member = program[name]
+            if isinstance(member, moderngl.Attribute):
+                continue
             root = re.split(r"[.\[]", name, maxsplit=1)[0]
-            if isinstance(member, moderngl.Uniform | moderngl.UniformBlock):
-                assert root in declared, f"the manifest does not tell of {name}"
-            if isinstance(member, moderngl.UniformBlock):
-                for index, element in self._elements(member, root):
-                    self._bind(member, index, element, self._value(root, element, given))
-            elif isinstance(member, moderngl.Uniform):
-                self._set(member, root, given, units)
+            assert root in declared, f"the manifest does not tell of {name}"
+            item = self.told[root]
+            if item.get("kind") == "uniform block":
+                for index, element in self._elements(member, item):
+                    self._bind(member, index, element, _value(item, element, given))
+            elif "sampler" in item["type"]:
+                texture = given.caches[item["role"]] if "role" in item else self.textures[root]
+                member.value = next(units)
+                texture.use(member.value)
+            elif "role" in item:
+                member.value = given.numbers[item["role"]]
+            else:
+                member.value = _value(item, name, given)
 
-    def _value(self, root: str, name: str, given: Given) -> Any:
-        """This frame's value, or for a twin the one that its original had in the last."""
-        original = self.listed[root].get("previous_of")
-        return given.now[name] if original is None else given.last[original + name[len(root) :]]
-
-    def _set(
-        self, uniform: moderngl.Uniform, root: str, given: Given, units: Iterator[int]
-    ) -> None:
-        role = self.roles.get(root)
-        if role is not None and role not in given.caches:
-            uniform.value = given.numbers[role]
-        elif role is not None or root in self.textures:
-            texture = given.caches[role] if role is not None else self.textures[root]
-            uniform.value = next(units)
-            texture.use(uniform.value)
-        else:
-            uniform.value = self._value(root, uniform.name, given)
-
-    def _elements(self, block: moderngl.UniformBlock, root: str) -> Iterator[tuple[int, str]]:
+    @staticmethod
+    def _elements(
+        block: moderngl.UniformBlock, item: Mapping[str, Any]
+    ) -> Iterator[tuple[int, str]]:
         """The blocks of an array, with their numbers: moderngl knows the last of them alone."""
-        names = _elements(self.listed[root])
+        names = _elements(item)
         first = block.index - len(names) + 1
         return enumerate(names, first)
 
@@ -83,6 +75,14 @@ class Inputs:
         self.buffers[name].write(content[: block.size])
         block.ctx._set_ubo_binding(block.program_obj, index, self.points[name])
         self.buffers[name].bind_to_uniform_block(self.points[name])
+
+
+def _value(item: Mapping[str, Any], name: str, given: Given) -> Any:
+    """This frame's value, or for a twin the one that its original had in the last."""
+    original = item.get("previous_of")
+    if original is None:
+        return given.now[name]
+    return given.last[original + name[len(item["name"]) :]]
 
 
 def _points(inputs: list[Mapping[str, Any]]) -> dict[str, int]:
