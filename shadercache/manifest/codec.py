@@ -12,6 +12,7 @@ from shadercache.manifest.model import SCHEMA_VERSION, AnyManifest, Manifest
 from shadercache.manifest.rules import problems
 
 _LONGEST = 200
+"""Characters of what is wrong: a file may hold a word of megabytes."""
 _PLACE = re.compile(r"(?P<what>.*) - at (?P<key>`key` in )?`\$\.?(?P<path>.*)`", re.DOTALL)
 
 

@@ -31,7 +31,7 @@ _TEXTURE = re.compile(
 )
 _DIMENSIONS = {"Cube": "cube", "Buffer": "buffer", "ExternalOES": "2D"}
 _COMPONENTS = {"": "float", "i": "int", "u": "uint"}
-_BUFFER_UNIT = 16
+_BUFFER_UNIT = 16  # drivers count a block up to a whole vec4
 
 
 def described_inputs(inputs: Sequence[Input], programs: ProgramSet) -> tuple[InputEntry, ...]:
