@@ -21,7 +21,7 @@ LEFT_OUT = re.compile(
     r"|count(Leading|Trailing)Zeros|multiply32x16|subtractSaturate|dFd[xy]|fwidth|interpolateAt"
     r"|subgroup|textureGrad$|(texture|shadow)([123]D|Cube)(Proj)?$|debugPrintf|sparse|(all|any)Invocation|read(First)?Invocation|ballot|\w+(AMD|ARB|KHR|EXT|NV|QCOM)$"
 )
-# Levels and biases of shadow maps: GL_EXT_texture_shadow_lod, which glslang 15 lists without a name.
+# Levels and biases of shadow maps (GL_EXT_texture_shadow_lod): glslang 15 lists no extension there.
 SHADOW_LEVELS = re.compile(
     r"texture float\(sampler(2DArrayShadow, vec4, float|CubeArrayShadow, vec4, float, float)\)"
     r"|textureLod(Offset)? float\(sampler(2DArray|Cube|CubeArray)Shadow, vec4, float"
