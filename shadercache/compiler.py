@@ -24,8 +24,8 @@ and for one node or a set of them, for each pass of each algorithm:
 15. :mod:`transform.drop_results`
 16. :mod:`transform.drop_parameters`, :mod:`transform.move_arguments`
 17. :mod:`transform.expand_compound_assignments`       ``c += x`` again where nothing was cut out
-18. :mod:`transform.opaque_arguments`, :mod:`transform.write_out_matrices` and
-    :mod:`transform.make_precise`   in proof mode only
+18. :mod:`transform.opaque_arguments`, :mod:`transform.opaque_varyings`,
+    :mod:`transform.write_out_matrices` and :mod:`transform.make_precise`   in proof mode only
 19. :mod:`emit.printer`             tree to text
 """
 

@@ -32,6 +32,7 @@ from shadercache.emit.vertex import VertexEmitter
 from shadercache.sema.facts import Stage
 from shadercache.transform.make_precise import make_precise
 from shadercache.transform.opaque_arguments import hide_arguments
+from shadercache.transform.opaque_varyings import hide_uniform_varyings
 from shadercache.transform.state_precisions import with_precisions
 from shadercache.transform.write_out_matrices import write_out_matrices
 
@@ -211,6 +212,8 @@ class _Writer:
         if self.mode == "proof":
             if stage == "fragment":
                 module = hide_arguments(module, memo)
+            else:
+                module = hide_uniform_varyings(module, self.vertex.prefix, memo)
             module = write_out_matrices(module, self.vertex.prefix, stage, memo)
             module = make_precise(module, self.vertex.prefix, stage, memo)
         version, rest = print_module(module, memo).split("\n", 1)
