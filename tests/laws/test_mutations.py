@@ -21,11 +21,12 @@ from laws.ground_truth import (
 )
 from laws.look_ups import LawFive
 from manifests import plain
+from msgspec import convert
 
 from shadercache.compiler import analyse
 from shadercache.emit.runtime import SPREAD
 from shadercache.gpu.context import Gpu
-from shadercache.manifest.codec import decode
+from shadercache.manifest.model import Manifest
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
 from shadercache.source import Source
@@ -157,7 +158,7 @@ def test_laws_2_to_4_notice_a_wrong_manifest(verifier: Verifier, proof: Bundle) 
             for item in variant["passes"]
         }
         edit(passes)
-        return broken(verifier, Bundle(decode(manifest, "m"), proof.files))
+        return broken(verifier, Bundle(convert(manifest, Manifest), proof.files))
 
     depth = {"test": "less", "write": True}
     # Where everything is refreshed the second pass, which is guarded, has drawn the colour.
