@@ -58,10 +58,10 @@ def test_a_record_is_all_that_a_pass_takes(monkeypatch: pytest.MonkeyPatch) -> N
     analysis = analysed("o_color = vec4(sin(v_position) * cos(v_normal), 1.0);")
     node = find(analysis, "sin(v_position) * cos(v_normal)")
     emission = rewritten(analysis, node, algorithms=["toy"], unprofitable=True)
-    [variant] = emission.manifest["variants"]
-    [told] = variant["passes"]
-    assert told["depth"] == {"test": "less", "write": False}
-    assert "gl_VertexID" in emission.files["toy.vert"] and not told["attributes"]
+    [variant] = emission.manifest.variants
+    [told] = variant.passes
+    assert (told.depth.test, told.depth.write) == ("less", False)
+    assert "gl_VertexID" in emission.files["toy.vert"] and not told.attributes
 
 
 def test_no_other_file_names_an_algorithm() -> None:
