@@ -55,11 +55,11 @@ from shadercache.ast import nodes as n
 from shadercache.ast.large import allow_deep_trees
 from shadercache.ast.walk import walk
 from shadercache.caching.configuration import Configuration, Mode
+from shadercache.caching.layout import Layout, extras_of
 from shadercache.diagnostics import Diagnostic, InputError, input_error
 from shadercache.emit import program_set
 from shadercache.emit.builder import FragmentProgram
 from shadercache.emit.depth_range import depth_warnings
-from shadercache.emit.layout import Layout, extras_of
 from shadercache.emit.printer import print_node
 from shadercache.front.read_options import ReadOptions
 from shadercache.front.webgl import is_webgl

@@ -1,1 +1,1 @@
-"""What can be chosen about a cache: one value names one configuration."""
+"""How payloads are cached: configurations, algorithms, and the slots with their ``.glsl`` files."""

@@ -153,6 +153,18 @@ class Configuration:
         )
 
     @property
+    def look_up(self) -> Configuration:
+        """The configuration with all at its default that no text of the runtime depends on."""
+        plain = Configuration()
+        return replace(
+            self.compiled,
+            nodes=plain.nodes,
+            algorithm=plain.algorithm,
+            fetches=plain.fetches,
+            mode=plain.mode,
+        )
+
+    @property
     def canonical(self) -> str:
         """Its JSON in one way of writing it."""
         return json.dumps(self.to_json(), sort_keys=True, separators=(",", ":"))

@@ -17,10 +17,11 @@ from shadercache.analysis.precision import PrecisionTable
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.caching.configuration import Configuration
-from shadercache.caching.settings import written_settings
+from shadercache.caching.layout import Layout, extras_of
+from shadercache.caching.program_parts import program_part
+from shadercache.caching.slots import Choice, Located
 from shadercache.emit.assemble import Shader, interface, merge, with_locations, without_main
-from shadercache.emit.layout import Layout, extras_of
-from shadercache.emit.runtime import Located, load_part, runtime_names
+from shadercache.emit.runtime import FOLDER, runtime_names
 from shadercache.sema.facts import Facts
 from shadercache.transform.drop_parameters import drop_parameters
 from shadercache.transform.drop_results import drop_results
@@ -33,10 +34,6 @@ from shadercache.transform.specialise import Clones, Cut, CutKind, insert_clones
 
 _LATE = ("passes/here_late", "passes/hit_late")
 """Passes that fragments without a payload go through, up to a discard at the end."""
-
-
-_BLIND = ("passes/miss", "passes/payload", "passes/needed")
-"""Passes that look nothing up."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -83,7 +80,7 @@ class PassBuilder:
         """Nothing hangs on the configuration's own nodes and algorithm: it says how, not what."""
         self.program, self.nodes = program, tuple(nodes)
         chosen = configuration or Configuration()
-        self.settings = tuple(written_settings(chosen).items())
+        self.configuration = chosen.look_up
         precisions = PrecisionTable(program.module, program.facts)
         self.precisions = precisions
         self.layout = Layout(
@@ -162,19 +159,17 @@ class PassBuilder:
         extra: list[n.Decl] | tuple[()],
         locations: dict[str, int],
     ) -> Shader:
-        prefix = self.program.prefix
-        # ``main`` comes last: GLSL wants functions declared before they are called.
-        names = ("refresh", "filters", "lookup", "wide", "store", template)
-        looks = template not in _BLIND
         # What lies beside the payload in the cache is no part of what the payload alone costs.
         alone = template in ("passes/payload_alone", "passes/needed")
         layout = replace(self.layout, extras=()) if alone else self.layout
-        options = (layout, prefix, self.whole, self.program.located, self.settings, looks)
-        parts = [load_part(name, *options) for name in names]
+        program = self.program
+        choice = Choice(layout, program.prefix, self.whole, program.located, self.configuration)
+        part = program_part(FOLDER / f"{template}.glsl", choice)
         user = insert_clones(self.program.module, *clones)
         if template in _LATE and self.decides_loops:
             user = guard_loops(user, self._decided(user), self.own("lacks"))
-        module = merge(self.program.module, without_main(user), extra, *parts)
+        module = merge(program.module, without_main(user), extra, part.decls)
+        module = replace(module, comments=(*module.comments, *part.comments))
         made = {clone.name for group in clones for _, clone in group.made}
         memo = self.program.memo
         module = contract(_shrink(module, locations, made, memo), memo)

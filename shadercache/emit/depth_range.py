@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from shadercache.caching.configuration import CacheFormat, Configuration, DepthKind
+from shadercache.caching.layout import precision_of
 from shadercache.diagnostics import Diagnostic, Severity
-from shadercache.emit.layout import precision_of
 
 SCALE = 16.0
-"""What 1/w is multiplied by where it is kept (``macros.glsl``)."""
+"""What 1/w is multiplied by where it is kept (``caching/glsl/depth``)."""
 
 _SMALLEST = {"rgba16f": 2.0**-25, "rgba32f": 2.0**-150}
 """What a number near zero is rounded by at most."""

@@ -49,6 +49,7 @@ from shadercache.emit.make_expressions import (
 )
 from shadercache.emit.variant_comments import Comments
 from shadercache.lang.words import ASSIGN
+from shadercache.source import NOWHERE
 
 _INDENT = "    "
 _EXPRESSIONS = frozenset(EXPRESSIONS)
@@ -295,7 +296,7 @@ def _print_body(line: str, start: int, body: Node, indent: str, out: _Output) ->
     """
     is_block = isinstance(body, Block)
     out.lines.append(line + " {" if is_block else line)
-    if out.comments and start >= 0:
+    if out.comments and start != NOWHERE.start:
         out.add_comments(out.comments.within(start, body.span.start), indent + _INDENT)
     if isinstance(body, Block):
         _print_inside(body, indent, out)

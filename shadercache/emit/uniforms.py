@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from shadercache.caching.configuration import DEFAULT_MAGNIFICATION, Configuration
-from shadercache.emit.layout import MOST_IN_HALF, Layout, precision_of
+from shadercache.caching.layout import MOST_IN_HALF, Layout, precision_of
 
 
 def added_uniforms(

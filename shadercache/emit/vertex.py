@@ -26,10 +26,8 @@ from shadercache.analysis.vertex_inputs import OUTPUTS, kept_numbers, variable_f
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.emit.assemble import Shader, interface, merge
-from shadercache.emit.layout import Layout
-from shadercache.emit.runtime import load_part
+from shadercache.emit.runtime import vertex_part
 from shadercache.emit.twins import POSITION, Twins, is_builtin_output, is_opaque_uniform
-from shadercache.lang.types import FLOAT
 from shadercache.source import NOWHERE
 from shadercache.transform.reachable import declared_names, names_in
 from shadercache.transform.remove_dead import remove_dead
@@ -126,7 +124,7 @@ class VertexEmitter:
 
     def _extended(self) -> n.Module:
         main = rename_function(self.module, "main", self.prefix + "vertex")
-        part = load_part("vertex", Layout((FLOAT,)), self.prefix)
+        part = vertex_part(self.prefix)
         variables = [d for d in part if isinstance(d, n.VarDecl)]
         functions = [d for d in part if isinstance(d, n.FunctionDef)]
         return merge(self.module, (*main.decls, *self._twins().decls()), variables, functions)

@@ -11,7 +11,7 @@ from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.front.parse import parse
-from shadercache.source import NOWHERE, Source, Span
+from shadercache.source import Source, Span
 
 _PRINTED = ("original.frag", "original.vert")
 
@@ -53,6 +53,6 @@ def _place(printed: Source, span: Span, written: n.Module) -> Span | None:
     around = [
         (one.span.end - one.span.start, other.span)
         for one, other in zip(ones, others, strict=True)
-        if one.span.start <= span.start < one.span.end and other.span != NOWHERE
+        if one.span.start <= span.start < one.span.end and other.span.start >= 0
     ]
     return min(around, key=lambda pair: pair[0])[1] if around else None

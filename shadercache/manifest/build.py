@@ -12,12 +12,12 @@ from shadercache import __version__
 from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.payload_sets import is_skipped
 from shadercache.caching.configuration import Configuration, Mode
+from shadercache.caching.layout import Layout, extras_of
+from shadercache.caching.outcomes import outcomes
 from shadercache.caching.settings import written_settings
 from shadercache.emit.dependencies import Dependency
-from shadercache.emit.layout import Layout, extras_of
 from shadercache.emit.program_set import Pass, ProgramSet
 from shadercache.emit.reflection import Input
-from shadercache.emit.runtime import outcomes
 from shadercache.emit.uniforms import added_uniforms
 from shadercache.manifest.cache_model import (
     CacheEntry,

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.caching.configuration import Configuration
+from shadercache.caching.layout import precision_of
 from shadercache.diagnostics import DiagnosticError, usage_error
-from shadercache.emit.layout import precision_of
 from shadercache.gpu.cache_textures import CachePair, as_precise_as
 from shadercache.render.bound_pass import NO_NAMES, BoundPass, FrameInputs, Naming
 from shadercache.render.bundle import Bundle, PassSpec

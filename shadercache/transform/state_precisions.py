@@ -84,7 +84,7 @@ class _Highp(Rewriter):
 def _precise(node: N) -> N:
     kind = builtin_type(node.type.name)
     plain = kind is None or kind.is_void or kind.base == "bool"
-    if node.span != NOWHERE or plain or node.qualifiers.has(*PRECISIONS):
+    if node.span.start >= 0 or plain or node.qualifiers.has(*PRECISIONS):
         return node
     words = (*node.qualifiers.words, "highp")
     return replace(node, qualifiers=replace(node.qualifiers, words=words))

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.caching.configuration import Configuration
-from shadercache.emit.runtime import INTERPOLATION, SPREAD
+from shadercache.caching.outcomes import INTERPOLATION, SPREAD
 from shadercache.verify.surfaces import Floats, Mask, Surface
 
 Outcomes = NDArray[np.uint8]

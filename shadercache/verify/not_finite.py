@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.caching.configuration import GuardKind
-from shadercache.emit.layout import Layout, precision_of
+from shadercache.caching.layout import Layout, precision_of
 
 _LATER = {"miss": "", "clamp": "; guard=clamp has numbers for them later", "off": ""}
 

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 
 from shadercache.analysed import Analysis
 from shadercache.caching.algorithms import algorithm
+from shadercache.caching.layout import Layout
 from shadercache.compiler import emit_needed
-from shadercache.emit.layout import Layout
 from shadercache.render.bound_pass import BoundPass, FrameInputs, Naming
 from shadercache.render.bundle import Bundle
 from shadercache.render.drawable import Drawable

@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.caching.configuration import Configuration, Mode, by_every_algorithm
+from shadercache.caching.layout import Layout
 from shadercache.compiler import Analysis, emit_original, rewrite
 from shadercache.diagnostics import InputError, input_error
-from shadercache.emit.layout import Layout
 from shadercache.gpu.context import Gpu
 from shadercache.linking.linker import Linker
 from shadercache.linking.user_places import at_home

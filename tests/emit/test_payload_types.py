@@ -17,8 +17,9 @@ from shaders import analysed, find
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.caching.configuration import Mode
+from shadercache.caching.layout import Layout
+from shadercache.caching.payload_text import payload_text
 from shadercache.compiler import Analysis
-from shadercache.emit.layout import Layout
 from shadercache.lang.types import (
     BOOL,
     FLOAT,
@@ -36,48 +37,56 @@ RAY = struct_type("Ray", {"origin": vector("float", 3), "id": INT})
 FLAGGED = struct_type("Flagged", {"ray": RAY, "flags": vector("bool", 2), "count": UINT})
 
 LAYOUTS = [
-    (FLOAT, ("rgba16f",), "sc_payload, 0.0, 0.0", "0.0, 0.0, 0.0, 0.0", "texel.x"),
-    (vector("float", 3), ("rgba16f",), "sc_payload", "0.0, 0.0, 0.0, 0.0", "texel.xyz"),
+    (FLOAT, ("rgba16f",), "sc_payload, 0.0, 0.0", "0.0, 0.0, 0.0, 0.0", "sc_texel.x"),
+    (vector("float", 3), ("rgba16f",), "sc_payload", "0.0, 0.0, 0.0, 0.0", "sc_texel.xyz"),
     (
         vector("float", 4),
         ("rgba16f", "r16f"),
         "sc_payload.xyz",
         "sc_payload.w, 0.0, 0.0, 0.0",
-        "vec4(texel.xyz, texel_2.x)",
+        "vec4(sc_texel.xyz, sc_texel_2.x)",
     ),
-    (INT, ("rgba32ui",), "uint(sc_payload), 0u, 0u", "0u, 0u, 0u, 0u", "int(texel.x)"),
-    (vector("uint", 2), ("rgba32ui",), "sc_payload, 0u", "0u, 0u, 0u, 0u", "texel.xy"),
-    (BOOL, ("rgba32ui",), "uint(sc_payload), 0u, 0u", "0u, 0u, 0u, 0u", "bool(texel.x)"),
+    (INT, ("rgba32ui",), "uint(sc_payload), 0u, 0u", "0u, 0u, 0u, 0u", "int(sc_texel.x)"),
+    (vector("uint", 2), ("rgba32ui",), "sc_payload, 0u", "0u, 0u, 0u, 0u", "sc_texel.xy"),
+    (BOOL, ("rgba32ui",), "uint(sc_payload), 0u, 0u", "0u, 0u, 0u, 0u", "bool(sc_texel.x)"),
     (
         vector("bool", 4),
         ("rgba32ui", "r32ui"),
         "uvec3(sc_payload.xyz)",
         "uint(sc_payload.w), 0u, 0u, 0u",
-        "bvec4(texel.xyz, texel_2.x)",
+        "bvec4(sc_texel.xyz, sc_texel_2.x)",
     ),
     (
         matrix("float", 2, 3),
         ("rgba16f", "rgba16f"),
         "sc_payload[0]",
         "sc_payload[1], 0.0",
-        "mat2x3(texel.xyz, texel_2.xyz)",
+        "mat2x3(sc_texel.xyz, sc_texel_2.xyz)",
     ),
     (
         array_of(vector("float", 2), 2),
         ("rgba16f", "r16f"),
         "sc_payload[0], sc_payload[1].x",
         "sc_payload[1].y, 0.0, 0.0, 0.0",
-        "vec2[2](texel.xy, vec2(texel.z, texel_2.x))",
+        "vec2[2](sc_texel.xy, vec2(sc_texel.z, sc_texel_2.x))",
     ),
     (
         FLAGGED,
         ("rgba32ui", "rgba32ui"),
         "floatBitsToUint(sc_payload.ray.origin)",
         "uint(sc_payload.ray.id), uvec2(sc_payload.flags), sc_payload.count",
-        "Flagged(Ray(uintBitsToFloat(sc_local_1.xyz), int(sc_local_2.x)), bvec2(sc_local_2.yz), "
-        "sc_local_2.w)",
+        "Flagged(Ray(uintBitsToFloat(sc_texel.xyz), int(sc_texel_2.x)), bvec2(sc_texel_2.yz), "
+        "sc_texel_2.w)",
     ),
 ]
+
+
+def written(layout: Layout, whole: bool = False) -> str:
+    return payload_text(layout, "sc_", whole, ("0u", "1u"))
+
+
+def texel_type(layout: Layout) -> str:
+    return "uvec4" if layout.bits else "vec4"
 
 
 @pytest.mark.parametrize(
@@ -87,18 +96,19 @@ def test_layout(
     kind: Type, formats: tuple[str, ...], first: str, second: str, unpacked: str
 ) -> None:
     layout = Layout((kind,))
-    macros = layout.macros("sc_")
+    text = written(layout)
     assert layout.formats("rgba16f") == formats
-    assert (macros["PACKED_1"], macros["PACKED_2"]) == (first, second)
-    assert macros["UNPACK"] == f"sc_payload = {unpacked}"
+    assert f"sc_PACKED() {{ return {texel_type(layout)}({first}, 0); }}" in text
+    assert f"sc_PACKED_2() {{ return {texel_type(layout)}({second}); }}" in text
+    assert f"void sc_UNPACK() {{ sc_payload = {unpacked}; }}" in text
 
 
 def test_the_masks_mark_what_must_not_be_blended() -> None:
     mixed = struct_type("Mixed", {"at": vector("float", 2), "id": INT, "more": FLOAT, "on": BOOL})
-    macros = Layout((mixed,)).macros("sc_")
-    assert macros["DISCRETE_1"] == "uvec4(0u, 0u, 0xFFFFFFFFu, 0u)"
-    assert macros["DISCRETE_2"] == "uvec4(0u, 0xFFFFFFFFu, 0u, 0u)"
-    assert Layout((FLAGGED,)).macros("sc_")["ANY_DISCRETE_1"] == "0"
+    text = written(Layout((mixed,)))
+    assert "const uvec4 sc_discrete = uvec4(0u, 0u, 0xFFFFFFFFu, 0u);" in text
+    assert "const uvec4 sc_discrete_2 = uvec4(0u, 0xFFFFFFFFu, 0u, 0u);" in text
+    assert not Layout((FLAGGED,)).has_integers(0)
 
 
 @pytest.mark.parametrize("name", PAYLOADS)
@@ -131,25 +141,23 @@ def test_golden_programs(name: str, golden: Golden) -> None:
 
 def test_several_payloads_lie_one_behind_the_other() -> None:
     layout = Layout((vector("float", 2), BOOL, vector("int", 3)), precisions=("highp",) * 3)
-    macros = layout.macros("sc_", whole=True)
+    text = written(layout, whole=True)
     assert layout.places == (("xy", ""), ("z", ""), ("", "xyz"))
     assert layout.formats("rgba16f") == ("rgba32ui", "rgba32ui")
-    assert macros["DECLARE_PAYLOADS"] == (
-        "highp vec2 sc_payload_1; bool sc_payload_2; highp ivec3 sc_payload_3"
-    )
-    assert macros["PACKED_1"] == (
-        "sc_valid_1 ? floatBitsToUint(sc_payload_1) : uvec2(0u), "
-        "sc_valid_2 ? uint(sc_payload_2) : 0u"
-    )
-    assert macros["UNPACK"] == (
-        "sc_payload_1 = uintBitsToFloat(texel.xy); sc_payload_2 = bool(texel.z); "
-        "sc_payload_3 = ivec3(texel_2.xyz)"
-    )
-    assert macros["VALID"] == "sc_valid_1 && sc_valid_2 && sc_valid_3"
-    assert Layout(layout.types).macros("sc_")["PACKED_2"] == "uvec3(sc_payload_3), 0u"
+    assert "highp vec2 sc_payload_1;\nbool sc_payload_2;\nhighp ivec3 sc_payload_3;" in text
+    assert (
+        "sc_PACKED() { return uvec4(sc_valid_1 ? floatBitsToUint(sc_payload_1) : uvec2(0u), "
+        "sc_valid_2 ? uint(sc_payload_2) : 0u, 0); }"
+    ) in text
+    assert (
+        "sc_payload_1 = uintBitsToFloat(sc_texel.xy); sc_payload_2 = bool(sc_texel.z); "
+        "sc_payload_3 = ivec3(sc_texel_2.xyz);"
+    ) in text
+    assert "sc_VALID() { return sc_valid_1 && sc_valid_2 && sc_valid_3; }" in text
+    assert "return uvec4(uvec3(sc_payload_3), 0u);" in written(Layout(layout.types))
     wide = Layout((vector("float", 2), vector("float", 4)))
     assert wide.places == (("xy", ""), ("z", "xyz"))
-    assert wide.macros("sc_")["PACKED_1"] == "sc_payload_1, sc_payload_2.x"
+    assert "sc_PACKED() { return vec4(sc_payload_1, sc_payload_2.x, 0); }" in written(wide)
 
 
 def beside(analysis: Analysis, node: Candidate) -> list[Candidate]:
@@ -204,15 +212,15 @@ def test_a_struct_stands_before_the_variable() -> None:
 
 
 def test_names_of_structs_and_fields_do_not_collide_with_ours() -> None:
-    """Not with the runtime's local variables, nor with its macros."""
+    """Not with the runtime's local variables, nor with its words in capitals."""
     analysis = analysed(
-        "outcome m = make(v_position); o_color = vec4(m.t.DEPTH, m.SC_TEXEL, 0.0, 1.0)"
+        "outcome m = make(v_position); o_color = vec4(m.t.DEPTH, m.sc_TEXEL, 0.0, 1.0)"
         "+ texture(u_map, v_uv);",
-        "struct texel { float DEPTH; }; struct outcome { texel t; float SC_TEXEL; int STORE; };"
+        "struct texel { float DEPTH; }; struct outcome { texel t; float sc_TEXEL; int STORE; };"
         "outcome make(vec3 p) { return outcome(texel(sin(p.x)), sin(p.y), 1); }",
     )
     emission = rewritten(analysis, find(analysis, "make(v_position)"), unprofitable=True)
     check_programs(emission)
     text = emission.files["2-pass.hit.frag"]
-    assert "outcome(texel(uintBitsToFloat(sc1_local_1.x))" in text
-    assert text.index("discard") > text.index("sc1_shade();"), "the variant with most locals"
+    assert "outcome(texel(uintBitsToFloat(sc1_texel.x))" in text
+    assert text.index("discard;") > text.index("sc1_shade();"), "the variant with most locals"

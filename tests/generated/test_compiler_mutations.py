@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import os
 import random
+import re
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
@@ -29,7 +30,8 @@ from shadercache.analysis import (
     slices,
 )
 from shadercache.ast import nodes as n
-from shadercache.emit import fragment, one_pass, program_set, runtime
+from shadercache.caching import program_parts
+from shadercache.emit import fragment, one_pass, program_set
 from shadercache.gpu.context import Gpu
 from shadercache.transform import (
     drop_parameters,
@@ -168,11 +170,19 @@ def a_bias_is_dropped(patch: pytest.MonkeyPatch) -> None:
 
 
 def the_second_texel_is_empty(patch: pytest.MonkeyPatch) -> None:
-    text = runtime._text
-    runtime.load_part.cache_clear()
+    text, packing = program_parts.payload_text, re.compile(r"(\w+) (\w*pack_2\(\)) {.*}")
+    forget_parts()
     patch.setattr(
-        runtime, "_text", lambda name: text(name).replace("SC_TEXEL(SC_PACKED_2)", "SC_TEXEL(0)")
+        program_parts,
+        "payload_text",
+        lambda *about: packing.sub(r"\1 \2 { return \1(0); }", text(*about)),
     )
+
+
+def forget_parts() -> None:
+    """What passes have beside the user's code is to be made anew."""
+    program_parts.program_part.cache_clear()
+    program_parts._library.cache_clear()
 
 
 def calls_are_dead(patch: pytest.MonkeyPatch) -> None:
@@ -298,7 +308,7 @@ def test_a_small_shader_notices(
     with monkeypatch.context() as patch:
         change(patch)
         problems = small_shader(gpu, name)
-    runtime.load_part.cache_clear()
+    forget_parts()
     assert of_laws(problems), problems
     print(problems[0].partition("\n")[0])
 

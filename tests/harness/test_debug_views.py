@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from shadercache.caching.outcomes import OUTCOMES
 from shadercache.diagnostics import UsageError
-from shadercache.emit.runtime import OUTCOMES
 from shadercache.measure.probe import Probe
 from shadercache.report.debug_views import (
     AGED,

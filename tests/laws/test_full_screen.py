@@ -169,7 +169,7 @@ def test_a_broken_look_up_is_noticed(clouds: RenderScene, name: str, algorithm: 
 
 def test_a_look_up_without_hits_is_noticed(clouds: RenderScene) -> None:
     bundle = bundle_of(
-        analysed("clouds"), next(iter(STATIC)), "proof", replaced("return 1;", "return 4;")
+        analysed("clouds"), next(iter(STATIC)), "proof", replaced("return sc_hit;", "return 4;")
     )
     assert run(clouds, bundle, "1-pass", NEVER).reused == 0.0
 
@@ -225,7 +225,7 @@ def test_the_users_mapping_finds_the_same_point(gpu: Gpu, algorithm: str) -> Non
 
 ASTRAY = {
     "one pixel off": (
-        replaced("corner = gl_FragCoord.xy - 0.5", "corner = gl_FragCoord.xy + vec2(0.5, -0.5)"),
+        replaced("place = gl_FragCoord.xy - 0.5", "place = gl_FragCoord.xy + vec2(0.5, -0.5)"),
         "hits are missing",
     ),
     "as if nothing moved": (
@@ -233,10 +233,10 @@ ASTRAY = {
         "another point is shown",
     ),
     "half the way": (
-        replaced("corner = gl_FragCoord.xy - 0.5 + 0.5", "corner = gl_FragCoord.xy - 0.5 + 0.25"),
+        replaced("place = gl_FragCoord.xy - 0.5 + 0.5", "place = gl_FragCoord.xy - 0.5 + 0.25"),
         "hits are missing",
     ),
-    "no hits": (replaced("return 1;", "return 4;"), "hits are missing"),
+    "no hits": (replaced("return sc_hit;", "return 4;"), "hits are missing"),
     "depth not stored": (replaced("16.0 / sc_current.w", "16.0"), "hits are missing"),
 }
 

@@ -23,8 +23,8 @@ from laws.look_ups import LawFive
 from manifests import plain
 from msgspec import convert
 
+from shadercache.caching.outcomes import SPREAD
 from shadercache.compiler import analyse
-from shadercache.emit.runtime import SPREAD
 from shadercache.gpu.context import Gpu
 from shadercache.manifest.model import Manifest
 from shadercache.render.bundle import Bundle
@@ -74,8 +74,8 @@ TWINS_SWAPPED_PLAIN = Replace(
 )
 """The same in plain mode, where products with matrices are not written out."""
 
-HITS_DISABLED = Replace("    return 1;\n", "    return 4;\n")
-HITS_UNMARKED = Replace("    sc_moved = marked;\n    return 1;\n", "    return 4;\n")
+HITS_DISABLED = Replace("    return sc_hit;\n", "    return 4;\n")
+HITS_UNMARKED = Replace("    sc_moved = marked;\n    return sc_hit;\n", "    return 4;\n")
 """The same for the passes of the variants, where a miss must not look like a marked hit."""
 
 REFRESH_INVERTED = Replace(
@@ -129,13 +129,21 @@ NOTICED = {
         Replace(NOTHING_STORED.old, NOTHING_STORED.new, "2-pass.hit"),
         {"law 3 (2-pass)", "law 4 (2-pass)"},
     ),
-    "channels in another order": (Replace("= texel.xyz", "= texel.zyx"), every(3)),
+    "channels in another order": (Replace("= sc_texel.xyz", "= sc_texel.zyx"), every(3)),
     "misses shaded from the cache": (
-        Replace("if (sc_look_up(texel) != 1) {", "if (sc_look_up(texel) == 0) {", "2-pass.hit"),
+        Replace(
+            "if (sc_look_up(sc_texel) != sc_hit) {",
+            "if (sc_look_up(sc_texel) == 0) {",
+            "2-pass.hit",
+        ),
         {"law 2 (2-pass)", "law 4 (2-pass)"},
     ),
     "hits shaded by the original in three passes": (
-        Replace("if (sc_look_up(texel) != 1) {", "if (sc_look_up(texel) != 0) {", "3-pass.reuse"),
+        Replace(
+            "if (sc_look_up(sc_texel) != sc_hit) {",
+            "if (sc_look_up(sc_texel) != 0) {",
+            "3-pass.reuse",
+        ),
         {"law 4 (3-pass)"},
     ),
 }
@@ -186,7 +194,7 @@ LAW_5 = {
     "hits disabled": (HITS_DISABLED, ("hit rate",)),
     "refresh test inverted": (REFRESH_INVERTED, ("out of turn", "hit rate")),
     "payload store dropped": (NOTHING_STORED, ("too far away",)),
-    "clip test removed": (Replace("        return 3;\n", ""), ("not visible",)),
+    "clip test removed": (Replace("        return sc_miss_outside;\n", ""), ("not visible",)),
     "depth test removed": (
         DEPTHS_IGNORED,
         ("too far away", "not visible", "other side"),
@@ -258,7 +266,7 @@ def test_law_5_notices_another_body(
     assert any("another body" in sentence for sentence in found.broken), str(found)
 
 
-UNGUARDED = Replace("        return 9;\n", "")
+UNGUARDED = Replace("        return sc_miss_old;\n", "")
 
 
 def test_law_7_notices(verifier: Verifier) -> None:

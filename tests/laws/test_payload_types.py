@@ -80,12 +80,12 @@ def test_a_store_that_loses_the_payload_is_noticed(case: tuple[Verifier, Candida
     verifier, node = case
     bundle = proof_of(verifier, node)
     store, kind = (
-        "sc_store = sc_texel();",
+        "sc_store = sc_pack();",
         "uvec" if "uvec4 sc_store" in bundle.files[HIT] else "vec",
     )
     lost = {store: f"{store} sc_store.xyz = {kind}3(0);"}
     if "sc_store_2" in bundle.files[HIT]:
-        lost["sc_store_2 = sc_texel_2();"] = f"sc_store_2 = {kind}4(0);"
+        lost["sc_store_2 = sc_pack_2();"] = f"sc_store_2 = {kind}4(0);"
     for old, new in lost.items():
         mutation = Replace(old, new, "2-pass.miss")
         assert "law 3 (2-pass)" in broken(verifier, mutation.bundle(bundle)), old

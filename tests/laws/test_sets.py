@@ -187,7 +187,7 @@ BROKEN = {
         {"law 2 (3-pass)", "law 4 (3-pass)"},
     ),
     "two payloads change places on a hit": (
-        Replace("uintBitsToFloat(texel.y)", "uintBitsToFloat(texel.x)", "2-pass.hit"),
+        Replace("uintBitsToFloat(sc_texel.y)", "uintBitsToFloat(sc_texel.x)", "2-pass.hit"),
         {"law 3 (2-pass)", "law 4 (2-pass)"},
     ),
     "one payload is not stored": (

@@ -18,9 +18,9 @@ from laws.ground_truth import VERTEX, body_mesh, body_scene
 from numpy.typing import NDArray
 
 from shadercache.caching.configuration import CacheFormat, Mode
+from shadercache.caching.layout import Layout
 from shadercache.caching.settings import with_settings
 from shadercache.compiler import Analysis, analyse
-from shadercache.emit.layout import Layout
 from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import open_scene
 from shadercache.render.bundle import Bundle

@@ -120,7 +120,7 @@ def hits_of_one_disabled(name: str, text: str) -> str:
 
 
 def store_dropped(name: str, text: str) -> str:
-    return text.replace("    sc_store = sc_texel();\n", "")
+    return text.replace("    sc_store = sc_pack();\n", "")
 
 
 def hits_not_stored(name: str, text: str) -> str:

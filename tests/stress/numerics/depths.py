@@ -16,8 +16,8 @@ from pathlib import Path
 import numpy as np
 
 from shadercache.caching.configuration import DEFAULT_EPSILON, CacheFormat, DepthKind, ToleranceKind
-from shadercache.emit.layout import precision_of
-from shadercache.emit.runtime import INTERPOLATION
+from shadercache.caching.layout import precision_of
+from shadercache.caching.outcomes import INTERPOLATION
 from shadercache.gpu.context import Gpu, open_context
 from tests.configured import configured
 

@@ -1,10 +1,10 @@
 // Two passes, first: shade hits from the payload, leave misses open.
 void main() {
-    SC_DECLARE_TEXELS;
-    if (sc_look_up(SC_TEXELS) != SC_HIT) {
+    sc_TEXELS sc_texel;
+    if (sc_look_up(sc_texel) != sc_hit) {
         discard;
     }
-    SC_UNPACK;
+    sc_COMBINE();
     sc_shade();
-    SC_STORE_AGAIN;
+    sc_STORE_REUSED();
 }

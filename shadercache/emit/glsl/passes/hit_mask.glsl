@@ -1,10 +1,8 @@
-// Not part of any variant: what the look-up says at every pixel that the shader does not discard.
 out float sc_outcome;
 
+// Not part of any variant: what the look-up says at every pixel that the shader does not discard.
 void main() {
-    SC_DECLARE_TEXELS;
-    sc_outcome = float(sc_look_up(SC_TEXELS));
-#if SC_WHOLE
-    sc_shade();
-#endif
+    sc_TEXELS sc_texel;
+    sc_outcome = float(sc_look_up(sc_texel));
+    sc_PASS_THROUGH();
 }

@@ -1,6 +1,6 @@
 // Two passes, second: the whole shader, for the pixels that the first pass left open.
 void main() {
-    SC_LOCATE
+    sc_HERE();
     sc_shade();
-    SC_STORE;
+    sc_STORE_COMPUTED();
 }

@@ -1,6 +1,6 @@
 // Three passes, second: the payload alone, for the pixels that the first pass left open.
 void main() {
-    SC_LOCATE
+    sc_HERE();
     sc_compute();
-    SC_STORE;
+    sc_STORE_COMPUTED();
 }

@@ -20,19 +20,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import groupby
 
 from shadercache.analysis.candidates import FIRST_TEXEL, SECOND_TEXEL
 from shadercache.caching.configuration import CacheFormat, Configuration
 from shadercache.lang.types import FLOAT, INT, Type
 
-_XYZW = "xyzw"
-_LOCALS = ["texel", "texel_2"]
+XYZW = "xyzw"
 _NARROWEST = {1: "r", 2: "rg", 3: "rgba", 4: "rgba"}
 
 
 @dataclass(frozen=True)
-class _Leaf:
+class Leaf:
     """A scalar or vector of a payload: how it is reached, its type, its first channel, and the
     variable that says whether there is such a payload, if one does."""
 
@@ -155,7 +153,7 @@ class Layout:
         start = 0
         for kind in self.types:
             end = start + kind.components_or_one
-            letters = (_XYZW[:FIRST_TEXEL] + _XYZW)[start:end]
+            letters = (XYZW[:FIRST_TEXEL] + XYZW)[start:end]
             split = max(0, FIRST_TEXEL - start)
             found.append((letters[:split], letters[split:]))
             start = end
@@ -170,9 +168,10 @@ class Layout:
     def read_back(self) -> tuple[tuple[int, bool], ...]:
         """Of each scalar of the payloads its channel in what is read back of both texels, and
         whether it is an integer or a boolean. (The first texel's last channel is the depth.)"""
-        leaves = self._leaves("", masked=False)
         whole = [
-            leaf.type.base != "float" for leaf in leaves for _ in range(leaf.type.components_or_one)
+            leaf.type.base != "float"
+            for leaf in self.leaves("")
+            for _ in range(leaf.type.components_or_one)
         ]
         return tuple(
             (channel + int(channel >= FIRST_TEXEL), discrete)
@@ -190,67 +189,12 @@ class Layout:
         kind = "32ui" if self.bits else cache_format.removeprefix("rgba")
         return (f"rgba{kind}", *(_NARROWEST[n] + kind for n in self.channels[1:]))
 
-    def macros(self, prefix: str, whole: bool = False) -> dict[str, str]:
-        """The macros of the ``.glsl`` files, where all names have that prefix.
+    def leaves(self, prefix: str, masked: bool = False) -> list[Leaf]:
+        """The scalars and vectors of the payloads, whose variables have that prefix.
 
-        Theirs do not have it: it is still to be put before them, in capitals. ``whole``: not every
-        fragment has the payloads.
+        ``masked``: may each of them be there or not?
         """
-        flags = self.variables(f"{prefix}valid")
-        masked = whole and len(self.types) > 1
-        leaves = self._leaves(prefix, masked)
-        stored = [*leaves, *self._extra_leaves(prefix)]
-        # A constructor must not be hidden by a variable of the function that it stands in.
-        names = [f"{prefix}local_{i}" for i in (1, 2)] if self.structs else _LOCALS
-        found = {
-            "TARGETS": str(len(self.channels)),
-            "BITS": str(int(self.bits)),
-            "WHOLE": str(int(whole)),
-            "MASKED": str(int(masked)),
-            "DECLARE_PAYLOADS": "; ".join(self._declared(prefix)),
-            "UNPACK": "; ".join(self._assigned(prefix, leaves, names)),
-            "DECLARE_VALID": "; ".join(f"bool {flag} = false" for flag in flags),
-            "SET_VALID(value)": "; ".join(f"{flag} = value" for flag in flags),
-            "VALID": " && ".join(flags),
-            **{f"LOCAL_{number}": name for number, name in enumerate(names, start=1)},
-        }
-        for number, (start, end) in enumerate(
-            ((0, FIRST_TEXEL), (FIRST_TEXEL, FIRST_TEXEL + SECOND_TEXEL)), start=1
-        ):
-            taken = self.used + len(self.extras)
-            padding = [self._zero(1)] * (end - max(start, min(end, taken)))
-            found[f"PACKED_{number}"] = ", ".join(
-                [*self._packed(stored, start, end, prefix), *padding]
-            )
-            any_discrete = any(_discrete(leaves, start, end))
-            found[f"ANY_DISCRETE_{number}"] = str(int(any_discrete))
-            marks = ("0xFFFFFFFFu" if mark else "0u" for mark in _discrete(stored, start, end))
-            found[f"DISCRETE_{number}"] = f"uvec4({', '.join(marks)})"
-        if len(leaves) == 1 and self.types[0].is_float and self.used <= FIRST_TEXEL:
-            found["CHANNELS"] = _XYZW[: self.used]
-        return found | self._extra_macros()
-
-    def _extra_leaves(self, prefix: str) -> list[_Leaf]:
-        return [
-            _Leaf(prefix + extra.value, extra.type, channel, None)
-            for channel, extra in enumerate(self.extras, start=self.used)
-        ]
-
-    def _extra_macros(self) -> dict[str, str]:
-        """How each extra is read again from two texels."""
-        found: dict[str, str] = {}
-        for extra in self.extras:
-            texel, channel = self.extra_places[extra.name]
-            text = f"{('first', 'second')[texel]}.{channel}"
-            if extra.type.base == "float":
-                text = f"uintBitsToFloat({text})" if self.bits else text
-            else:
-                text = f"int({text})"
-            found[f"{extra.name.upper()}_IN(first, second)"] = text
-        return found
-
-    def _leaves(self, prefix: str, masked: bool) -> list[_Leaf]:
-        found: list[_Leaf] = []
+        found: list[Leaf] = []
         start = 0
         names = zip(
             self.variables(f"{prefix}payload"), self.variables(f"{prefix}valid"), strict=True
@@ -260,100 +204,59 @@ class Layout:
             start += kind.components_or_one
         return found
 
-    def _declared(self, prefix: str) -> Iterator[str]:
-        """The declaration of each payload's variable."""
-        names = self.variables(f"{prefix}payload")
-        precisions = self.precisions or (None,) * len(names)
-        for kind, name, precision in zip(self.types, names, precisions, strict=True):
-            # GLSL ES 3.00 section 4.5.2: only numbers have a precision.
-            takes = precision and kind.base in ("float", "int", "uint")
-            yield f"{precision} {kind} {name}" if takes else f"{kind} {name}"
+    def stored(self, prefix: str, masked: bool = False) -> list[Leaf]:
+        """The same with the extras behind them: all that lies in a texel beside the depth."""
+        extras = (
+            Leaf(prefix + extra.value, extra.type, channel, None)
+            for channel, extra in enumerate(self.extras, start=self.used)
+        )
+        return [*self.leaves(prefix, masked), *extras]
 
-    def _assigned(self, prefix: str, leaves: list[_Leaf], names: list[str]) -> Iterator[str]:
-        """The assignment of each payload from the texels."""
-        rest = iter(leaves)
-        for kind, name in zip(self.types, self.variables(f"{prefix}payload"), strict=True):
-            yield f"{name} = {self._unpacked(kind, rest, names)}"
+    def integers(self, target: int) -> tuple[bool, ...]:
+        """Which channels of a texel, 0 or 1, hold integers or booleans."""
+        return _marks(self.stored(""), target)
+
+    def has_integers(self, target: int) -> bool:
+        """Are there any of the payloads in it?"""
+        return any(_marks(self.leaves(""), target))
+
+    def has_floats(self, target: int) -> bool:
+        """Are there any floats in it? The depth is one."""
+        return target == 0 or any(
+            leaf.type.base == "float" and leaf.start + leaf.type.components_or_one > FIRST_TEXEL
+            for leaf in self.stored("")
+        )
 
     @cached_property
     def structs(self) -> tuple[str, ...]:
         """The names of the structs that the payloads are made of."""
         return tuple(dict.fromkeys(name for kind in self.types for name in _structs(kind)))
 
-    def _packed(self, leaves: list[_Leaf], start: int, end: int, prefix: str) -> list[str]:
-        """The channels from ``start`` to ``end``, those of one vector together."""
-        parts: list[str] = []
-        for leaf in leaves:
-            count = leaf.type.components_or_one
-            inside = [i for i in range(count) if start <= leaf.start + i < end]
-            if not inside:
-                continue
-            text = leaf.path
-            if len(inside) < count:
-                text += "." + "".join(_XYZW[i] for i in inside)
-            if self.es and leaf.type.base == "int":
-                text = f"{prefix}wide_{len(inside)}({text})"
-            text = self._to_channel(text, leaf.type.base, len(inside))
-            parts.append(f"{leaf.flag} ? {text} : {self._zero(len(inside))}" if leaf.flag else text)
-        return parts
-
-    def _zero(self, count: int) -> str:
-        """What lies in so many channels that hold nothing."""
-        zero, vector = ("0u", "uvec") if self.bits else ("0.0", "vec")
-        return zero if count == 1 else f"{vector}{count}({zero})"
-
-    def _to_channel(self, text: str, base: str | None, count: int) -> str:
-        if not self.bits:
-            return text if base == "float" else f"float({text})"
-        if base == "uint":
-            return text
-        if base == "float":
-            return f"floatBitsToUint({text})"
-        return f"uint({text})" if count == 1 else f"uvec{count}({text})"
-
-    def _unpacked(self, kind: Type, leaves: Iterator[_Leaf], names: list[str]) -> str:
-        """An expression of ``kind`` from the texels, for the next of the leaves."""
-        if kind.is_array:
-            parts = [self._unpacked(kind.element, leaves, names) for _ in range(kind.dims[0] or 0)]
-            return f"{kind}({', '.join(parts)})"
-        if kind.struct is not None:
-            parts = [self._unpacked(field, leaves, names) for field in kind.struct.fields.values()]
-            return f"{kind}({', '.join(parts)})"
-        found = [self._fetched(next(leaves), names) for _ in range(kind.cols)]
-        parts = [part for column in found for part in column]
-        # Only floats and unsigned integers need no conversion from what a channel holds.
-        plain = kind.cols == len(parts) == 1 and kind.base in ("float", "uint")
-        return parts[0] if plain else f"{kind}({', '.join(parts)})"
-
-    def _fetched(self, leaf: _Leaf, names: list[str]) -> list[str]:
-        parts: list[str] = []
-        channels = range(leaf.start, leaf.start + leaf.type.components_or_one)
-        for number, group in groupby(channels, key=lambda channel: int(channel >= FIRST_TEXEL)):
-            first = FIRST_TEXEL if number else 0
-            text = f"{names[number]}.{''.join(_XYZW[channel - first] for channel in group)}"
-            as_float = self.bits and leaf.type.base == "float"
-            parts.append(f"uintBitsToFloat({text})" if as_float else text)
-        return parts
-
 
 def _place(channel: int) -> tuple[int, str]:
     """The texel of a channel, 0 or 1, and the channel's name in it."""
     if channel < FIRST_TEXEL:
-        return 0, _XYZW[channel]
-    return 1, _XYZW[channel - FIRST_TEXEL]
+        return 0, XYZW[channel]
+    return 1, XYZW[channel - FIRST_TEXEL]
 
 
-def _discrete(leaves: list[_Leaf], start: int, end: int) -> list[bool]:
+def _marks(leaves: list[Leaf], target: int) -> tuple[bool, ...]:
     """Which channels of a texel hold integers or booleans."""
+    start, end = channels_of(target)
     marks = [False] * 4
     for leaf in leaves:
         for channel in range(leaf.start, leaf.start + leaf.type.components_or_one):
             if start <= channel < end:
                 marks[channel - start] = leaf.type.base != "float"
-    return marks
+    return tuple(marks)
 
 
-def _leaves(kind: Type, path: str, start: int, flag: str | None) -> Iterator[_Leaf]:
+def channels_of(target: int) -> tuple[int, int]:
+    """The first channel of the payloads that may lie in a texel, and the one behind the last."""
+    return (FIRST_TEXEL, FIRST_TEXEL + SECOND_TEXEL) if target else (0, FIRST_TEXEL)
+
+
+def _leaves(kind: Type, path: str, start: int, flag: str | None) -> Iterator[Leaf]:
     """The scalars and vectors (of a matrix: its columns) inside a value, in order."""
     if kind.is_array or kind.is_matrix:
         count = kind.dims[0] or 0 if kind.is_array else kind.cols
@@ -361,7 +264,7 @@ def _leaves(kind: Type, path: str, start: int, flag: str | None) -> Iterator[_Le
     elif kind.struct is not None:
         inner = [(field, f"{path}.{name}") for name, field in kind.struct.fields.items()]
     else:
-        yield _Leaf(path, kind, start, flag)
+        yield Leaf(path, kind, start, flag)
         return
     for field, below in inner:
         yield from _leaves(field, below, start, flag)

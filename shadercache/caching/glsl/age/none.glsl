@@ -1,0 +1,8 @@
+// Payloads may get as old as they like.
+
+int sc_VERDICT() {
+    return sc_hit;
+}
+
+void sc_AGING() {
+}

@@ -1,0 +1,5 @@
+// What was cached is the payload.
+
+void sc_COMBINE() {
+    sc_UNPACK();
+}

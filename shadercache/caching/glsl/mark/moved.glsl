@@ -1,0 +1,5 @@
+// A negative depth marks what filters have made of a part of their texels.
+
+vec4 sc_DEPTHS(sc_TEXEL a, sc_TEXEL b, sc_TEXEL c, sc_TEXEL d) {
+    return abs(vec4(sc_FLOATS(a.w), sc_FLOATS(b.w), sc_FLOATS(c.w), sc_FLOATS(d.w)));
+}

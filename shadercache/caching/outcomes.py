@@ -1,0 +1,39 @@
+"""What a look-up says of a pixel, and the numbers that its hit test goes by."""
+
+from __future__ import annotations
+
+from shadercache.caching.configuration import Configuration
+
+OUTCOMES = {
+    **{"hit": 1, "refresh": 2, "outside": 3, "depth": 4},
+    **{"id": 5, "poison": 6, "magnified": 7, "opted-out": 8, "old": 9},
+}
+"""What a look-up says, as the hit mask shows it (0: nothing is drawn there)."""
+
+_OPTIONAL = {
+    "id": lambda chosen: chosen.hit_test.ids,
+    "poison": lambda chosen: chosen.storage.guard == "miss",
+    "magnified": lambda chosen: chosen.hit_test.magnification,
+    "opted-out": lambda chosen: chosen.hit_test.mask,
+    "old": lambda chosen: chosen.refresh.age,
+}
+"""Outcome -> do look-ups of such a configuration say so? (The others always do.)"""
+
+SPREAD = 24.0
+"""How many epsilons a single texel of the filter may be off in depth (docs/why/reuse.md)."""
+
+INTERPOLATION = 1.2e-5
+"""What the interpolation of positions leaves uncertain in 1/w, relative to it: 4.3e-4 of a pixel,
+on the steepest slope that ``SPREAD`` lets through, and rounding (docs/why/reuse.md)."""
+
+LEAST_WEIGHT = 0.25
+"""What those texels must weigh together that fit in the depth-aware filter: as the nearest may."""
+
+
+def outcomes(configuration: Configuration) -> dict[str, int]:
+    """What a look-up can say."""
+    return {
+        word: value
+        for word, value in OUTCOMES.items()
+        if word not in _OPTIONAL or _OPTIONAL[word](configuration)
+    }

@@ -1,0 +1,192 @@
+"""What the programs say of the payloads of one layout: their variables, how they are packed into
+texels and unpacked again. GLSL text, which is parsed once for each layout.
+
+Names in capitals are filled in where they stand (:mod:`shadercache.caching.fill`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import groupby
+
+from shadercache.analysis.candidates import FIRST_TEXEL
+from shadercache.caching.layout import XYZW, Layout, Leaf, channels_of
+from shadercache.lang.types import Type
+
+
+def payload_text(layout: Layout, prefix: str, whole: bool, numbers: tuple[str, str]) -> str:
+    """The declarations, where all names have that prefix.
+
+    ``whole``: not every fragment has the payloads. ``numbers``: depths that match nothing, of an
+    empty texel and of one that must not be reused.
+    """
+    text, p = _Text(layout, prefix, whole, numbers), prefix
+    channel = "uint" if layout.bits else "float"
+    lines = [
+        f"const {channel} {p}no_depth = {numbers[0]};  // of an empty texel: it matches nothing",
+        f"const {channel} {p}poison_depth = {numbers[1]};  // depth of what must not be reused",
+        *text.masks(),
+        *text.variables(),
+        f"void {p}UNPACK() {{ {text.unpacked()} }}",
+        f"void {p}TAKE() {{ {text.taken()} }}",
+        f"void {p}VALUE() {{ {text.value()} }}",
+        f"bool {p}VALID() {{ return {text.valid}; }}",
+        f"void {p}SET_VALID(bool value) {{ {text.set_valid()} }}",
+        *text.packing(),
+        *text.extras(),
+    ]
+    return "\n".join(lines)
+
+
+class _Text:
+    def __init__(self, layout: Layout, prefix: str, whole: bool, numbers: tuple[str, str]) -> None:
+        self.layout, self.prefix, self.whole, self.numbers = layout, prefix, whole, numbers
+        self.masked = whole and len(layout.types) > 1
+        self.payloads = layout.variables(f"{prefix}payload")
+        self.flags = layout.variables(f"{prefix}valid")
+        self.valid = " && ".join(self.flags)
+        self.texels = [f"{prefix}texel", f"{prefix}texel_2"]
+        self.vector = "uvec4" if layout.bits else "vec4"
+
+    # --- variables ---
+
+    def variables(self) -> Iterator[str]:
+        """The payloads, and where not every fragment has them, whether it has."""
+        precisions = self.layout.precisions or (None,) * len(self.payloads)
+        for kind, name, precision in zip(self.layout.types, self.payloads, precisions, strict=True):
+            # GLSL ES 3.00 section 4.5.2: only numbers have a precision.
+            takes = precision and kind.base in ("float", "int", "uint")
+            yield f"{precision} {kind} {name};" if takes else f"{kind} {name};"
+        if self.whole:
+            for flag in self.flags:
+                yield f"bool {flag} = false;  // is there a payload to store?"
+
+    def set_valid(self) -> str:
+        """Statements that set whether there are payloads to a ``value``."""
+        return " ".join(f"{flag} = value;" for flag in self.flags)
+
+    def masks(self) -> Iterator[str]:
+        """The channels that hold integers or booleans."""
+        if self.layout.bits:
+            for target, name in enumerate(("discrete", "discrete_2")):
+                marks = self.layout.integers(target)
+                parts = ", ".join("0xFFFFFFFFu" if mark else "0u" for mark in marks)
+                mask = f"uvec4({parts})" if any(marks) else "uvec4(0u)"
+                yield f"const uvec4 {self.prefix}{name} = {mask};  // bits that are no float's"
+
+    # --- from texels ---
+
+    def unpacked(self) -> str:
+        """The assignment of each payload from the texels."""
+        rest = iter(self.layout.leaves(self.prefix))
+        pairs = zip(self.layout.types, self.payloads, strict=True)
+        return " ".join(f"{name} = {self._unpacked(kind, rest)};" for kind, name in pairs)
+
+    def taken(self) -> str:
+        """The same from what this frame has stored at the pixel."""
+        at = f"texelFetch({self.prefix}payloads, {self.prefix}OWN_TEXEL(), 0)"
+        one = len(self.layout.leaves("")) == 1 and self.layout.types[0].is_float
+        if one and self.layout.used <= FIRST_TEXEL:
+            return f"{self.payloads[0]} = {at}.{XYZW[: self.layout.used]};"
+        return f"{self.prefix}TEXELS {self.texels[0]} = {at}; {self.unpacked()}"
+
+    def _unpacked(self, kind: Type, leaves: Iterator[Leaf]) -> str:
+        """An expression of ``kind`` from the texels, for the next of the leaves."""
+        if kind.is_array:
+            parts = [self._unpacked(kind.element, leaves) for _ in range(kind.dims[0] or 0)]
+            return f"{kind}({', '.join(parts)})"
+        if kind.struct is not None:
+            parts = [self._unpacked(field, leaves) for field in kind.struct.fields.values()]
+            return f"{kind}({', '.join(parts)})"
+        found = [self._fetched(next(leaves)) for _ in range(kind.cols)]
+        parts = [part for column in found for part in column]
+        # Only floats and unsigned integers need no conversion from what a channel holds.
+        plain = kind.cols == len(parts) == 1 and kind.base in ("float", "uint")
+        return parts[0] if plain else f"{kind}({', '.join(parts)})"
+
+    def _fetched(self, leaf: Leaf) -> list[str]:
+        parts: list[str] = []
+        channels = range(leaf.start, leaf.start + leaf.type.components_or_one)
+        for number, group in groupby(channels, key=lambda channel: int(channel >= FIRST_TEXEL)):
+            first = FIRST_TEXEL if number else 0
+            text = f"{self.texels[number]}.{''.join(XYZW[channel - first] for channel in group)}"
+            as_float = self.layout.bits and leaf.type.base == "float"
+            parts.append(f"uintBitsToFloat({text})" if as_float else text)
+        return parts
+
+    def extras(self) -> Iterator[str]:
+        """Functions that read each extra again from two texels: ``sc_ID(first, second)``."""
+        for extra in self.layout.extras:
+            target, channel = self.layout.extra_places[extra.name]
+            text = f"{('first', 'second')[target]}.{channel}"
+            if extra.type.base != "float":
+                text = f"int({text})"
+            elif self.layout.bits:
+                text = f"uintBitsToFloat({text})"
+            params = f"{self.vector} first, {self.vector} second"
+            yield (f"{extra.type} {self.prefix}{extra.name.upper()}({params}) {{ return {text}; }}")
+
+    # --- to texels ---
+
+    def packing(self) -> Iterator[str]:
+        """Functions that make the texels to store, and words for them without the depth.
+
+        Where not every fragment has payloads a texel may be empty, which matches nothing; so does
+        one that lacks one of several payloads: the third of three passes takes from there what
+        there is, but the next frame needs all or nothing.
+        """
+        p, vector, first, second = self.prefix, self.vector, self.packed(0), self.packed(1)
+        depth, zero = f"{p}KEPT_DEPTH()", self._zero(1)
+        empty = zero if self.numbers[0] == zero else f"{zero}, {zero}, {zero}, {p}no_depth"
+        if self.masked:
+            depth = f"{self.valid} ? {depth} : {p}no_depth"
+        fails = f"if (!({self.valid})) {{ return {vector}(%s); }} "
+        one, two = ("", "") if self.masked or not self.whole else (fails % empty, fails % zero)
+        yield f"// What is stored of the payloads{', if there are any' if self.whole else ''}."
+        yield f"{vector} {p}pack() {{ {one}return {vector}({first}, {depth}); }}"
+        yield f"{vector} {p}pack_2() {{ {two}return {vector}({second}); }}"
+        yield f"{vector} {p}PACKED() {{ return {vector}({first}, 0); }}"
+        yield f"{vector} {p}PACKED_2() {{ return {vector}({second}); }}"
+
+    def value(self) -> str:
+        """Statements that write the payloads in place of the colour."""
+        p, first, second = self.prefix, self.packed(0), self.packed(1)
+        bits = self.layout.bits
+        texel = f"vec4(uvec4({first}, 1u))" if bits else f"vec4({first}, 1.0)"
+        more = f" {p}value += vec4({self.vector}({second}));" if self.layout.second else ""
+        return f"{p}value = {texel};{more}"
+
+    def packed(self, target: int) -> str:
+        """The channels of a texel, those of one vector together, and zeros behind them."""
+        start, end = channels_of(target)
+        taken = self.layout.used + len(self.layout.extras)
+        padding = [self._zero(1)] * (end - max(start, min(end, taken)))
+        return ", ".join([*self._parts(start, end), *padding])
+
+    def _parts(self, start: int, end: int) -> Iterator[str]:
+        for leaf in self.layout.stored(self.prefix, self.masked):
+            count = leaf.type.components_or_one
+            inside = [i for i in range(count) if start <= leaf.start + i < end]
+            if not inside:
+                continue
+            text = leaf.path
+            if len(inside) < count:
+                text += "." + "".join(XYZW[i] for i in inside)
+            if self.layout.es and leaf.type.base == "int":
+                text = f"{self.prefix}wide_{len(inside)}({text})"
+            text = self._to_channel(text, leaf.type.base, len(inside))
+            yield f"{leaf.flag} ? {text} : {self._zero(len(inside))}" if leaf.flag else text
+
+    def _zero(self, count: int) -> str:
+        """What lies in so many channels that hold nothing."""
+        zero, vector = ("0u", "uvec") if self.layout.bits else ("0.0", "vec")
+        return zero if count == 1 else f"{vector}{count}({zero})"
+
+    def _to_channel(self, text: str, base: str | None, count: int) -> str:
+        if not self.layout.bits:
+            return text if base == "float" else f"float({text})"
+        if base == "uint":
+            return text
+        if base == "float":
+            return f"floatBitsToUint({text})"
+        return f"uint({text})" if count == 1 else f"uvec{count}({text})"

@@ -1,0 +1,195 @@
+"""What can be chosen in each slot, and the files of ``glsl/`` that it means.
+
+To add a value is to add a file and a line here (docs/TRANSFORMATIONS.md). All files of a slot have
+the same functions with the same parameters.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from shadercache.analysis.mapping import MappingKind
+from shadercache.caching.configuration import DEFAULT_EPSILON, Configuration
+from shadercache.caching.layout import MOST_OF_HALF, Layout
+from shadercache.caching.outcomes import INTERPOLATION, LEAST_WEIGHT, SPREAD
+
+NUMBERS = {
+    "SPREAD": str(SPREAD),
+    "EPSILON": str(DEFAULT_EPSILON),
+    "INTERPOLATION": str(INTERPOLATION),
+    "LEAST_WEIGHT": str(LEAST_WEIGHT),
+    "MOST_OF_HALF": str(MOST_OF_HALF),
+}
+"""What words in capitals mean that stand for numbers."""
+
+LOCATE = {
+    "surface": ("locate/surface", "locate/by_motion"),
+    "screen": ("locate/screen",),
+    "user": ("locate/user_pixel", "locate/by_motion"),
+    "user, current": ("locate/user", "locate/by_motion"),
+}
+
+DUE = {
+    "stratified": ("due/by_turn", "due/stratified"),
+    "random": ("due/by_turn", "due/random"),
+    "tiled": ("due/by_turn", "due/tiled"),
+    "surface": ("due/by_turn", "due/surface"),
+    "none": (),
+}
+
+DEPTH = {"inverse-w": "depth/inverse_w", "ndc": "depth/ndc", "linear": "depth/linear"}
+
+TOLERANCE = {
+    "relative": "tolerance/relative",
+    "akeley-su": "tolerance/akeley_su",
+    "fixed": "tolerance/fixed",
+}
+
+STORE = {"miss": "store/miss", "clamp": "store/clamp", "off": "store/off"}
+
+COMBINE = {"reuse": "combine/reuse"}
+
+RATE = {"full": "rate/full"}
+
+
+@dataclass(frozen=True, slots=True)
+class Resampling:
+    """The files of a filter: how texels are fetched and tested, what is made of a ``part`` of them
+    where they do not agree, and what is made of more of them where they do."""
+
+    fetch: str = "fetch/four"
+    test: str = "test/together"
+    part: tuple[str, ...] = ()
+    more: tuple[str, ...] = ()
+
+
+RESAMPLE = {
+    "bilateral": Resampling(test="test/apart", part=("resample/bilateral",)),
+    "bilinear": Resampling(),
+    "nearest": Resampling("fetch/nearest", "test/nearest"),
+    "lanczos2": Resampling(more=("resample/lanczos2", "resample/cubic")),
+    "mitchell": Resampling(more=("resample/mitchell", "resample/cubic")),
+}
+
+_PIXEL = Resampling("fetch/pixel", "test/pixel")
+_FALLBACK = ("resample/fallback",)
+
+
+@dataclass(frozen=True, slots=True)
+class Located:
+    """How a pass finds its texel; ``own_current``: does the user say where the pixel itself is?"""
+
+    mapping: MappingKind = "surface"
+    own_current: bool = False
+
+    @property
+    def files(self) -> tuple[str, ...]:
+        """What the slot means."""
+        return LOCATE["user, current" if self.own_current else self.mapping]
+
+
+ON_SURFACE = Located()
+DEFAULT = Configuration()
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """All that decides the text of the runtime: the payloads' layout and the slots.
+
+    ``whole``: not every fragment has the payloads.
+    """
+
+    layout: Layout
+    prefix: str
+    whole: bool = False
+    located: Located = ON_SURFACE
+    configuration: Configuration = DEFAULT
+
+    @property
+    def _resampling(self) -> Resampling:
+        """The filter, and what it comes to where integers lie in the texels: none of them lies
+        between two others, and the nearest one by itself may belong to something else."""
+        integers = self.layout.has_integers(0) or self.layout.has_integers(1)
+        chosen = RESAMPLE[self.configuration.filter.kind]
+        if integers:
+            return RESAMPLE["bilinear"] if chosen.fetch == "fetch/nearest" else chosen
+        if self.configuration.filter.fallback and chosen.test == "test/together":
+            return replace(chosen, test="test/apart", part=_FALLBACK)
+        return chosen
+
+    @property
+    def _marks(self) -> bool:
+        """Are depths marked where a filter makes do with a part of its texels?"""
+        return bool(self._resampling.part)
+
+    @property
+    def files(self) -> tuple[str, ...]:
+        """The files that all passes have."""
+        chosen = self.configuration
+        return (
+            "globals",
+            "wide",
+            "texel/bits" if self.layout.bits else "texel/floats",
+            *DUE[chosen.refresh.schedule],
+            *self.located.files,
+            "frame/viewport" if chosen.hit_test.viewport else "frame/whole",
+            DEPTH[chosen.storage.depth],
+            TOLERANCE[chosen.hit_test.tolerance],
+            *self._look_up(),
+            *self._storage(),
+            COMBINE[chosen.combine],
+            RATE[chosen.payload_rate],
+            "payload/sometimes" if self.whole else "payload/always",
+        )
+
+    def _look_up(self) -> tuple[str, ...]:
+        chosen, screen = self.configuration, self.located.mapping == "screen"
+        how = _PIXEL if screen else self._resampling
+        integers = self.layout.has_integers(0) or self.layout.has_integers(1)
+        tests = {
+            "test/turn": chosen.refresh.schedule != "none" and not chosen.refresh.age,
+            "test/opt_out": chosen.hit_test.mask,
+            "test/inside": not screen,
+            "test/magnification": chosen.hit_test.magnification and not screen,
+            how.test: True,
+        }
+        between = ("resample/integers",) if integers and how.fetch == "fetch/four" else ()
+        found = "marked" if how.part else "unmarked"
+        return (
+            "look_up",
+            how.fetch,
+            *(name for name, wanted in tests.items() if wanted),
+            *(*how.part, *between, *how.more),
+            "ids/kept" if chosen.hit_test.ids else "ids/none",
+            "mark/moved" if self._marks else "mark/none",
+            "found/marked_and_judged" if how.part and chosen.refresh.age else f"found/{found}",
+        )
+
+    def _storage(self) -> tuple[str, ...]:
+        chosen = self.configuration
+        judged = "age/alone" if chosen.refresh.schedule == "none" else "age/in_turn"
+        return (
+            "store/texels",
+            STORE[chosen.storage.guard],
+            "opt_out/asked" if chosen.hit_test.mask else "opt_out/never",
+            *(("age/kept", judged) if chosen.refresh.age else ("age/none",)),
+        )
+
+    def marking(self, looks: bool) -> str:
+        """The file on whether a pass marks the depths it stores; ``looks``: does it look up?"""
+        marks = self._marks and looks and self.located.mapping != "screen"
+        return "store/marked" if marks else "store/unmarked"
+
+    @property
+    def depths(self) -> tuple[str, str]:
+        """Depths that match nothing: of an empty texel, and of one that must not be reused.
+
+        Where a sign is a mark they have one too, so that no slope can lead to them: they are never
+        taken alone.
+        """
+        ndc, marks = self.configuration.storage.depth == "ndc", self._marks
+        if self.layout.bits:
+            return ("0x40000000u" if ndc else "0u"), "0xFF000000u"
+        empty = "0.0" if marks else "2.0" if ndc else "-1.0"
+        small = marks and self.configuration.storage.depth == "linear"
+        return empty, "-0.00006103515625" if small else f"-{MOST_OF_HALF}"
