@@ -1,19 +1,28 @@
 #version 330
 // shadercache: 1-pass, node main.11-a0ace7bc
 
-uniform int sc_clock;
-uniform int sc_period;
-uniform int sc_block;
-uniform usampler2D sc_cache;
-in vec4 sc_current;
-in vec4 sc_previous;
+// What a look-up says. All but a hit are misses; the hit mask shows which.
+const int sc_hit = 1;
+const int sc_refresh = 2; // computed anew on purpose
+const int sc_miss_outside = 3; // was not in the picture
+const int sc_miss_depth = 4; // another surface was seen there
+const int sc_miss_poison = 6; // what was stored must not be reused
+const uint sc_poison_depth = 0xFF000000u; // depth of what must not be reused
+const uvec4 sc_discrete = uvec4(0u); // bits that are no float's
+const uvec4 sc_discrete_2 = uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu); // bits that are no float's
+uniform int sc_clock; // frames, already reduced to [0, sc_period)
+uniform int sc_period; // frames from one refresh of a pixel to the next
+uniform int sc_block; // edge in pixels of the squares that are refreshed together
+uniform usampler2D sc_cache; // what the previous frame stored: payload and depth
 uniform usampler2D sc_cache_2;
-uniform float sc_epsilon;
-bool sc_moved = false;
-layout(location = 1) out uvec4 sc_store;
+uniform float sc_epsilon; // greatest accepted difference of depths, relative to the depth
+uniform float sc_limit; // the largest value that is reused
+uniform float sc_least; // the smallest one above zero that it surely holds
+in vec4 sc_current; // clip-space position in this frame
+in vec4 sc_previous; // clip-space position of the same surface point in the previous frame
+layout(location = 1) out uvec4 sc_store; // what the next frame finds in the cache
 layout(location = 2) out uvec4 sc_store_2;
-uniform float sc_limit;
-uniform float sc_least;
+bool sc_moved = false; // is the payload not just that of this place?
 in vec3 v_position;
 in vec3 v_normal;
 layout(location = 0) out vec4 o_color;
@@ -42,6 +51,16 @@ void sc_shade() {
     o_color = vec4(0.5 + 0.5 * (vec3(it.pair.a, it.pair.b) * (it.sign ? 1.0 : 0.4) + vec3(it.cell, it.number) / 9.0) * normalize(v_normal).z, 1.0);
 }
 
+// What four texels hold at a place between them: floats are blended, integers and booleans are those
+// of one of the texels.
+uvec4 sc_blend(uvec4 a, uvec4 b, uvec4 c, uvec4 d, vec2 part, uvec4 discrete) {
+    vec4 low = mix(uintBitsToFloat(a), uintBitsToFloat(b), part.x);
+    vec4 high = mix(uintBitsToFloat(c), uintBitsToFloat(d), part.x);
+    vec4 blended = mix(low, high, part.y);
+    return a & discrete | floatBitsToUint(blended) & ~discrete;
+}
+
+// A well mixed 32-bit hash.
 uint sc_hash(uint x) {
     x ^= x << 13;
     x ^= x >> 17;
@@ -50,45 +69,46 @@ uint sc_hash(uint x) {
     return x ^ x >> 15;
 }
 
+// A hash made uniform in [0, sc_period).
 int sc_residue(uint hashed) {
     return int((hashed >> 16) * uint(sc_period) >> 16);
 }
 
+// One round of a shuffle of [0, sc_period) by swaps, each made or not (Hoang, Morris and Rogaway
+// 2012): for any period, without a table.
 int sc_swap(int slot, int partner, uint key) {
     int other = partner - slot;
     other += other < 0 ? sc_period : 0;
     return ((key + uint(max(slot, other))) * 0x9E3779B9u & 0x80000000u) == 0u ? slot : other;
 }
 
+// The frame of each period in which the pixel's turn comes.
 int sc_turn() {
+    // Blocks are numbered row by row, which is less to compute than groups as high as wide, and as
+    // floats: exact below 2^23 blocks, and above them a pixel still has one turn in each period.
     float shrink = 1.0 / float(sc_block);
     vec2 block = floor(gl_FragCoord.xy * shrink);
     float across = ceil((float(textureSize(sc_cache, 0).x) - 0.5) * shrink);
     float number = block.y * across + block.x;
     float group = floor((number + 0.5) / float(sc_period));
     uint key = sc_hash(uint(group) * 9277u + 26699u);
+    // Turned by a number of the group's own as well: one swap in four is none, and the places that
+    // keep their turn must not stand one above the other.
     int turn = int(number - group * float(sc_period)) + sc_residue(key * 0xC2B2AE35u);
     turn -= turn >= sc_period ? sc_period : 0;
     turn = sc_swap(turn, sc_residue(key), key);
     return sc_swap(turn, sc_residue(key << 16), key ^ 0x85EBCA6Bu);
 }
 
+// (turn + clock) mod period == 0: no remainder is taken, since both are in [0, period). Blocks lie
+// on multiples of sc_block, so on 2x2 quads.
 bool sc_due() {
     int phase = sc_turn() + sc_clock;
     return phase == 0 || phase == sc_period;
 }
 
-uvec4 sc_blend(uvec4 a, uvec4 b, uvec4 c, uvec4 d, vec2 part, uvec4 discrete) {
-    vec4 low = mix(uintBitsToFloat(a), uintBitsToFloat(b), part.x);
-    vec4 high = mix(uintBitsToFloat(c), uintBitsToFloat(d), part.x);
-    vec4 blended = mix(low, high, part.y);
-    return a & discrete | floatBitsToUint(blended) & ~discrete;
-}
-
-bool sc_same(uvec4 a, uvec4 b, uvec4 c, uvec4 d, uvec4 discrete) {
-    return ((a ^ b | a ^ c | a ^ d) & discrete) == uvec4(0u);
-}
-
+// Four texels by their weights, those without one left out: they may hold NaN, and 0 times NaN is
+// NaN.
 vec4 sc_chosen(vec4 a, vec4 b, vec4 c, vec4 d, vec4 weights) {
     vec4 sum = weights.x > 0.0 ? weights.x * a : vec4(0.0);
     sum += weights.y > 0.0 ? weights.y * b : vec4(0.0);
@@ -96,95 +116,117 @@ vec4 sc_chosen(vec4 a, vec4 b, vec4 c, vec4 d, vec4 weights) {
     return sum + (weights.w > 0.0 ? weights.w * d : vec4(0.0));
 }
 
-int sc_look_up(out uvec4 texel, out uvec4 texel_2) {
+// Do four texels hold the same integers and booleans?
+bool sc_same(uvec4 a, uvec4 b, uvec4 c, uvec4 d, uvec4 discrete) {
+    return ((a ^ b | a ^ c | a ^ d) & discrete) == uvec4(0u);
+}
+
+// Where the previous frame holds what the pixel shows, whether that may be reused, and what it is.
+int sc_look_up(out uvec4 sc_texel, out uvec4 sc_texel_2) {
     ivec2 last = textureSize(sc_cache, 0) - 1;
     vec2 motion = sc_previous.xy / sc_previous.w - sc_current.xy / sc_current.w;
-    vec2 corner = gl_FragCoord.xy - 0.5 + 0.5 * vec2(last + 1) * motion;
+    // Counted in texels from the middle of the first one: its whole part is the lower left of the
+    // four texels around the place.
+    vec2 place = gl_FragCoord.xy - 0.5 + 0.5 * vec2(last + 1) * motion;
+    // How place and expected depth change from pixel to pixel. Ahead of every exit, as derivatives
+    // must be.
     vec2 slope = vec2(dFdx(16.0 / sc_previous.w), dFdy(16.0 / sc_previous.w)) / (16.0 / sc_previous.w);
-    vec2 whole = floor(corner);
-    vec2 part = corner - whole;
+    // At rest the motion is exactly zero: all four are the pixel's own texel, nothing is filtered.
+    vec2 whole = floor(place);
+    vec2 part = place - whole;
     ivec2 near = clamp(ivec2(whole), ivec2(0), last);
     ivec2 far = min(near + ivec2(ceil(part)), last);
     uvec4 a = texelFetch(sc_cache, near, 0);
-    uvec4 b = texelFetch(sc_cache, ivec2(far.x, near.y), 0);
-    uvec4 c = texelFetch(sc_cache, ivec2(near.x, far.y), 0);
-    uvec4 d = texelFetch(sc_cache, far, 0);
     uvec4 a_2 = texelFetch(sc_cache_2, near, 0);
+    uvec4 b = texelFetch(sc_cache, ivec2(far.x, near.y), 0);
     uvec4 b_2 = texelFetch(sc_cache_2, ivec2(far.x, near.y), 0);
+    uvec4 c = texelFetch(sc_cache, ivec2(near.x, far.y), 0);
     uvec4 c_2 = texelFetch(sc_cache_2, ivec2(near.x, far.y), 0);
+    uvec4 d = texelFetch(sc_cache, far, 0);
     uvec4 d_2 = texelFetch(sc_cache_2, far, 0);
-    texel = sc_blend(a, b, c, d, part, uvec4(0u, 0u, 0u, 0u));
-    texel_2 = sc_blend(a_2, b_2, c_2, d_2, part, uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu));
+    sc_texel = sc_blend(a, b, c, d, part, sc_discrete);
+    sc_texel_2 = sc_blend(a_2, b_2, c_2, d_2, part, sc_discrete_2);
     if (sc_due()) {
-        return 2;
+        return sc_refresh;
     }
-    if (!(sc_previous.w > 0.0 && all(greaterThanEqual(corner, vec2(0.0))) && all(lessThanEqual(corner, vec2(last))))) {
-        return 3;
+    // All four texels lie in the cache; a point behind the camera was not seen.
+    if (!(sc_previous.w > 0.0 && all(greaterThanEqual(place, vec2(0.0))) && all(lessThanEqual(place, vec2(last))))) {
+        return sc_miss_outside;
     }
-    vec4 aside = 0.0625 * sc_previous.w * abs(vec4(uintBitsToFloat(a.w), uintBitsToFloat(b.w), uintBitsToFloat(c.w), uintBitsToFloat(d.w))) - 1.0 - slope.x * vec4(-part.x, 1.0 - part.x, -part.x, 1.0 - part.x) - slope.y * vec4(-part.y, -part.y, 1.0 - part.y, 1.0 - part.y);
-    bvec4 moved = lessThan(vec4(uintBitsToFloat(a.w), uintBitsToFloat(b.w), uintBitsToFloat(c.w), uintBitsToFloat(d.w)), vec4(0.0));
-    vec4 single = vec4(lessThanEqual(abs(aside), vec4(sc_epsilon))) * vec4(not(moved));
+    vec4 kept = vec4(uintBitsToFloat(a.w), uintBitsToFloat(b.w), uintBitsToFloat(c.w), uintBitsToFloat(d.w));
+    vec4 depths = abs(kept);
+    bvec4 moved = lessThan(kept, vec4(0.0));
+    // Which texels fit by themselves, where the surface slopes on as it does at the pixel?
+    vec4 aside = 0.0625 * sc_previous.w * depths - 1.0 - slope.x * vec4(-part.x, 1.0 - part.x, -part.x, 1.0 - part.x) - slope.y * vec4(-part.y, -part.y, 1.0 - part.y, 1.0 - part.y);
+    vec4 fits = vec4(lessThanEqual(abs(aside), vec4(sc_epsilon))) * vec4(not(moved));
+    // Do all four together show one surface, and is it the pixel's?
     vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x) * vec4(1.0 - part.y, 1.0 - part.y, part.y, part.y);
-    float blended = dot(weights, abs(vec4(uintBitsToFloat(a.w), uintBitsToFloat(b.w), uintBitsToFloat(c.w), uintBitsToFloat(d.w))));
-    bool one_surface = all(lessThanEqual(abs(0.0625 * sc_previous.w * abs(vec4(uintBitsToFloat(a.w), uintBitsToFloat(b.w), uintBitsToFloat(c.w), uintBitsToFloat(d.w))) - 1.0), vec4(24.0 * sc_epsilon)));
+    float blended = dot(weights, depths);
+    bool one_surface = all(lessThanEqual(abs(0.0625 * sc_previous.w * depths - 1.0), vec4(24.0 * sc_epsilon)));
     bool agrees = one_surface && abs(0.0625 * sc_previous.w * blended - 1.0) <= sc_epsilon;
+    // A fold: one of its sides must not be taken for the other.
     if (one_surface && !agrees) {
-        return 4;
+        return sc_miss_depth;
     }
     bool marked = dot(weights, vec4(moved)) > 0.0;
     if (!agrees) {
-        weights *= single;
+        weights *= fits;
         float total = dot(weights, vec4(1.0));
         if (!(total >= 0.25)) {
-            return a.w == 0xFF000000u || b.w == 0xFF000000u || c.w == 0xFF000000u || d.w == 0xFF000000u ? 6 : 4;
+            return a.w == sc_poison_depth || b.w == sc_poison_depth || c.w == sc_poison_depth || d.w == sc_poison_depth ? sc_miss_poison : sc_miss_depth;
         }
         weights /= total;
-        texel = a & uvec4(0u, 0u, 0u, 0u) | floatBitsToUint(sc_chosen(uintBitsToFloat(a), uintBitsToFloat(b), uintBitsToFloat(c), uintBitsToFloat(d), weights)) & ~uvec4(0u, 0u, 0u, 0u);
-        texel_2 = a_2 & uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu) | floatBitsToUint(sc_chosen(uintBitsToFloat(a_2), uintBitsToFloat(b_2), uintBitsToFloat(c_2), uintBitsToFloat(d_2), weights)) & ~uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu);
+        sc_texel = floatBitsToUint(sc_chosen(uintBitsToFloat(a), uintBitsToFloat(b), uintBitsToFloat(c), uintBitsToFloat(d), weights));
+        sc_texel_2 = a_2;
         marked = true;
     }
-    if (!sc_same(a_2, b_2, c_2, d_2, uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu))) {
-        return 4;
+    if (!sc_same(a_2, b_2, c_2, d_2, sc_discrete_2)) {
+        return sc_miss_depth;
     }
     sc_moved = marked;
-    return 1;
+    return sc_hit;
 }
 
-uvec4 sc_texel() {
+// What is stored of the payloads.
+uvec4 sc_pack() {
     return uvec4(floatBitsToUint(sc_payload.pair.a), floatBitsToUint(sc_payload.pair.b), floatBitsToUint(16.0 / sc_current.w) | (sc_moved ? 0x80000000u : 0u));
 }
 
-uvec4 sc_texel_2() {
+uvec4 sc_pack_2() {
     return uvec4(uint(sc_payload.sign), uvec2(sc_payload.cell), sc_payload.number);
 }
 
+// Can the cache not hold a value? The bits are compared: they are in the order of the sizes, NaN lies
+// above infinity, and no driver can make less of them than they are.
 bool sc_unfit(vec4 values) {
     uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
     uint least = max(floatBitsToUint(sc_least), 1u) - 1u;
     return any(greaterThan(sizes, uvec4(floatBitsToUint(sc_limit)))) || any(lessThan(sizes - 1u, uvec4(least)));
 }
 
+// Marks a texel that must not be reused. The third of three passes reads it in this frame, so it
+// holds what was computed, or what comes nearest of larger numbers.
 void sc_guard() {
-    bool unfit = sc_unfit(uintBitsToFloat(sc_store & ~uvec4(0u, 0u, 0u, 0u)));
-    unfit = unfit || sc_unfit(uintBitsToFloat(sc_store_2 & ~uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu)));
+    bool unfit = sc_unfit(uintBitsToFloat(sc_store));
     if (unfit) {
-        sc_store.w = 0xFF000000u;
+        sc_store.w = sc_poison_depth;
     }
 }
 
+// One pass: reuse the payload or compute it, then shade.
 void main() {
-    uvec4 sc_local_1;
-    uvec4 sc_local_2;
-    bool sc_hit = sc_look_up(sc_local_1, sc_local_2) == 1;
-    if (sc_hit) {
-        sc_payload = Mixed(Pair(uintBitsToFloat(sc_local_1.xy), uintBitsToFloat(sc_local_1.z)), bool(sc_local_2.x), ivec2(sc_local_2.yz), sc_local_2.w);
+    uvec4 sc_texel;
+    uvec4 sc_texel_2;
+    bool sc_reused = sc_look_up(sc_texel, sc_texel_2) == sc_hit;
+    if (sc_reused) {
+        sc_payload = Mixed(Pair(uintBitsToFloat(sc_texel.xy), uintBitsToFloat(sc_texel.z)), bool(sc_texel_2.x), ivec2(sc_texel_2.yz), sc_texel_2.w);
     } else {
         sc_compute();
     }
     sc_shade();
-    sc_store = sc_texel();
-    sc_store_2 = sc_texel_2();
-    if (!sc_hit) {
+    sc_store = sc_pack();
+    sc_store_2 = sc_pack_2();
+    if (!sc_reused) {
         sc_guard();
     }
 }

@@ -23,6 +23,7 @@ void sc_compute() {
     sc_payload = Mixed(Pair(wave.xy, wave.z), wave.x > 0.3, ivec2(2.0 * wave.yz), uint(3.0 + wave.x));
 }
 
+// Not part of any variant: the payload alone, drawn like the original, to measure what it costs.
 void main() {
     sc_compute();
     sc_value = vec4(uvec4(floatBitsToUint(sc_payload.pair.a), floatBitsToUint(sc_payload.pair.b), 1u));

@@ -1,13 +1,14 @@
 #version 330
 // shadercache: 2-pass.miss, node stone.1-ae098caa, node stone.27-f6bd6cd8
 
-in vec4 sc_current;
+const float sc_poison_depth = -65504.0; // depth of what must not be reused
+uniform float sc_limit; // the largest value that is reused
+uniform float sc_least; // the smallest one above zero that it surely holds
+in vec4 sc_current; // clip-space position in this frame
+layout(location = 1) out vec4 sc_store; // what the next frame finds in the cache
+layout(location = 2) out vec4 sc_store_2;
 float sc_payload_1;
 vec3 sc_payload_2;
-layout(location = 1) out vec4 sc_store;
-layout(location = 2) out vec4 sc_store_2;
-uniform float sc_limit;
-uniform float sc_least;
 uniform sampler2D u_map;
 uniform vec3 u_tint;
 in vec3 v_position;
@@ -34,20 +35,31 @@ void sc_shade() {
     o_color = vec4(albedo * light + texture(u_map, v_uv).rgb, 1.0);
 }
 
-vec4 sc_texel() {
+// What is stored of the payloads.
+vec4 sc_pack() {
     return vec4(sc_payload_1, sc_payload_2.xy, 16.0 / sc_current.w);
 }
 
-vec4 sc_texel_2() {
+vec4 sc_pack_2() {
     return vec4(sc_payload_2.z, 0.0, 0.0, 0.0);
 }
 
+// Can the cache not hold a value? The bits are compared: they are in the order of the sizes, NaN lies
+// above infinity, and no driver can make less of them than they are.
+bool sc_unfit(vec4 values) {
+    uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
+    uint least = max(floatBitsToUint(sc_least), 1u) - 1u;
+    return any(greaterThan(sizes, uvec4(floatBitsToUint(sc_limit)))) || any(lessThan(sizes - 1u, uvec4(least)));
+}
+
+// Numbers as near as half floats can hold them. Infinity and NaN stay.
 vec4 sc_held(vec4 values) {
     uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
     vec4 held = mix(clamp(values, vec4(-sc_limit), vec4(sc_limit)), values, greaterThanEqual(sizes, uvec4(0x7F800000u)));
     return mix(values, held, greaterThan(sizes, uvec4(floatBitsToUint(sc_limit))));
 }
 
+// A cache of half floats is written what it can hold.
 void sc_hold() {
     if (sc_limit <= 65504.0) {
         sc_store = sc_held(sc_store);
@@ -55,24 +67,20 @@ void sc_hold() {
     }
 }
 
-bool sc_unfit(vec4 values) {
-    uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
-    uint least = max(floatBitsToUint(sc_least), 1u) - 1u;
-    return any(greaterThan(sizes, uvec4(floatBitsToUint(sc_limit)))) || any(lessThan(sizes - 1u, uvec4(least)));
-}
-
+// Marks a texel that must not be reused. The third of three passes reads it in this frame, so it
+// holds what was computed, or what comes nearest of larger numbers.
 void sc_guard() {
-    bool unfit = sc_unfit(sc_store);
-    unfit = unfit || sc_unfit(sc_store_2);
+    bool unfit = sc_unfit(sc_store) || sc_unfit(sc_store_2);
     if (unfit) {
         sc_hold();
-        sc_store.w = -65504.0;
+        sc_store.w = sc_poison_depth;
     }
 }
 
+// Two passes, second: the whole shader, for the pixels that the first pass left open.
 void main() {
     sc_shade();
-    sc_store = sc_texel();
-    sc_store_2 = sc_texel_2();
+    sc_store = sc_pack();
+    sc_store_2 = sc_pack_2();
     sc_guard();
 }

@@ -1,10 +1,10 @@
 #version 330
 // shadercache: 3-pass.shade, node stone.1-ae098caa, node stone.27-f6bd6cd8
 
+uniform sampler2D sc_payloads; // what this frame has stored so far
+uniform sampler2D sc_payloads_2;
 float sc_payload_1;
 vec3 sc_payload_2;
-uniform sampler2D sc_payloads;
-uniform sampler2D sc_payloads_2;
 uniform sampler2D u_map;
 uniform vec3 u_tint;
 in vec3 v_position;
@@ -28,10 +28,11 @@ void sc_shade() {
     o_color = vec4(albedo * light + texture(u_map, v_uv).rgb, 1.0);
 }
 
+// Three passes, third: the colour, from the payload that stands in the cache of this frame.
 void main() {
-    vec4 texel = texelFetch(sc_payloads, ivec2(gl_FragCoord.xy), 0);
-    vec4 texel_2 = texelFetch(sc_payloads_2, ivec2(gl_FragCoord.xy), 0);
-    sc_payload_1 = texel.x;
-    sc_payload_2 = vec3(texel.yz, texel_2.x);
+    vec4 sc_texel = texelFetch(sc_payloads, ivec2(gl_FragCoord.xy), 0);
+    vec4 sc_texel_2 = texelFetch(sc_payloads_2, ivec2(gl_FragCoord.xy), 0);
+    sc_payload_1 = sc_texel.x;
+    sc_payload_2 = vec3(sc_texel.yz, sc_texel_2.x);
     sc_shade();
 }

@@ -1,8 +1,8 @@
 #version 330
 // shadercache: 3-pass.shade, node stone.1-ae098caa
 
+uniform sampler2D sc_payloads; // what this frame has stored so far
 float sc_payload;
-uniform sampler2D sc_payloads;
 uniform sampler2D u_map;
 uniform vec3 u_tint;
 in vec3 v_position;
@@ -27,6 +27,7 @@ void sc_shade() {
     o_color = vec4(albedo * light + texture(u_map, v_uv).rgb, 1.0);
 }
 
+// Three passes, third: the colour, from the payload that stands in the cache of this frame.
 void main() {
     sc_payload = texelFetch(sc_payloads, ivec2(gl_FragCoord.xy), 0).x;
     sc_shade();

@@ -1,8 +1,8 @@
 #version 330
 // shadercache: payload-alone, node stone.1-ae098caa
 
-float sc_payload;
 layout(location = 0) out vec4 sc_value;
+float sc_payload;
 in vec3 v_position;
 
 float noise(vec3 p) {
@@ -17,6 +17,7 @@ void sc_compute() {
     sc_stone(v_position);
 }
 
+// Not part of any variant: the payload alone, drawn like the original, to measure what it costs.
 void main() {
     sc_compute();
     sc_value = vec4(sc_payload, 0.0, 0.0, 1.0);

@@ -1,9 +1,9 @@
 #version 330
 // shadercache: 3-pass.shade, node main.11-ff053a83
 
-vec4 sc_payload;
-uniform sampler2D sc_payloads;
+uniform sampler2D sc_payloads; // what this frame has stored so far
 uniform sampler2D sc_payloads_2;
+vec4 sc_payload;
 in vec3 v_normal;
 layout(location = 0) out vec4 o_color;
 
@@ -12,9 +12,10 @@ void sc_shade() {
     o_color = vec4(0.5 + 0.5 * (it.xyz * it.w) * normalize(v_normal).z, 1.0);
 }
 
+// Three passes, third: the colour, from the payload that stands in the cache of this frame.
 void main() {
-    vec4 texel = texelFetch(sc_payloads, ivec2(gl_FragCoord.xy), 0);
-    vec4 texel_2 = texelFetch(sc_payloads_2, ivec2(gl_FragCoord.xy), 0);
-    sc_payload = vec4(texel.xyz, texel_2.x);
+    vec4 sc_texel = texelFetch(sc_payloads, ivec2(gl_FragCoord.xy), 0);
+    vec4 sc_texel_2 = texelFetch(sc_payloads_2, ivec2(gl_FragCoord.xy), 0);
+    sc_payload = vec4(sc_texel.xyz, sc_texel_2.x);
     sc_shade();
 }

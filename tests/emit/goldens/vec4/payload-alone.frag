@@ -1,8 +1,8 @@
 #version 330
 // shadercache: payload-alone, node main.11-ff053a83
 
-vec4 sc_payload;
 layout(location = 0) out vec4 sc_value;
+vec4 sc_payload;
 in vec3 v_position;
 
 void sc_compute() {
@@ -10,6 +10,7 @@ void sc_compute() {
     sc_payload = wave * wave.yzwx;
 }
 
+// Not part of any variant: the payload alone, drawn like the original, to measure what it costs.
 void main() {
     sc_compute();
     sc_value = vec4(sc_payload.xyz, 1.0);
