@@ -2,7 +2,7 @@
 
 uniform int sc_clock;            // frames, already reduced to [0, sc_period)
 uniform int sc_period;           // frames from one refresh of a pixel to the next
-uniform int sc_block;            // edge in pixels of the squares that are refreshed together
+uniform int sc_block;            // edge, even, of the squares of pixels that take turns: on 2x2 quads
 uniform sc_SAMPLERS sc_cache;    // what the previous frame stored: payload and depth
 uniform float sc_epsilon;        // greatest accepted difference of depths, relative to the depth
 uniform float sc_resolution;     // what stored depths are rounded by, relative to them

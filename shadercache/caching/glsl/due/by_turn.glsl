@@ -1,8 +1,7 @@
 // Which pixels are recomputed on purpose, although the cache holds what they need: each has a turn
 // in the period, and the schedule says which.
 
-// (turn + clock) mod period == 0: no remainder is taken, since both are in [0, period). Blocks lie
-// on multiples of sc_block, so on 2x2 quads.
+// (turn + clock) mod period == 0: no remainder is taken, since both are in [0, period).
 bool sc_due() {
     int phase = sc_turn() + sc_clock;
     return phase == 0 || phase == sc_period;

@@ -10,7 +10,7 @@ const int sc_miss_poison = 6; // what was stored must not be reused
 const float sc_poison_depth = -65504.0; // depth of what must not be reused
 uniform int sc_clock; // frames, already reduced to [0, sc_period)
 uniform int sc_period; // frames from one refresh of a pixel to the next
-uniform int sc_block; // edge in pixels of the squares that are refreshed together
+uniform int sc_block; // edge, even, of the squares of pixels that take turns: on 2x2 quads
 uniform sampler2D sc_cache; // what the previous frame stored: payload and depth
 uniform float sc_epsilon; // greatest accepted difference of depths, relative to the depth
 in vec4 sc_current; // clip-space position in this frame
@@ -57,8 +57,7 @@ int sc_turn() {
     return sc_swap(turn, sc_residue(key << 16), key ^ 0x85EBCA6Bu);
 }
 
-// (turn + clock) mod period == 0: no remainder is taken, since both are in [0, period). Blocks lie
-// on multiples of sc_block, so on 2x2 quads.
+// (turn + clock) mod period == 0: no remainder is taken, since both are in [0, period).
 bool sc_due() {
     int phase = sc_turn() + sc_clock;
     return phase == 0 || phase == sc_period;
