@@ -26,6 +26,7 @@ from shadercache.analysis import (
     candidates,
     control_dependence,
     derivative_uses,
+    effect_table,
     effects,
     slices,
 )
@@ -66,13 +67,13 @@ def the_payload_is_stored_late(patch: pytest.MonkeyPatch) -> None:
 
 def nothing_but_the_position_is_written(patch: pytest.MonkeyPatch) -> None:
     """Of a shader that writes no position everything is refused, which is another rule."""
-    written = effects._written
+    written = effect_table._written
 
     def position(target: n.Expr) -> effects.Effects:
         found = written(target)
         return found if "gl_Position" in found.writes else effects.NO_EFFECTS
 
-    patch.setattr(effects, "_written", position)
+    patch.setattr(effect_table, "_written", position)
 
 
 def read_parameters_are_dropped(patch: pytest.MonkeyPatch) -> None:
@@ -236,7 +237,7 @@ NOTICED: dict[str, tuple[str, Break]] = {
     "effects: out arguments": (
         "gl330-written_out",
         lambda patch: patch.setattr(
-            effects, "out_arguments", lambda call, table: tuple(False for _ in call.args)
+            effect_table, "out_arguments", lambda call, table: tuple(False for _ in call.args)
         ),
     ),
     "drop_parameters: what is given back": (
