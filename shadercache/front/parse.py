@@ -40,8 +40,7 @@ def parse(source: Source, options: ReadOptions = DEFAULTS) -> Module:
     Raises :class:`InputError`: with all errors of the preprocessor, or with the first error of
     syntax.
     """
-    prepared = preprocessed(source, options)
-    return _build(source, prepared, prepared.lexemes)
+    return _build(source, *_prepared(source, options))
 
 
 def preprocessed(source: Source, options: ReadOptions) -> Preprocessed:
@@ -49,13 +48,19 @@ def preprocessed(source: Source, options: ReadOptions) -> Preprocessed:
 
     Raises :class:`InputError` with all errors of the preprocessor.
     """
+    prepared, lexemes = _prepared(source, options)
+    return replace(prepared, lexemes=lexemes)
+
+
+def _prepared(source: Source, options: ReadOptions) -> tuple[Preprocessed, Lexemes]:
+    """The user's own lexemes, by which comments are placed, and all that the parser reads."""
     host = host_of(source, options.dialect)
     prepared = preprocess(source, options, _default(source, options, host))
     lexemes = without_attributes(prepared.lexemes, prepared.directives)
     if host is not None:
         check_version(Version(prepared.version, prepared.profile), source)
         lexemes = host.surround(lexemes, len(source.text))
-    return replace(prepared, lexemes=lexemes)
+    return prepared, lexemes
 
 
 def parse_before(source: Source, options: ReadOptions, offset: int) -> Module | None:
