@@ -4,10 +4,11 @@
 // A Shadertoy of our own: clouds that stand still above a sea that moves. Of the clouds nothing
 // depends on iTime, so the value of the same pixel stays right for ever.
 
+const float sc_poison_depth = -65504.0; // depth of what must not be reused
+uniform float sc_limit; // the largest value that is reused
+uniform float sc_least; // the smallest one above zero that it surely holds
+layout(location = 1) out vec4 sc_store; // what the next frame finds in the cache
 float sc_payload;
-layout(location = 1) out vec4 sc_store;
-uniform float sc_limit;
-uniform float sc_least;
 uniform vec3 iResolution;
 uniform float iTime;
 uniform sampler2D iChannel0;
@@ -55,38 +56,46 @@ void sc_shade() {
     sc_mainImage(shadertoyColor, gl_FragCoord.xy);
 }
 
-vec4 sc_texel() {
+// What is stored of the payloads.
+vec4 sc_pack() {
     return vec4(sc_payload, 0.0, 0.0, 16.0 * gl_FragCoord.w);
 }
 
-vec4 sc_held(vec4 values) {
-    uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
-    vec4 held = mix(clamp(values, vec4(-sc_limit), vec4(sc_limit)), values, greaterThanEqual(sizes, uvec4(0x7F800000u)));
-    return mix(values, held, greaterThan(sizes, uvec4(floatBitsToUint(sc_limit))));
-}
-
-void sc_hold() {
-    if (sc_limit <= 65504.0) {
-        sc_store = sc_held(sc_store);
-    }
-}
-
+// Can the cache not hold a value? The bits are compared: they are in the order of the sizes, NaN lies
+// above infinity, and no driver can make less of them than they are.
 bool sc_unfit(vec4 values) {
     uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
     uint least = max(floatBitsToUint(sc_least), 1u) - 1u;
     return any(greaterThan(sizes, uvec4(floatBitsToUint(sc_limit)))) || any(lessThan(sizes - 1u, uvec4(least)));
 }
 
+// Numbers as near as half floats can hold them. Infinity and NaN stay.
+vec4 sc_held(vec4 values) {
+    uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
+    vec4 held = mix(clamp(values, vec4(-sc_limit), vec4(sc_limit)), values, greaterThanEqual(sizes, uvec4(0x7F800000u)));
+    return mix(values, held, greaterThan(sizes, uvec4(floatBitsToUint(sc_limit))));
+}
+
+// A cache of half floats is written what it can hold.
+void sc_hold() {
+    if (sc_limit <= 65504.0) {
+        sc_store = sc_held(sc_store);
+    }
+}
+
+// Marks a texel that must not be reused. The third of three passes reads it in this frame, so it
+// holds what was computed, or what comes nearest of larger numbers.
 void sc_guard() {
     bool unfit = sc_unfit(sc_store);
     if (unfit) {
         sc_hold();
-        sc_store.w = -65504.0;
+        sc_store.w = sc_poison_depth;
     }
 }
 
+// Two passes, second: the whole shader, for the pixels that the first pass left open.
 void main() {
     sc_shade();
-    sc_store = sc_texel();
+    sc_store = sc_pack();
     sc_guard();
 }

@@ -2,14 +2,22 @@
 // shadercache: 3-pass.reuse, node main.20-0b86b19f
 
 precision mediump float;
-uniform highp int sc_clock;
-uniform highp int sc_period;
-uniform highp int sc_block;
-uniform highp sampler2D sc_cache;
-uniform highp float sc_epsilon;
+
+// What a look-up says. All but a hit are misses; the hit mask shows which.
+const highp int sc_hit = 1;
+const highp int sc_refresh = 2; // computed anew on purpose
+const highp int sc_miss_outside = 3; // was not in the picture
+const highp int sc_miss_depth = 4; // another surface was seen there
+const highp int sc_miss_poison = 6; // what was stored must not be reused
+const highp float sc_poison_depth = -65504.0; // depth of what must not be reused
+uniform highp int sc_clock; // frames, already reduced to [0, sc_period)
+uniform highp int sc_period; // frames from one refresh of a pixel to the next
+uniform highp int sc_block; // edge, even, of the squares of pixels that take turns: on 2x2 quads
+uniform highp sampler2D sc_cache; // what the previous frame stored: payload and depth
+uniform highp float sc_epsilon; // greatest accepted difference of depths, relative to the depth
+layout(location = 0) out highp vec4 sc_store; // what the next frame finds in the cache
+bool sc_moved = false; // is the payload not just that of this place?
 highp float sc_payload;
-bool sc_moved = false;
-layout(location = 0) out highp vec4 sc_store;
 
 // A flat pattern that scrolls to the left: only where it was is said, not where the pixel is.
 uniform highp vec2 u_resolution;
@@ -25,6 +33,7 @@ highp vec4 scPreviousClip() {
     return vec4(place(u_time) - vec2(SPEED * (u_time - u_time_delta), 0.0), 0.0, 1.0);
 }
 
+// A well mixed 32-bit hash.
 highp uint sc_hash(highp uint x) {
     x ^= x << 13;
     x ^= x >> 17;
@@ -33,34 +42,45 @@ highp uint sc_hash(highp uint x) {
     return x ^ x >> 15;
 }
 
+// A hash made uniform in [0, sc_period).
 highp int sc_residue(highp uint hashed) {
     return int((hashed >> 16) * uint(sc_period) >> 16);
 }
 
+// One round of a shuffle of [0, sc_period) by swaps, each made or not (Hoang, Morris and Rogaway
+// 2012): for any period, without a table.
 highp int sc_swap(highp int slot, highp int partner, highp uint key) {
     highp int other = partner - slot;
     other += other < 0 ? sc_period : 0;
     return ((key + uint(max(slot, other))) * 0x9E3779B9u & 0x80000000u) == 0u ? slot : other;
 }
 
+// The frame of each period in which the pixel's turn comes.
 highp int sc_turn() {
+    // Blocks are numbered row by row, which is less to compute than groups as high as wide, and as
+    // floats: exact below 2^23 blocks, and above them a pixel still has one turn in each period.
     highp float shrink = 1.0 / float(sc_block);
     highp vec2 block = floor(gl_FragCoord.xy * shrink);
     highp float across = ceil((float(textureSize(sc_cache, 0).x) - 0.5) * shrink);
     highp float number = block.y * across + block.x;
     highp float group = floor((number + 0.5) / float(sc_period));
     highp uint key = sc_hash(uint(group) * 9277u + 26699u);
+    // Turned by a number of the group's own as well: one swap in four is none, and the places that
+    // keep their turn must not stand one above the other.
     highp int turn = int(number - group * float(sc_period)) + sc_residue(key * 0xC2B2AE35u);
     turn -= turn >= sc_period ? sc_period : 0;
     turn = sc_swap(turn, sc_residue(key), key);
     return sc_swap(turn, sc_residue(key << 16), key ^ 0x85EBCA6Bu);
 }
 
+// (turn + clock) mod period == 0: no remainder is taken, since both are in [0, period).
 bool sc_due() {
     highp int phase = sc_turn() + sc_clock;
     return phase == 0 || phase == sc_period;
 }
 
+// Four texels by their weights, those without one left out: they may hold NaN, and 0 times NaN is
+// NaN.
 highp vec4 sc_chosen(highp vec4 a, highp vec4 b, highp vec4 c, highp vec4 d, highp vec4 weights) {
     highp vec4 sum = weights.x > 0.0 ? weights.x * a : vec4(0.0);
     sum += weights.y > 0.0 ? weights.y * b : vec4(0.0);
@@ -68,64 +88,81 @@ highp vec4 sc_chosen(highp vec4 a, highp vec4 b, highp vec4 c, highp vec4 d, hig
     return sum + (weights.w > 0.0 ? weights.w * d : vec4(0.0));
 }
 
-highp int sc_look_up(out highp vec4 texel) {
+// Where the previous frame holds what the pixel shows, whether that may be reused, and what it is.
+highp int sc_look_up(out highp vec4 sc_texel) {
     highp ivec2 last = textureSize(sc_cache, 0) - 1;
     highp vec4 sc_previous = scPreviousClip();
     highp vec2 motion = sc_previous.xy / sc_previous.w - (2.0 * gl_FragCoord.xy / vec2(last + 1) - 1.0);
+    // The function comes to the pixel's own place by another way, up to rounding: what is less than
+    // a 256th of a pixel is no motion.
     if (all(lessThan(0.5 * vec2(last + 1) * abs(motion), vec2(1.0 / 256.0)))) {
         motion = vec2(0.0);
     }
-    highp vec2 corner = gl_FragCoord.xy - 0.5 + 0.5 * vec2(last + 1) * motion;
+    // Counted in texels from the middle of the first one: its whole part is the lower left of the
+    // four texels around the place.
+    highp vec2 place = gl_FragCoord.xy - 0.5 + 0.5 * vec2(last + 1) * motion;
+    // How place and expected depth change from pixel to pixel. Ahead of every exit, as derivatives
+    // must be.
     highp vec2 slope = vec2(dFdx(16.0 / sc_previous.w), dFdy(16.0 / sc_previous.w)) / (16.0 / sc_previous.w);
-    highp vec2 whole = floor(corner);
-    highp vec2 part = corner - whole;
+    // At rest the motion is exactly zero: all four are the pixel's own texel, nothing is filtered.
+    highp vec2 whole = floor(place);
+    highp vec2 part = place - whole;
     highp ivec2 near = clamp(ivec2(whole), ivec2(0), last);
     highp ivec2 far = min(near + ivec2(ceil(part)), last);
     highp vec4 a = texelFetch(sc_cache, near, 0);
     highp vec4 b = texelFetch(sc_cache, ivec2(far.x, near.y), 0);
     highp vec4 c = texelFetch(sc_cache, ivec2(near.x, far.y), 0);
     highp vec4 d = texelFetch(sc_cache, far, 0);
-    texel = mix(mix(a, b, part.x), mix(c, d, part.x), part.y);
+    sc_texel = mix(mix(a, b, part.x), mix(c, d, part.x), part.y);
     if (sc_due()) {
-        return 2;
+        return sc_refresh;
     }
-    if (!(sc_previous.w > 0.0 && all(greaterThanEqual(corner, vec2(0.0))) && all(lessThanEqual(corner, vec2(last))))) {
-        return 3;
+    // All four texels lie in the cache; a point behind the camera was not seen.
+    if (!(sc_previous.w > 0.0 && all(greaterThanEqual(place, vec2(0.0))) && all(lessThanEqual(place, vec2(last))))) {
+        return sc_miss_outside;
     }
-    highp vec4 aside = 0.0625 * sc_previous.w * abs(vec4(a.w, b.w, c.w, d.w)) - 1.0 - slope.x * vec4(-part.x, 1.0 - part.x, -part.x, 1.0 - part.x) - slope.y * vec4(-part.y, -part.y, 1.0 - part.y, 1.0 - part.y);
-    bvec4 moved = lessThan(vec4(a.w, b.w, c.w, d.w), vec4(0.0));
-    highp vec4 single = vec4(lessThanEqual(abs(aside), vec4(sc_epsilon))) * vec4(not(moved));
+    highp vec4 kept = vec4(a.w, b.w, c.w, d.w);
+    highp vec4 depths = abs(kept);
+    bvec4 moved = lessThan(kept, vec4(0.0));
+    // Which texels fit by themselves, where the surface slopes on as it does at the pixel?
+    highp vec4 aside = 0.0625 * sc_previous.w * depths - 1.0 - slope.x * vec4(-part.x, 1.0 - part.x, -part.x, 1.0 - part.x) - slope.y * vec4(-part.y, -part.y, 1.0 - part.y, 1.0 - part.y);
+    highp vec4 fits = vec4(lessThanEqual(abs(aside), vec4(sc_epsilon))) * vec4(not(moved));
+    // Do all four together show one surface, and is it the pixel's?
     highp vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x) * vec4(1.0 - part.y, 1.0 - part.y, part.y, part.y);
-    highp float blended = dot(weights, abs(vec4(a.w, b.w, c.w, d.w)));
-    bool one_surface = all(lessThanEqual(abs(0.0625 * sc_previous.w * abs(vec4(a.w, b.w, c.w, d.w)) - 1.0), vec4(24.0 * sc_epsilon)));
+    highp float blended = dot(weights, depths);
+    bool one_surface = all(lessThanEqual(abs(0.0625 * sc_previous.w * depths - 1.0), vec4(24.0 * sc_epsilon)));
     bool agrees = one_surface && abs(0.0625 * sc_previous.w * blended - 1.0) <= sc_epsilon;
+    // A fold: one of its sides must not be taken for the other.
     if (one_surface && !agrees) {
-        return 4;
+        return sc_miss_depth;
     }
     bool marked = dot(weights, vec4(moved)) > 0.0;
     if (!agrees) {
-        weights *= single;
+        weights *= fits;
         highp float total = dot(weights, vec4(1.0));
         if (!(total >= 0.25)) {
-            return a.w == -65504.0 || b.w == -65504.0 || c.w == -65504.0 || d.w == -65504.0 ? 6 : 4;
+            return a.w == sc_poison_depth || b.w == sc_poison_depth || c.w == sc_poison_depth || d.w == sc_poison_depth ? sc_miss_poison : sc_miss_depth;
         }
         weights /= total;
-        texel = sc_chosen(a, b, c, d, weights);
+        sc_texel = sc_chosen(a, b, c, d, weights);
         marked = true;
     }
     sc_moved = marked;
-    return 1;
+    return sc_hit;
 }
 
-highp vec4 sc_texel() {
+// What is stored of the payloads.
+highp vec4 sc_pack() {
     return vec4(sc_payload, 0.0, 0.0, sc_moved ? -(16.0 * gl_FragCoord.w) : 16.0 * gl_FragCoord.w);
 }
 
+// Three passes, first: carry the payload of hits over, leave misses open; and discard what the shader
+// discards.
 void main() {
-    highp vec4 texel;
-    if (sc_look_up(texel) != 1) {
+    highp vec4 sc_texel;
+    if (sc_look_up(sc_texel) != sc_hit) {
         discard;
     }
-    sc_payload = texel.x;
-    sc_store = sc_texel();
+    sc_payload = sc_texel.x;
+    sc_store = sc_pack();
 }
