@@ -18,10 +18,10 @@ from shadercache.analysis.input_reads import input_kinds
 from shadercache.analysis.mapping import MappingKind
 from shadercache.analysis.payload_sets import check_needed, check_set, companion, note_on_overlap
 from shadercache.analysis.refusals import Code
-from shadercache.analysis.shared_work import OverlapTable, Parts
+from shadercache.analysis.shared_work import Parts, SharedWorkTable
 from shadercache.analysis.stages import Links, StageSide, match_stages
 from shadercache.analysis.use_def import Definitions
-from shadercache.analysis.value_numbering import Group, find_groups
+from shadercache.analysis.value_numbering import ValueGroup, number_values
 from shadercache.ast import nodes as n
 from shadercache.diagnostics import Diagnostic, InputError, UsageError, input_error, usage_error
 from shadercache.emit.builder import FragmentProgram
@@ -177,10 +177,10 @@ class Analysis:
         return f"#version {WEBGL.number}\n{text}" if webgl else text
 
     @cached_property
-    def groups(self) -> Mapping[Candidate, Group]:
+    def groups(self) -> Mapping[Candidate, ValueGroup]:
         """Which nodes have the same value: the group of every node."""
         program = self.program
-        return find_groups(
+        return number_values(
             program.module, program.facts, EffectTable(program.module), self.candidates
         )
 
@@ -233,10 +233,10 @@ class Analysis:
         return Definitions(program.facts, EffectTable(program.module), self.candidates.instances)
 
     @cached_property
-    def _overlaps(self) -> OverlapTable:
+    def _overlaps(self) -> SharedWorkTable:
         program = self.program
         costs, table = CostTable(program.facts), EffectTable(program.module)
-        return OverlapTable(self.candidates.instances, table, costs, program.color)
+        return SharedWorkTable(self.candidates.instances, table, costs, program.color)
 
     @cached_property
     def _by_id(self) -> dict[str, Candidate]:

@@ -70,8 +70,8 @@ from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.infer import infer
 from shadercache.source import Source
 from shadercache.transform.builtin_block import plain_builtin_block
-from shadercache.transform.expand_compound_assignments import spell_out
-from shadercache.transform.lower_ternaries import lower_choices
+from shadercache.transform.expand_compound_assignments import expand_compound_assignments
+from shadercache.transform.lower_ternaries import lower_ternaries
 from shadercache.transform.make_precise import precise_version
 from shadercache.transform.name_parameters import name_parameters
 from shadercache.transform.names import fresh_prefix
@@ -368,7 +368,7 @@ def _named(module: n.Module, facts: Facts, source: Source, stage: Stage) -> tupl
 
 def _lowered(module: n.Module, facts: Facts, source: Source) -> tuple[n.Module, Facts]:
     """Passes 8 to 10: bring a fragment shader into the form that the rest works on."""
-    plain = lower_choices(spell_out(module, facts), facts)
+    plain = lower_ternaries(expand_compound_assignments(module, facts), facts)
     return (module, facts) if plain is module else (plain, infer(plain, source))
 
 

@@ -12,8 +12,8 @@ from typing import TypeVar
 
 from shadercache.ast.nodes import Module, Name
 from shadercache.diagnostics import InputError
-from shadercache.sema.context import Tables
 from shadercache.sema.facts import Facts, Stage
+from shadercache.sema.inference_context import Tables
 from shadercache.source import Source
 from shadercache.valid.validate import validate
 

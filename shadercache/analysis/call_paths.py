@@ -13,7 +13,13 @@ from enum import Enum
 from typing import cast
 
 from shadercache.analysis.effect_table import EffectTable, out_arguments
-from shadercache.analysis.reaching_definitions import Spine, Step, Trip, counters_of, order_matters
+from shadercache.analysis.reaching_definitions import (
+    ReachingDefinitions,
+    Step,
+    Trip,
+    counters_of,
+    order_matters,
+)
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import EXPRESSIONS, STATEMENTS, children
 from shadercache.diagnostics import input_error
@@ -64,10 +70,10 @@ class Places:
 
     def __init__(self, function: n.FunctionDef, table: EffectTable) -> None:
         self.function = function
-        self.spine = Spine(function, table)
+        self.reaching = ReachingDefinitions(function, table)
         self.all: list[Place] = []
         self._own = 0
-        for step in self.spine.steps:
+        for step in self.reaching.steps:
             self._visit(step, table)
         self.unrolled = any(place.trip for place in self.all)
         self.of = {place.expr: place for place in self.all}
@@ -181,7 +187,7 @@ def find_instances(table: EffectTable, source: Source) -> tuple[Instance, ...]:
     for instance in found:  # grows while it runs
         found.extend(_callees(instance, places, len(found), source))
     _check_total("expressions", sum(len(item.places.all) for item in found), MAX_NODES)
-    _check_total("statements", sum(len(item.places.spine.steps) for item in found), MAX_STEPS)
+    _check_total("statements", sum(len(item.places.reaching.steps) for item in found), MAX_STEPS)
     return tuple(found)
 
 

@@ -1,4 +1,4 @@
-"""What flows where inside a conditional or loop, which the spine takes as one step.
+"""What flows where inside a conditional or loop, which reaching definitions take as one step.
 
 The parts of the step are its plain statements and the conditions that they stand under. A part is
 relevant for a value if it writes what the value reads, directly or through other parts, in whatever
@@ -51,7 +51,7 @@ class Flow:
         return (item for part in self.parts for item in walk(part.node))
 
 
-class Inside:
+class ControlDependence:
     """The parts of one step."""
 
     def __init__(self, stmt: n.Stmt, table: EffectTable) -> None:

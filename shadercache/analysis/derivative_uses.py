@@ -134,9 +134,9 @@ class SharedUses:
                 index = at.place.step.index if at.place is not None else 0
                 at = at.parent
         for instance, index in last.items():
-            for step in instance.places.spine.steps[:index]:
+            for step in instance.places.reaching.steps[:index]:
                 if step.is_control and step.effects.does & Does.RETURN:
-                    flow = self._slices.inside(step.stmt).into_exits()
+                    flow = self._slices.dependence(step.stmt).into_exits()
                     found = self._slices.flow(instance, step.index, flow)
                     yield instance, found, flow.expressions()
 
@@ -149,14 +149,14 @@ class SharedUses:
                 seen.add(at)
                 step, guarded = at.place.step, at.place.use is Use.CONDITIONAL
                 if (step.is_control or guarded) and at.call is not None:
-                    flow = self._slices.inside(step.stmt).into_reach(at.call, guarded)
+                    flow = self._slices.dependence(step.stmt).into_reach(at.call, guarded)
                     found = self._slices.flow(at.parent, step.index, flow)
                     yield at.parent, found, flow.expressions()
                 at = at.parent
 
     def _use(self, instance: Instance, place: Place, call: n.Call) -> SharedUse:
         step = place.step
-        flow = self._slices.inside(step.stmt).into_use(call, place.use is Use.CONDITIONAL)
+        flow = self._slices.dependence(step.stmt).into_use(call, place.use is Use.CONDITIONAL)
         operands = self._slices.flow(instance, step.index, flow)
         parts = {*flow.expressions(), *walk(call)} - {call}
         return SharedUse(instance, place, operands, frozenset(parts))
@@ -197,11 +197,11 @@ def discards(instances: tuple[Instance, ...], slices: SliceTable) -> Dependents:
     def operands() -> Iterator[tuple[Instance, Slice, Iterable[n.Node]]]:
         for instance in instances:
             ahead = False
-            for step in reversed(instance.places.spine.steps):
+            for step in reversed(instance.places.reaching.steps):
                 does = step.effects.does
                 ahead = ahead or bool(does & Does.DISCARD)
                 if ahead and does & (Does.DISCARD | Does.RETURN):
-                    flow = slices.inside(step.stmt).into_exits()
+                    flow = slices.dependence(step.stmt).into_exits()
                     yield instance, slices.flow(instance, step.index, flow), flow.expressions()
 
     return Dependents(slices, operands())

@@ -16,13 +16,13 @@ from shadercache.analysis.effects import (
     NO_EFFECTS,
     Does,
     Effects,
-    Head,
+    FunctionSummary,
     Linked,
     local_names,
     root_variable,
     union,
 )
-from shadercache.analysis.liveness import exposed_in, overwritten_in
+from shadercache.analysis.liveness import live_at_entry, overwritten_in
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.walk import children, walk
@@ -83,11 +83,21 @@ class EffectTable:
         does = inside.does & ~(Does.RETURN | Does.JUMP)
         effects = Effects(inside.reads - own, inside.writes - own, does)
         params = tuple((item.writes_back, item.type, item.dims) for item in function.proto.params)
-        head = Head(
-            effects, exposed_in(function, self) - own, overwritten_in(function, self) - own, params
+        head = FunctionSummary(
+            effects,
+            live_at_entry(function, self) - own,
+            overwritten_in(function, self) - own,
+            params,
         )
-        heads: dict[object, Head] = self._memo.table("heads of functions")
-        key = (effects.reads, effects.writes, head.exposed, head.overwritten, does.value, params)
+        heads: dict[object, FunctionSummary] = self._memo.table("heads of functions")
+        key = (
+            effects.reads,
+            effects.writes,
+            head.live_at_entry,
+            head.overwritten,
+            does.value,
+            params,
+        )
         return Linked(function, own | inside.writes, heads.setdefault(key, head))
 
     def _callees(self, function: n.FunctionDef) -> tuple[str, ...]:

@@ -62,11 +62,11 @@ def root_variable(target: n.Expr) -> str | None:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Head:
+class FunctionSummary:
     """What a caller has to know of a function. Equal ones are one and the same object."""
 
     effects: Effects
-    exposed: frozenset[str]
+    live_at_entry: frozenset[str]
     """Variables of its callers that it may read before it overwrites them."""
     overwritten: frozenset[str]
     """Variables of its callers that it overwrites wholly, wherever it returns."""
@@ -85,7 +85,7 @@ class Linked:
     function: n.FunctionDef
     names: frozenset[str]
     """What it declares or writes: variables of other names are the same before and behind it."""
-    head: Head
+    head: FunctionSummary
 
 
 def local_names(function: n.FunctionDef) -> frozenset[str]:

@@ -40,13 +40,15 @@ def reads_of(node: n.Node, table: Summaries) -> frozenset[str]:
         return table.of(node).reads
     match node:
         case n.Call(name=name, args=args) if name in table.functions:
-            return table.linked(name).head.exposed.union(*(reads_of(arg, table) for arg in args))
+            return table.linked(name).head.live_at_entry.union(
+                *(reads_of(arg, table) for arg in args)
+            )
         case n.Assign(op="=", target=n.Name(), value=value):
             return reads_of(value, table)
     return _NONE.union(*(reads_of(part, table) for part in children(node)))
 
 
-def exposed_in(function: n.FunctionDef, table: Summaries) -> frozenset[str]:
+def live_at_entry(function: n.FunctionDef, table: Summaries) -> frozenset[str]:
     """Variables that a function may read before it overwrites them."""
     return _before_all(function.body.body, _NONE, table)
 

@@ -78,7 +78,7 @@ def _all_flows(table: EffectTable, memo: Memo | None) -> list[_Flows]:
         linked = table.linked(name)
         flows = kept.get(linked)
         if flows is None:
-            flows = kept[linked] = _Walker(linked.function, table).flows
+            flows = kept[linked] = _FlowWalker(linked.function, table).flows
         found.append(flows)
     return found
 
@@ -96,7 +96,7 @@ def _reached(every: list[_Flows], names: Iterable[str]) -> set[str]:
     return found
 
 
-class _Walker:
+class _FlowWalker:
     """Collects the flows of one function."""
 
     def __init__(self, function: n.FunctionDef, table: EffectTable) -> None:

@@ -19,7 +19,7 @@ Names: TypeAlias = frozenset[str]
 
 
 @dataclass(frozen=True, slots=True)
-class Context:
+class Demand:
     """What is live where a function ends, and whether what it returns is wanted."""
 
     at_exit: Names
@@ -36,14 +36,14 @@ class Walked:
 
     cost: float
     reads: Names
-    asked: Context | None = None
+    asked: Demand | None = None
     again: bool = False
 
 
 Cut: TypeAlias = "n.Expr | Instance"
 """A node, or the instance that a cut call leads to."""
 
-Walk: TypeAlias = Callable[[Instance, Cut, Context, "Walked | None"], Walked]
+Walk: TypeAlias = Callable[[Instance, Cut, Demand, "Walked | None"], Walked]
 """Walks a function with one cut; a cut call needs what is given."""
 
 _PROBE = Walked(0.0, frozenset())
@@ -52,10 +52,10 @@ _PROBE = Walked(0.0, frozenset())
 class PathCosts:
     """Costs of the whole shader, cut at one node at a time."""
 
-    def __init__(self, top: Context, walk: Walk, mentioned: Callable[[Instance], Names]) -> None:
+    def __init__(self, top: Demand, walk: Walk, mentioned: Callable[[Instance], Names]) -> None:
         self._top, self._walk, self._mentioned = top, walk, mentioned
         self._apart: dict[Instance, bool] = {}
-        self._contexts: dict[Instance, Context | None] = {}
+        self._contexts: dict[Instance, Demand | None] = {}
         self._walked: dict[Hashable, Walked] = {}
         self._above: dict[Hashable, float] = {}
 
@@ -90,7 +90,7 @@ class PathCosts:
             above = self._above[key] = self._whole(instance.parent, outer) - cost
         return above + cost
 
-    def _context(self, instance: Instance) -> Context | None:
+    def _context(self, instance: Instance) -> Demand | None:
         """The context of an instance; ``None`` where its call is not evaluated."""
         if instance.parent is None:
             return self._top
@@ -106,13 +106,13 @@ class PathCosts:
         # What the function does not mention stays live all through it.
         names = self._mentioned(instance)
         past = context.at_exit - names
-        near = Context(context.at_exit & names, context.returns)
+        near = Demand(context.at_exit & names, context.returns)
         found = self._near(instance, cut, near, given)
-        asked = found.asked and Context(found.asked.at_exit | past, found.asked.returns)
+        asked = found.asked and Demand(found.asked.at_exit | past, found.asked.returns)
         cost = found.cost + (0.0 if given is None or asked is None else given.cost)
         return Walked(cost, found.reads | past, asked, found.again)
 
-    def _near(self, instance: Instance, cut: Cut, context: Context, given: Walked | None) -> Walked:
+    def _near(self, instance: Instance, cut: Cut, context: Demand, given: Walked | None) -> Walked:
         """The walk of a function, with the cost of what is given taken off."""
         place = cut.call if isinstance(cut, Instance) else cut
         function = instance.places.function

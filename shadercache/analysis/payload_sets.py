@@ -9,8 +9,8 @@ from shadercache.analysis.call_paths import Instance, Use
 from shadercache.analysis.candidates import FIRST_TEXEL, SECOND_TEXEL, Candidate
 from shadercache.analysis.cost import FETCH
 from shadercache.analysis.effects import Does
-from shadercache.analysis.shared_work import OverlapTable
-from shadercache.analysis.value_numbering import Group
+from shadercache.analysis.shared_work import SharedWorkTable
+from shadercache.analysis.value_numbering import ValueGroup
 from shadercache.diagnostics import Diagnostic, InputError, Severity, shortened
 from shadercache.source import Source
 
@@ -18,7 +18,7 @@ CHANNELS = FIRST_TEXEL + SECOND_TEXEL
 
 
 def check_set(
-    nodes: Sequence[Candidate], groups: Mapping[Candidate, Group], source: Source
+    nodes: Sequence[Candidate], groups: Mapping[Candidate, ValueGroup], source: Source
 ) -> None:
     """Raise :class:`InputError` where nodes, each of which may be cached, cannot be so together.
 
@@ -69,7 +69,7 @@ def notes_on(nodes: Sequence[Candidate], source: Source) -> tuple[Diagnostic, ..
 
 
 def companion(
-    nodes: Sequence[Candidate], groups: Mapping[Candidate, Group], overlaps: OverlapTable
+    nodes: Sequence[Candidate], groups: Mapping[Candidate, ValueGroup], overlaps: SharedWorkTable
 ) -> Candidate | None:
     """What to cache along with ``nodes`` so that both passes compute the least twice.
 
@@ -92,7 +92,7 @@ def companion(
 
 
 def note_on_overlap(
-    nodes: Sequence[Candidate], other: Candidate, overlaps: OverlapTable, source: Source
+    nodes: Sequence[Candidate], other: Candidate, overlaps: SharedWorkTable, source: Source
 ) -> Diagnostic:
     """SC423: what both passes compute, and what caching another value along leaves of it."""
     now, then = overlaps.parts(nodes), overlaps.parts((*nodes, other))
@@ -110,7 +110,7 @@ def is_skipped(node: Candidate) -> bool:
     at: Instance | None = node.instance
     place = node.place
     while at is not None and place is not None:
-        before = at.places.spine.steps[: place.step.index]
+        before = at.places.reaching.steps[: place.step.index]
         if place.use is Use.BRANCH or any(step.effects.does & Does.RETURN for step in before):
             return True
         place, at = at.place, at.parent

@@ -1,9 +1,9 @@
 """The statements of a function that every call executes, in order, and who defines what they read.
 
-The *spine* of a function is the list of its unconditional statements, nested plain blocks
-flattened. A conditional, a loop or a ``switch`` is one step, taken as a whole: it may write what
-any statement inside it writes. Values that are cached are computed on the spine, so this simple
-form of reaching definitions is exact where it matters and safe elsewhere.
+These are its unconditional statements, nested plain blocks flattened. A conditional, a loop or a
+``switch`` is one step, taken as a whole: it may write what any statement inside it writes. Values
+that are cached are computed here, so this simple form of reaching definitions is exact where it
+matters and safe elsewhere.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ class Step:
         return isinstance(self.stmt, CONTROL)
 
 
-class Spine:
+class ReachingDefinitions:
     """The steps of one function, and the definitions that reach each of them."""
 
     def __init__(self, function: n.FunctionDef, table: EffectTable) -> None:

@@ -26,7 +26,7 @@ from shadercache.analysis.cost import UNKNOWN_TRIPS, CostTable
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.effects import Does
 from shadercache.analysis.liveness import overwritten_by
-from shadercache.analysis.path_costs import Context, Cut, PathCosts, Walked
+from shadercache.analysis.path_costs import Cut, Demand, PathCosts, Walked
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import EXPRESSIONS, children
 
@@ -73,7 +73,7 @@ class _Need:
 _NOTHING = _Need(0.0, _NONE)
 
 
-class OverlapTable:
+class SharedWorkTable:
     """Splits one shader at any of its nodes."""
 
     def __init__(
@@ -84,8 +84,8 @@ class OverlapTable:
         self._parents: dict[n.FunctionDef, dict[n.Node, n.Node]] = {}
         self._mentions: dict[n.FunctionDef, _Names] = {}
         self.whole = self._cost((), goal=False)
-        self._payloads = self._paths(Context(_NONE, False), goal=True)
-        self._remainders = self._paths(Context(self._outputs, True), goal=False)
+        self._payloads = self._paths(Demand(_NONE, False), goal=True)
+        self._remainders = self._paths(Demand(self._outputs, True), goal=False)
 
     def parts(self, nodes: Sequence[Candidate]) -> Parts:
         """The costs of both passes where the values of ``nodes`` are cached together."""
@@ -100,11 +100,11 @@ class OverlapTable:
         """The same, by walking the whole shader with all its cuts."""
         return Parts(self._cost(nodes, goal=True), self._cost(nodes, goal=False), self.whole)
 
-    def _paths(self, top: Context, goal: bool) -> PathCosts:
+    def _paths(self, top: Demand, goal: bool) -> PathCosts:
         return PathCosts(top, partial(self._walk, goal), self._mentioned)
 
     def _walk(
-        self, goal: bool, instance: Instance, cut: Cut, context: Context, given: Walked | None
+        self, goal: bool, instance: Instance, cut: Cut, context: Demand, given: Walked | None
     ) -> Walked:
         """One function, with one cut in it."""
         function, cuts = instance.places.function, _Cuts()
@@ -115,7 +115,9 @@ class OverlapTable:
             cuts.below[place] = (cut, _Cuts())
         else:
             cuts.here.add(place)
-        walker = _Level(self._table, self._costs, goal, cuts, context.at_exit, context.returns)
+        walker = _OneLevelWalker(
+            self._table, self._costs, goal, cuts, context.at_exit, context.returns
+        )
         walker.given = _NOTHING if given is None else _Need(given.cost, given.reads)
         live = walker.block(function.body.body, context.at_exit)
         return Walked(walker.cost, live, walker.asked, walker.again)
@@ -125,12 +127,12 @@ class OverlapTable:
         function = instance.places.function
         if function not in self._mentions:
             effects = self._table.of(function.body)
-            names = instance.places.spine.local_names
+            names = instance.places.reaching.local_names
             self._mentions[function] = names | effects.reads | effects.writes
         return self._mentions[function]
 
     def _cost(self, nodes: Iterable[Candidate], goal: bool) -> float:
-        walker = _Walker(self._table, self._costs, goal)
+        walker = _NeedWalker(self._table, self._costs, goal)
         at_exit = _NONE if goal else self._outputs
         return walker.function(self._main, self._sorted(nodes), at_exit, not goal).cost
 
@@ -175,7 +177,7 @@ def _parents(root: n.Node) -> dict[n.Node, n.Node]:
 
 
 @dataclass(slots=True)
-class _Walker:
+class _NeedWalker:
     """Backward through the functions on the paths to some nodes.
 
     ``goal``: for the values of the nodes; else for what is left where these are given.
@@ -198,7 +200,7 @@ class _Walker:
 
     def function(self, instance: Instance, cuts: _Cuts, at_exit: _Names, returns: bool) -> _Need:
         """What a function needs: its cost, and which parameters and globals it reads."""
-        inner = _Walker(self.table, self.costs, self.goal, cuts, at_exit, returns)
+        inner = _NeedWalker(self.table, self.costs, self.goal, cuts, at_exit, returns)
         live = inner.block(instance.places.function.body.body, at_exit)
         return _Need(inner.cost, live)
 
@@ -348,16 +350,16 @@ class _Walker:
 
 
 @dataclass(slots=True)
-class _Level(_Walker):
+class _OneLevelWalker(_NeedWalker):
     """Stays in one function: what a call on the path needs is given."""
 
     given: _Need = _NOTHING
-    asked: Context | None = None
+    asked: Demand | None = None
     """The context of that call, once somebody has asked for it."""
     again: bool = False
 
     def function(self, instance: Instance, cuts: _Cuts, at_exit: _Names, returns: bool) -> _Need:
         """What is given."""
         self.again = self.asked is not None
-        self.asked = Context(at_exit, returns)
+        self.asked = Demand(at_exit, returns)
         return self.given

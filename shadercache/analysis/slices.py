@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from itertools import compress
 
 from shadercache.analysis.call_paths import Instance, Place
-from shadercache.analysis.control_dependence import Flow, Inside
+from shadercache.analysis.control_dependence import ControlDependence, Flow
 from shadercache.analysis.cost import CostTable
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.effects import Does
@@ -67,7 +67,7 @@ class SliceTable:
         self._params: dict[tuple[Instance, str], Slice] = {}
         self._of_globals: dict[str, Slice] = {}
         self._steps: dict[Instance, list[Slice]] = {}
-        self._insides: dict[n.Stmt, Inside] = {}
+        self._dependences: dict[n.Stmt, ControlDependence] = {}
         self._reaching: dict[tuple[Instance, str], list[tuple[Slice, bool]]] = {}
         self.step_bits: dict[Instance, list[int]] = {}
         self.argument_bits: dict[tuple[Instance, str], int] = {}
@@ -90,7 +90,7 @@ class SliceTable:
         step = place.step
         if not step.is_control:
             return self.before(instance, step.index, place.expr)
-        flow = self.inside(step.stmt).into_value(place.expr)
+        flow = self.dependence(step.stmt).into_value(place.expr)
         return self.flow(instance, step.index, flow) | self.before(instance, step.index, place.expr)
 
     def flow(self, instance: Instance, step: int, flow: Flow) -> Slice:
@@ -100,11 +100,11 @@ class SliceTable:
             found = found | Slice(0, self.leaf_bit(DERIVATIVE))
         return found
 
-    def inside(self, stmt: n.Stmt) -> Inside:
+    def dependence(self, stmt: n.Stmt) -> ControlDependence:
         """The parts of a step."""
-        found = self._insides.get(stmt)
+        found = self._dependences.get(stmt)
         if found is None:
-            found = self._insides[stmt] = Inside(stmt, self._table)
+            found = self._dependences[stmt] = ControlDependence(stmt, self._table)
         return found
 
     def step(self, instance: Instance, index: int) -> Slice:
@@ -176,11 +176,11 @@ class SliceTable:
 
     def _into_argument(self, instance: Instance, arg: n.Expr) -> Flow:
         assert instance.place is not None
-        return self.inside(instance.place.step.stmt).into_value(arg)
+        return self.dependence(instance.place.step.stmt).into_value(arg)
 
     def _into_global(self, instance: Instance, name: str) -> Flow:
         assert instance.place is not None and instance.call is not None
-        return self.inside(instance.place.step.stmt).into_global(instance.call, name)
+        return self.dependence(instance.place.step.stmt).into_global(instance.call, name)
 
     def _found_in(self, instance: Instance, name: str) -> Slice:
         """What a function finds in a global when it is called."""
@@ -197,7 +197,7 @@ class SliceTable:
     def _fill(self, instance: Instance) -> None:
         slices = self._steps[instance] = []
         bits = self.step_bits[instance] = []
-        for step in instance.places.spine.steps:
+        for step in instance.places.reaching.steps:
             bit = self._new_atom(self._cost.of(step.stmt))
             bits.append(bit)
             slices.append(self.before(instance, step.index, step.stmt) | Slice(bit))
@@ -221,7 +221,7 @@ class SliceTable:
 
         And whether the value at the function's entry may still be there.
         """
-        writes = instance.places.spine.writes(name)
+        writes = instance.places.reaching.writes(name)
         count = bisect_left(writes, (step, False))
         # Behind each write: what those up to it depend on, from the last on that leaves nothing.
         known = self._reaching.setdefault((instance, name), [(NOTHING, True)])

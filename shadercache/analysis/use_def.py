@@ -1,7 +1,7 @@
 """Which expression gave a variable the value that it has at a point of the program.
 
 Only where there is exactly one: the last write before is a declaration or a plain assignment of the
-whole variable on the spine, or the variable is a parameter that nothing has written yet::
+whole variable under no condition, or the variable is a parameter that nothing has written yet::
 
     float a = wave(p);      // a is wave(p)
     float b = a;            // b is a, is wave(p)
@@ -60,7 +60,7 @@ class Definitions:
         moves = step.is_control or order_matters(step.stmt, self._table)
         if name in step.effects.writes and moves:
             return None
-        return bisect_left(instance.places.spine.writes(name), (step.index, False))
+        return bisect_left(instance.places.reaching.writes(name), (step.index, False))
 
     def of(self, instance: Instance, step: Step, name: str) -> Definition | None:
         """What gave ``name`` its value, as read at ``step``; ``None`` if that is not one thing."""
@@ -69,12 +69,12 @@ class Definitions:
             return None
         if version == 0:
             return self._argument(instance, name)
-        index, kills = instance.places.spine.writes(name)[version - 1]
-        return self._assigned(instance, instance.places.spine.steps[index]) if kills else None
+        index, kills = instance.places.reaching.writes(name)[version - 1]
+        return self._assigned(instance, instance.places.reaching.steps[index]) if kills else None
 
     def result(self, instance: Instance) -> Definition | None:
         """The expression that a call returns, where it always is the same one."""
-        steps = instance.places.spine.steps
+        steps = instance.places.reaching.steps
         if not steps or steps[-1].after_exit:
             return None
         match steps[-1].stmt:
@@ -95,7 +95,9 @@ class Definitions:
             return None
         found: dict[n.Expr, n.Expr] = {}
         for part in expressions(expr):
-            is_local = isinstance(part, n.Name) and part.name in instance.places.spine.local_names
+            is_local = (
+                isinstance(part, n.Name) and part.name in instance.places.reaching.local_names
+            )
             if is_local or isinstance(part, n.Call):
                 value = self._replacement(instance, step, part, depth - 1)
                 if value is not None:

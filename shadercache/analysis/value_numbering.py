@@ -25,7 +25,7 @@ from shadercache.sema.facts import Facts
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Group:
+class ValueGroup:
     """Nodes of one value. ``first`` stands for them: the first that is offered, if any is; the one
     to cache where one of the group is wanted."""
 
@@ -38,27 +38,27 @@ class Group:
         object.__setattr__(self, "first", first)
 
 
-def find_groups(
+def number_values(
     module: n.Module, facts: Facts, table: EffectTable, candidates: Candidates
-) -> Mapping[Candidate, Group]:
+) -> Mapping[Candidate, ValueGroup]:
     """The group of every node; the nodes of a group stand in their own order.
 
     ``module`` is the one that the candidates were found in.
     """
-    numbers = _Numbers(module, facts, table, candidates.instances)
+    numbers = _ValueNumbering(module, facts, table, candidates.instances)
     members: dict[Hashable, list[Candidate]] = {}
     for node in candidates.nodes:
         members.setdefault(numbers.of(node), []).append(node)
-    groups = (Group(tuple(nodes)) for nodes in members.values())
+    groups = (ValueGroup(tuple(nodes)) for nodes in members.values())
     return {node: group for group in groups for node in group.nodes}
 
 
 def one_of_each(
-    nodes: Iterable[Candidate], groups: Mapping[Candidate, Group]
+    nodes: Iterable[Candidate], groups: Mapping[Candidate, ValueGroup]
 ) -> dict[Candidate, int]:
     """The first of the given nodes of each group, with how many of its group were given."""
-    counts: dict[Group, int] = {}
-    chosen: dict[Group, Candidate] = {}
+    counts: dict[ValueGroup, int] = {}
+    chosen: dict[ValueGroup, Candidate] = {}
     for node in nodes:
         group = groups[node]
         chosen.setdefault(group, node)
@@ -66,7 +66,7 @@ def one_of_each(
     return {node: counts[group] for group, node in chosen.items()}
 
 
-class _Numbers:
+class _ValueNumbering:
     """Numbers every expression of every instance, operands before what they are operands of."""
 
     def __init__(
@@ -121,7 +121,7 @@ class _Numbers:
         return self._new((*_shape(expr), self._type(expr), *self._below(instance, expr)))
 
     def _name(self, instance: Instance, place: Place, name: str) -> int:
-        if name not in instance.places.spine.local_names:
+        if name not in instance.places.reaching.local_names:
             alone = (instance, place.expr)
             return self._new(alone if name in self._mutable else ("global", name))
         found = self._definitions.of(instance, place.step, name)

@@ -31,7 +31,7 @@ from shadercache.emit.printer import print_module
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.sema.facts import Stage
 from shadercache.transform.make_precise import make_precise
-from shadercache.transform.opaque_arguments import hide_arguments
+from shadercache.transform.opaque_arguments import make_arguments_opaque
 from shadercache.transform.opaque_varyings import hide_uniform_varyings
 from shadercache.transform.state_precisions import with_precisions
 from shadercache.transform.write_out_matrices import write_out_matrices
@@ -98,7 +98,7 @@ def emit_programs(
         color=program.color,
     )
     about = ", ".join(f"node {node.id}" for node in nodes)
-    write = _Writer(made, vertex, configurations[0].mode, about)
+    write = _ProgramWriter(made, vertex, configurations[0].mode, about)
     made.original = write.original(program)
     made.debug = write.add(_HIT_MASK, emitter.made(FragmentEmitter.hit_mask))
     made.payload = write.add(_PAYLOAD, emitter.made(FragmentEmitter.payload_alone))
@@ -144,7 +144,7 @@ def _emitter(
 def emit_original(program: FragmentProgram, vertex: VertexEmitter, mode: Mode) -> ProgramSet:
     """The user's shaders themselves, printed: what variants are compared with."""
     made = ProgramSet(prefix=program.prefix, color=program.color)
-    write = _Writer(made, vertex, mode, "unchanged")
+    write = _ProgramWriter(made, vertex, mode, "unchanged")
     made.original = write.original(program)
     return made
 
@@ -158,14 +158,14 @@ def emit_needed(
     """The program that tells which pixels have payloads of the nodes, and which of them are fit."""
     emitter = _emitter(program, nodes, configuration)
     made = ProgramSet(prefix=program.prefix, color=program.color)
-    write = _Writer(made, vertex, configuration.mode, "what has its payloads")
+    write = _ProgramWriter(made, vertex, configuration.mode, "what has its payloads")
     made.debug = write.add(_NEEDED, emitter.made(FragmentEmitter.needed))
     made.whole = emitter.whole
     return made
 
 
 @dataclass(frozen=True, slots=True)
-class _Writer:
+class _ProgramWriter:
     """Prints shaders into a program set."""
 
     made: ProgramSet
@@ -211,7 +211,7 @@ class _Writer:
         module = with_precisions(shader.module, memo)
         if self.mode == "proof":
             if stage == "fragment":
-                module = hide_arguments(module, memo)
+                module = make_arguments_opaque(module, memo)
             else:
                 module = hide_uniform_varyings(module, self.vertex.prefix, memo)
             module = write_out_matrices(module, self.vertex.prefix, stage, memo)

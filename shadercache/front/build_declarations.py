@@ -24,7 +24,7 @@ from shadercache.ast.nodes import (
     VarDecl,
 )
 from shadercache.front.build_expressions import Dim, ExpressionBuilder
-from shadercache.front.tokens import Scopes, Token, TokenStream
+from shadercache.front.tokens import Token, TokenStream, TypeScopes
 from shadercache.lang.words import PRECISIONS
 from shadercache.source import Span
 
@@ -38,7 +38,7 @@ class FullType(NamedTuple):
     type: TypeSpec
 
 
-class Layout(NamedTuple):
+class LayoutWords(NamedTuple):
     """``layout(...)`` among the qualifiers."""
 
     start: int
@@ -46,7 +46,7 @@ class Layout(NamedTuple):
     items: list[LayoutItem]
 
 
-class Head(NamedTuple):
+class DeclaredHead(NamedTuple):
     """What precedes the fields of a block or struct, or the parameters of a function."""
 
     start: int
@@ -62,7 +62,7 @@ def _sizes(dims: list[Dim]) -> Dims:
 def _qualifiers(parts: list[Any]) -> Qualifiers:
     """The node for a list of qualifier words and layouts."""
     words = tuple(part.text for part in parts if isinstance(part, Token))
-    layouts = [part.items for part in parts if isinstance(part, Layout)]
+    layouts = [part.items for part in parts if isinstance(part, LayoutWords)]
     layout = tuple(item for items in layouts for item in items) if layouts else None
     return Qualifiers(Span(parts[0].start, parts[-1].end), words, layout)
 
@@ -78,13 +78,13 @@ class DeclarationBuilder(ExpressionBuilder):
     def end(self) -> None:
         """Let go of the file."""
         super().end()
-        self._scopes = Scopes()
+        self._scopes = TypeScopes()
 
     # --- qualifiers and types
 
-    def layout(self, parts: list[Any]) -> Layout:
+    def layout(self, parts: list[Any]) -> LayoutWords:
         """``layout(items)``."""
-        return Layout(parts[0].start, parts[3].end, parts[2])
+        return LayoutWords(parts[0].start, parts[3].end, parts[2])
 
     def layout_item(self, parts: list[Any]) -> LayoutItem:
         """``name`` or ``name = value``."""
@@ -123,12 +123,12 @@ class DeclarationBuilder(ExpressionBuilder):
             start, end, name, struct = what.start, what.end, what.text, None
         return TypeSpec(Span(start, dims[-1].end if dims else end), name, _sizes(dims), struct)
 
-    def struct_open(self, parts: list[Token]) -> Head:
+    def struct_open(self, parts: list[Token]) -> DeclaredHead:
         """``struct Name {``: from here on the name is a type."""
         name = parts[1].text if len(parts) == 3 else ""
         if name:
             self._scopes.declare_type(name)
-        return Head(parts[0].start, NO_QUALIFIERS, name)
+        return DeclaredHead(parts[0].start, NO_QUALIFIERS, name)
 
     def struct_def(self, parts: list[Any]) -> StructDef:
         """A struct with its fields."""
@@ -223,10 +223,10 @@ class DeclarationBuilder(ExpressionBuilder):
             self._refuse("SC103", message, Span(name.start, name.end))
         return QualifierDecl(Span(qualifiers.span.start, parts[-1].end), qualifiers, names)
 
-    def block_head(self, parts: list[Any]) -> Head:
+    def block_head(self, parts: list[Any]) -> DeclaredHead:
         """``uniform Name {``."""
         qualifiers = _qualifiers(parts[0])
-        return Head(qualifiers.span.start, qualifiers, parts[1].text)
+        return DeclaredHead(qualifiers.span.start, qualifiers, parts[1].text)
 
     def block_decl(self, parts: list[Any]) -> BlockDecl:
         """An interface block; without an instance its fields are variables outside it too."""
@@ -252,12 +252,12 @@ class DeclarationBuilder(ExpressionBuilder):
         text = name.text if name else None
         return Param(Span(full.start, end), full.qualifiers, full.type, text, _sizes(dims))
 
-    def proto_open(self, parts: list[Any]) -> Head:
+    def proto_open(self, parts: list[Any]) -> DeclaredHead:
         """``type name(``: the parameters have a scope together with the body."""
         full, name, _ = parts
         self._scopes.declare_variable(name.text)
         self._scopes.open()
-        return Head(full.start, full.qualifiers, name.text, full.type)
+        return DeclaredHead(full.start, full.qualifiers, name.text, full.type)
 
     def proto(self, parts: list[Any]) -> FunctionProto:
         """The head of a function."""

@@ -15,9 +15,9 @@ from lark.exceptions import UnexpectedToken
 from shadercache.ast.nodes import FunctionProto
 from shadercache.diagnostics import Diagnostic
 from shadercache.front import other_languages as foreign
-from shadercache.front.build_declarations import FullType, Head
+from shadercache.front.build_declarations import DeclaredHead, FullType
 from shadercache.front.preprocess import is_word
-from shadercache.front.tokens import Language, Token, TokenStream
+from shadercache.front.tokens import Edition, Token, TokenStream
 from shadercache.front.unexpected import CLOSERS, PAIRS, Unexpected, gather
 from shadercache.lang import unsupported
 from shadercache.lang.words import STATEMENT_WORDS, keyword_since, keywords, type_names
@@ -77,7 +77,7 @@ def _reserved_hint(mistake: Unexpected) -> str:
     return instead or _needs(mistake.text, mistake.language) or "choose another name"
 
 
-def _needs(word: str, language: Language) -> str | None:
+def _needs(word: str, language: Edition) -> str | None:
     """The hint which version a word needs; ``None`` where no later one has it."""
     since = keyword_since(word, language.es)
     if since is None or since <= language.version:
@@ -228,7 +228,7 @@ def _construct(mistake: Unexpected) -> str:
     for value in reversed(mistake.values):
         if isinstance(value, Token) and value.type in _JUMPS:
             return f"'{_JUMPS[value.type]}'"
-        if isinstance(value, Head) and value.type is None:
+        if isinstance(value, DeclaredHead) and value.type is None:
             return "the block"
         if isinstance(value, FullType) or (isinstance(value, tuple) and _is_declaration(value)):
             return "declaration"

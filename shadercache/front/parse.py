@@ -22,7 +22,7 @@ from shadercache.front.preprocess import (
     preprocess_broken,
 )
 from shadercache.front.read_options import DEFAULTS, ReadOptions
-from shadercache.front.recovery import beginnings
+from shadercache.front.recovery import recoverable_beginnings
 from shadercache.front.webgl import WEBGL, is_webgl
 from shadercache.source import Source, Span
 
@@ -73,7 +73,7 @@ def parse_before(source: Source, options: ReadOptions, offset: int) -> Module | 
     host = host_of(source, options.dialect)
     prepared = preprocess_broken(source, options, _default(source, options, host))[0]
     whole = without_attributes(prepared.lexemes, prepared.directives)
-    for lexemes, own in beginnings(whole, offset):
+    for lexemes, own in recoverable_beginnings(whole, offset):
         if host is not None:
             own -= len(lexemes.texts) + len(host.main)
             lexemes = host.surround(lexemes, len(source.text))
@@ -109,10 +109,10 @@ def _decls(source: Source, prepared: Preprocessed, lexemes: Lexemes, own: int) -
     from lark.exceptions import UnexpectedToken
 
     from shadercache.front.grammar import load_parser
-    from shadercache.front.tokens import Language, TokenStream, enabled_extensions
+    from shadercache.front.tokens import Edition, TokenStream, enabled_extensions
 
     extensions = enabled_extensions(directive.text for directive in prepared.directives)
-    language = Language(prepared.version, prepared.profile == "es", extensions)
+    language = Edition(prepared.version, prepared.profile == "es", extensions)
     stream = TokenStream(source, language, lexemes)
     lark, builder = load_parser()
     builder.begin(stream)

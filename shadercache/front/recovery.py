@@ -20,7 +20,7 @@ from shadercache.front.preprocess import Lexemes
 _PAIRS = {")": "(", "]": "[", "}": "{"}
 
 
-def beginnings(lexemes: Lexemes, offset: int) -> Iterator[tuple[Lexemes, int]]:
+def recoverable_beginnings(lexemes: Lexemes, offset: int) -> Iterator[tuple[Lexemes, int]]:
     """Beginnings of a text that end before an offset, the longest first, with their lengths.
 
     The first ends behind the last ``;``, ``{`` or ``}`` of a block, and behind that length has as

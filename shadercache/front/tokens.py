@@ -28,7 +28,7 @@ _CHECK_EVERY = 500
 _OPERATORS = frozenset(("SIGN", "PREFIX", "STEP", "EQUAL", "ASSIGN", "QMARK", "COLON"))
 
 
-class Language(NamedTuple):
+class Edition(NamedTuple):
     """Which GLSL a file is written in: version, embedded or not, extensions that are on."""
 
     version: int
@@ -76,7 +76,7 @@ class Token:
         self.end = end
 
 
-class Scopes:
+class TypeScopes:
     """Which names are types in the scopes that are open, innermost last.
 
     ``types`` has all names that ever were a type's; ``pending`` is the token in the parser's hand.
@@ -123,11 +123,11 @@ class Scopes:
 class TokenStream:
     """What is parsed: the lexemes of one file, and the scopes that the parser keeps for it."""
 
-    def __init__(self, source: Source, language: Language, lexemes: Lexemes) -> None:
+    def __init__(self, source: Source, language: Edition, lexemes: Lexemes) -> None:
         self.source = source
         self.language = language
         self.lexemes = lexemes
-        self.scopes = Scopes()
+        self.scopes = TypeScopes()
         self.index = -1
 
     def error(self, code: str, message: str, hint: str | None = None) -> InputError:
@@ -147,7 +147,7 @@ class TokenLexer(Lexer):
             for term in lexer_conf.terminals
             if term.pattern is not None and term.pattern.type == "str"
         }
-        self._kinds: dict[Language, dict[str, str]] = {}
+        self._kinds: dict[Edition, dict[str, str]] = {}
 
     def lex(self, lexer_state: LexerState, parser_state: ParserState[int]) -> Iterator[Any]:
         """The tokens of a stream, each made when the parser asks for it."""
@@ -174,7 +174,7 @@ class TokenLexer(Lexer):
             scopes.pending = token
             yield token
 
-    def _kinds_of(self, language: Language) -> dict[str, str]:
+    def _kinds_of(self, language: Edition) -> dict[str, str]:
         """The terminals of all words and signs that a language has."""
         kinds = self._kinds.get(language)
         if kinds is None:
@@ -188,7 +188,7 @@ class TokenLexer(Lexer):
         return kinds
 
 
-def _name_kind(text: str, scopes: Scopes, acceptable: Container[str]) -> str:
+def _name_kind(text: str, scopes: TypeScopes, acceptable: Container[str]) -> str:
     """What a name is that some struct has. Where only one kind may stand it is that kind."""
     if "TYPE_NAME" not in acceptable:
         return "NAME"
@@ -205,7 +205,7 @@ def _check_operators(values: list[Any], stream: TokenStream) -> None:
         raise stream.error("SC105", f"more than {MAX_OPERATORS} operators nest here")
 
 
-def _word_kinds(language: Language) -> dict[str, str]:
+def _word_kinds(language: Edition) -> dict[str, str]:
     """The terminals of the words and operators that the grammar does not spell out."""
     return {
         **dict.fromkeys(words.reserved_words(*language), "RESERVED"),

@@ -8,7 +8,7 @@ from typing import Any
 from lark.exceptions import UnexpectedToken
 
 from shadercache.diagnostics import Diagnostic
-from shadercache.front.tokens import Language, TokenStream
+from shadercache.front.tokens import Edition, TokenStream
 from shadercache.source import Source, Span
 
 PAIRS = {"(": ")", "[": "]", "{": "}"}
@@ -28,7 +28,7 @@ class Unexpected:
     """
 
     source: Source
-    language: Language
+    language: Edition
     text: str
     kind: str
     span: Span

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from shadercache.ast.nodes import BlockDecl
 from shadercache.lang.types import Type, struct_type
-from shadercache.sema.context import Context
 from shadercache.sema.facts import Kind, Symbol
+from shadercache.sema.inference_context import InferenceContext
 from shadercache.sema.storage import storage_of
 from shadercache.sema.typespecs import TypeResolver
 from shadercache.sema.variables import VariableChecker
@@ -19,7 +19,9 @@ _WRITABLE = ("buffer", "out")
 class BlockChecker:
     """Declares interface blocks: their members, or their instance names."""
 
-    def __init__(self, context: Context, types: TypeResolver, variables: VariableChecker) -> None:
+    def __init__(
+        self, context: InferenceContext, types: TypeResolver, variables: VariableChecker
+    ) -> None:
         self._context = context
         self._resolver = types
         self._variables = variables

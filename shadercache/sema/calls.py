@@ -8,7 +8,7 @@ from shadercache.ast.nodes import Call
 from shadercache.lang.builtins import Signature
 from shadercache.lang.types import Type
 from shadercache.sema.constants import Constants
-from shadercache.sema.context import Context
+from shadercache.sema.inference_context import InferenceContext
 from shadercache.sema.overloads import Candidate, convertible, exact_match, parameters
 from shadercache.sema.problems import ERROR
 from shadercache.sema.scopes import FunctionSet, Overload
@@ -19,7 +19,7 @@ _SHOWN = 8
 class CallChecker:
     """Resolves calls; what was found for a name and argument types is remembered."""
 
-    def __init__(self, context: Context, constants: Constants) -> None:
+    def __init__(self, context: InferenceContext, constants: Constants) -> None:
         self._context = context
         self._constants = constants
         self._visible, self._mark = context.scopes.visible, context.scopes.function_mark

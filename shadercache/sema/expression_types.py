@@ -32,9 +32,9 @@ from shadercache.lang.types import BOOL, INT, INT64, UINT, UINT64, Type, array_o
 from shadercache.sema.calls import CallChecker
 from shadercache.sema.constants import SWIZZLES, Constants
 from shadercache.sema.constructors import construct_problem, is_handle
-from shadercache.sema.context import Context
 from shadercache.sema.facts import Kind, Symbol
 from shadercache.sema.fold import literal
+from shadercache.sema.inference_context import InferenceContext
 from shadercache.sema.operators import EQUALITY, INTEGER_ONLY, binary_type, unary_type
 from shadercache.sema.problems import ERROR
 
@@ -56,7 +56,7 @@ _OPERANDS: Mapping[type, Callable[[Any], tuple[Expr, ...]]] = {
 class ExpressionChecker:
     """Fills the tables of types, symbols, calls and constants for one expression at a time."""
 
-    def __init__(self, context: Context, resolve_spec: Callable[[TypeSpec], Type]) -> None:
+    def __init__(self, context: InferenceContext, resolve_spec: Callable[[TypeSpec], Type]) -> None:
         self._context = context
         self._language, self._problems = context.language, context.problems
         self._types = context.tables.types

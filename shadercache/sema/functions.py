@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from shadercache.ast.nodes import FunctionDef, FunctionProto, Param
 from shadercache.lang.types import Type
-from shadercache.sema.context import Context
 from shadercache.sema.facts import Symbol
+from shadercache.sema.inference_context import InferenceContext
 from shadercache.sema.problems import ERROR
 from shadercache.sema.scopes import FunctionSet, Overload
 from shadercache.sema.typespecs import TypeResolver
@@ -14,7 +14,7 @@ from shadercache.sema.typespecs import TypeResolver
 class FunctionChecker:
     """Declares functions."""
 
-    def __init__(self, context: Context, types: TypeResolver) -> None:
+    def __init__(self, context: InferenceContext, types: TypeResolver) -> None:
         self._context = context
         self._resolver = types
 

@@ -23,9 +23,9 @@ from shadercache.ast.nodes import (
 from shadercache.lang.builtins import Signature
 from shadercache.sema.blocks import BlockChecker
 from shadercache.sema.constants import Constants
-from shadercache.sema.context import Context, Tables
 from shadercache.sema.facts import Callee, Facts, Stage
 from shadercache.sema.functions import FunctionChecker
+from shadercache.sema.inference_context import InferenceContext, Tables
 from shadercache.sema.language import Language, language_of
 from shadercache.sema.problems import Problems
 from shadercache.sema.scopes import Overload, Scopes
@@ -86,7 +86,7 @@ def infer_tables(
     language = language_of(module, stage)
     # 1.10 keeps the names of functions and of variables apart, and so do its compilers.
     scopes = Scopes(separate=language.version == 110)
-    context = Context(language, Problems(source), tables or Tables(), scopes)
+    context = InferenceContext(language, Problems(source), tables or Tables(), scopes)
     walk = _Walk(context)
     with without_collector():
         for decl in module.decls:
@@ -97,7 +97,7 @@ def infer_tables(
 class _Walk:
     """Wires the parts together."""
 
-    def __init__(self, context: Context) -> None:
+    def __init__(self, context: InferenceContext) -> None:
         types = TypeResolver(context)
         self.constants = types.expressions.constants
         self._variables = VariableChecker(context, types)

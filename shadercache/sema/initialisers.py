@@ -8,15 +8,15 @@ from __future__ import annotations
 
 from shadercache.ast.nodes import Expr, InitList
 from shadercache.lang.types import VOID, Type, array_of
-from shadercache.sema.context import Context
 from shadercache.sema.expression_types import ExpressionChecker
+from shadercache.sema.inference_context import InferenceContext
 from shadercache.sema.problems import ERROR
 
 
 class InitialiserChecker:
     """Types of initialisers."""
 
-    def __init__(self, context: Context, expressions: ExpressionChecker) -> None:
+    def __init__(self, context: InferenceContext, expressions: ExpressionChecker) -> None:
         self._context = context
         self._expressions = expressions
 

@@ -28,8 +28,8 @@ from shadercache.ast.nodes import (
     VarDecl,
     While,
 )
-from shadercache.sema.context import Context
 from shadercache.sema.functions import FunctionChecker
+from shadercache.sema.inference_context import InferenceContext
 from shadercache.sema.typespecs import TypeResolver
 from shadercache.sema.variables import VariableChecker
 
@@ -41,7 +41,7 @@ class StatementChecker:
 
     def __init__(
         self,
-        context: Context,
+        context: InferenceContext,
         types: TypeResolver,
         variables: VariableChecker,
         functions: FunctionChecker,

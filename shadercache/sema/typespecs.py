@@ -5,15 +5,15 @@ from __future__ import annotations
 from shadercache.ast.nodes import Dims, Expr, Node, Qualifiers, StructDef, TypeSpec, VarDecl
 from shadercache.lang.builtins import struct
 from shadercache.lang.types import INT, UINT, VOID, Type, array_of, builtin_type, struct_type
-from shadercache.sema.context import Context
 from shadercache.sema.expression_types import ExpressionChecker
+from shadercache.sema.inference_context import InferenceContext
 from shadercache.sema.problems import ERROR
 
 
 class TypeResolver:
     """Turns :class:`TypeSpec` into :class:`Type`, declaring the structs it defines."""
 
-    def __init__(self, context: Context) -> None:
+    def __init__(self, context: InferenceContext) -> None:
         self._context = context
         self.expressions = ExpressionChecker(context, self.resolve)
 

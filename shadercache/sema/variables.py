@@ -12,8 +12,8 @@ from shadercache.ast.nodes import (
     VarDecl,
 )
 from shadercache.lang.types import VOID, Type
-from shadercache.sema.context import Context
 from shadercache.sema.facts import Kind, Symbol
+from shadercache.sema.inference_context import InferenceContext
 from shadercache.sema.initialisers import InitialiserChecker
 from shadercache.sema.language import NEVER
 from shadercache.sema.problems import ERROR
@@ -28,7 +28,7 @@ class VariableChecker:
     """Declares variables, each after its initialiser is checked (the initialiser of ``x`` still
     sees the ``x`` outside, section 4.2.2)."""
 
-    def __init__(self, context: Context, types: TypeResolver) -> None:
+    def __init__(self, context: InferenceContext, types: TypeResolver) -> None:
         self._context = context
         self._resolver = types
         self._initialisers = InitialiserChecker(context, types.expressions)

@@ -31,13 +31,13 @@ _FIELDS = ("name", "op", "text")
 _HOLDERS = (n.Module, n.FunctionDef, n.Block, n.If, n.Switch)
 
 
-def spell_out(module: n.Module, facts: Facts) -> n.Module:
+def expand_compound_assignments(module: n.Module, facts: Facts) -> n.Module:
     """The module with compound assignments spelled out (the same module if there are none).
 
     ``facts`` are those of ``module``, which has unique names. The new expression has the place of
     the whole assignment; the assignment and its target have none, so that neither is a node.
     """
-    return _Speller(module, facts).rewrite(module)
+    return _CompoundExpander(module, facts).rewrite(module)
 
 
 def contract(module: n.Module, memo: Memo) -> n.Module:
@@ -51,14 +51,14 @@ def contract(module: n.Module, memo: Memo) -> n.Module:
     return module if same else replace(module, decls=decls)
 
 
-class _Statements(Rewriter):
+class _StatementRewriter(Rewriter):
     """Visits statements outside of loops, and nothing else."""
 
     def enter(self, node: n.Node) -> n.Node | None:
         return None if isinstance(node, (*_HOLDERS, n.ExprStmt)) else node
 
 
-class _Speller(_Statements):
+class _CompoundExpander(_StatementRewriter):
     def __init__(self, module: n.Module, facts: Facts) -> None:
         self._table = EffectTable(module)
         self._costs = CostTable(facts)
@@ -105,7 +105,7 @@ def _parts(stmt: n.ExprStmt, comma: n.Comma) -> Iterator[n.ExprStmt]:
         yield n.ExprStmt(Span(start, end), part)
 
 
-class _Contracter(_Statements):
+class _Contracter(_StatementRewriter):
     def statement(self, node: n.Stmt, original: n.Stmt) -> n.Stmt:
         match node:
             case n.ExprStmt(

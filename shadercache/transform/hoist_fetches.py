@@ -40,7 +40,7 @@ def type_ahead(fetch: n.Expr, form: FetchForm, types: Mapping[n.Expr, Type]) -> 
     return "float" if form == "level" else str(types[fetch])
 
 
-def done_ahead(fetch: n.Expr, form: FetchForm) -> n.Expr:
+def hoisted_part(fetch: n.Expr, form: FetchForm) -> n.Expr:
     """What this variable gets."""
     match form, fetch:
         case "level", n.Call(args=(sampler, at, *bias)):
@@ -52,7 +52,7 @@ def done_ahead(fetch: n.Expr, form: FetchForm) -> n.Expr:
     return fetch
 
 
-def left_over(fetch: n.Expr, form: FetchForm, name: str) -> n.Expr:
+def remaining_part(fetch: n.Expr, form: FetchForm, name: str) -> n.Expr:
     """What stands in the place of the fetch then."""
     match form, fetch:
         case "level", n.Call(span=span, args=(sampler, at, *_)):

@@ -31,7 +31,7 @@ from shadercache.transform.names import FreshNames
 from shadercache.transform.replace import replace_expressions
 
 
-def lower_choices(module: n.Module, facts: Facts) -> n.Module:
+def lower_ternaries(module: n.Module, facts: Facts) -> n.Module:
     """The module without costly choices inside expressions (the same module if there are none).
 
     ``facts`` are those of ``module``, which has unique names and one declarator to a declaration.

@@ -50,7 +50,7 @@ INEXACT = frozenset(
 _COMPARISONS = ("<", ">", "<=", ">=", "==", "!=")
 
 
-def hide_arguments(module: n.Module, memo: Memo) -> n.Module:
+def make_arguments_opaque(module: n.Module, memo: Memo) -> n.Module:
     """The module with first arguments of such functions, and zeros, that no compiler knows."""
     own = {decl.name for decl in module.decls if isinstance(decl, n.FunctionDef)}
     constants: Constants = {}
@@ -62,10 +62,12 @@ def hide_arguments(module: n.Module, memo: Memo) -> n.Module:
             if decl not in kept:
                 inner = dict(constants)
                 _add_constants(inner, (s.decl for s in walk(decl) if isinstance(s, n.DeclStmt)))
-                kept[decl] = _Hider(own, inner, known_values(decl, inner)).rewrite(decl)
+                kept[decl] = _OpaqueArguments(own, inner, known_values(decl, inner)).rewrite(decl)
             decls.append(kept[decl])
         elif isinstance(decl, n.VarDecl) and _is_variable(decl, module):
-            decls.append(_Hider(own, constants, known_values(decl, constants)).rewrite(decl))
+            decls.append(
+                _OpaqueArguments(own, constants, known_values(decl, constants)).rewrite(decl)
+            )
         else:
             decls.append(decl)
     return replace(module, decls=tuple(decls))
@@ -91,7 +93,7 @@ def _add_constants(constants: Constants, decls: Iterable[n.Node]) -> None:
             constants[item.name] = Known(is_floating(decl.type), zero, array=dims == 1)
 
 
-class _Hider(Rewriter):
+class _OpaqueArguments(Rewriter):
     def __init__(self, own: Set[str], constants: Constants, known: dict[n.Node, Known]) -> None:
         self._names = INEXACT - own
         self._constants, self._known = constants, known

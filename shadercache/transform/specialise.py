@@ -36,7 +36,7 @@ from typing import Literal, TypeAlias
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 from shadercache.source import NOWHERE
-from shadercache.transform.hoist_fetches import FetchForm, done_ahead, left_over
+from shadercache.transform.hoist_fetches import FetchForm, hoisted_part, remaining_part
 from shadercache.transform.names import FreshNames
 from shadercache.transform.replace import replace_expressions
 
@@ -135,7 +135,7 @@ class _Maker:
         ``ends``: is a clone with goals left at the last of them?
         """
         end = _find_end(function, tree) if ends and tree.has_goal else None
-        body = _Body(self.prefix, end.stmt if end else None)
+        body = _CloneBody(self.prefix, end.stmt if end else None)
         for call, below in tree.below.items():
             left = end is not None and call in end.calls
             body.renamed[call] = self.clone(self.functions[call.name], below, ends=left)
@@ -198,7 +198,7 @@ class _Moved:
 
 
 @dataclass(slots=True)
-class _Body:
+class _CloneBody:
     """Rewrites the statements of one function, up to the own statements of ``last``."""
 
     prefix: str
@@ -263,7 +263,7 @@ class _Body:
     def _rewritten(self, original: n.Expr, rebuilt: n.Expr) -> n.Expr:
         cut = self.used.get(original)
         if cut is not None:
-            return left_over(rebuilt, cut.form, cut.variable)
+            return remaining_part(rebuilt, cut.form, cut.variable)
         return self._to_clone(original, rebuilt)
 
     def _to_clone(self, original: n.Expr, rebuilt: n.Expr) -> n.Expr:
@@ -294,8 +294,8 @@ class _Body:
         )
         given = self.given.get(cut.expr)
         if given is not None:  # a fetch that was made ahead, in whole or in part
-            value = left_over(value, given.form, given.variable)
-        return [_assign(cut.variable, done_ahead(value, cut.form))]
+            value = remaining_part(value, given.form, given.variable)
+        return [_assign(cut.variable, hoisted_part(value, cut.form))]
 
     def _unless_reused(self, *stmts: n.Stmt) -> n.Stmt:
         reuse = n.Name(NOWHERE, self.prefix + "reuse")

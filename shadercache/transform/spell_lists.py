@@ -28,10 +28,10 @@ def spell_lists(module: n.Module, facts: Facts) -> n.Module:
     """
     if not any(isinstance(node, n.InitList) for node in facts.types):
         return module
-    return _Speller(module, facts).rewrite(module)
+    return _ListSpeller(module, facts).rewrite(module)
 
 
-class _Speller(Rewriter):
+class _ListSpeller(Rewriter):
     def __init__(self, module: n.Module, facts: Facts) -> None:
         self._types = facts.types
         structs = (node for node in walk(module) if isinstance(node, n.StructDef))

@@ -19,10 +19,10 @@ N = TypeVar("N", bound=n.Node)
 
 def without_places(node: N) -> N:
     """The same tree, made of nodes that stand nowhere."""
-    return replace(_Forget().rewrite(node), span=NOWHERE)
+    return replace(_SpanStripper().rewrite(node), span=NOWHERE)
 
 
-class _Forget(Rewriter):
+class _SpanStripper(Rewriter):
     def expression(self, node: n.Expr, original: n.Expr) -> n.Expr:
         return replace(node, span=NOWHERE)
 

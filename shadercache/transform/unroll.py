@@ -111,7 +111,7 @@ class _Unroller:
         for decl in self._module.decls:
             made = decl
             if isinstance(decl, n.FunctionDef):
-                made = _Statements(self, {}).rewrite(decl)
+                made = _LoopRewriter(self, {}).rewrite(decl)
                 if made is not decl:
                     self.sizes.replace(made)
             decls.append(made)
@@ -143,7 +143,7 @@ class _Unroller:
         made: list[n.Block] = []
         count = size = 0
         for own in counted:
-            inside = _Statements(self, {**around, **own}, deep)
+            inside = _LoopRewriter(self, {**around, **own}, deep)
             body = inside.rewrite(loop.body)
             stmts, leaves = _up_to_jump(body.body if isinstance(body, n.Block) else (body,))
             if any(map(_jumps, stmts)):
@@ -180,7 +180,7 @@ class _Unroller:
             yield n.DeclStmt(NOWHERE, replace(_copy(decl), declarators=(made,)))
 
 
-class _Statements(Rewriter):
+class _LoopRewriter(Rewriter):
     """Unrolls the loops of a piece of program, which stands in trips of the loops ``around`` it."""
 
     def __init__(self, unroller: _Unroller, around: Counters, deep: bool = True) -> None:

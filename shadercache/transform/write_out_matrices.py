@@ -69,7 +69,7 @@ def write_out_matrices(
     words = n.Qualifiers(NOWHERE, ("highp",)) if module.profile == "es" else n.NO_QUALIFIERS
     for name in new:
         function = table.functions[name]
-        writer = _Writer(types, prefix, helpers, words)
+        writer = _MatrixWriter(types, prefix, helpers, words)
         kept[linked[name]] = writer.rewrite(function) if types else function
     decls = [
         kept[linked[decl.name]] if isinstance(decl, n.FunctionDef) else decl
@@ -85,7 +85,7 @@ def _is_function(decl: n.Decl) -> bool:
     return isinstance(decl, n.FunctionDef | n.FunctionProto)
 
 
-class _Writer(Rewriter):
+class _MatrixWriter(Rewriter):
     def __init__(
         self, types: Types, prefix: str, helpers: dict[str, n.FunctionDef], words: n.Qualifiers
     ) -> None:

@@ -34,7 +34,7 @@ class _Inside:
 
 
 @dataclass(slots=True)
-class _Body:
+class _FunctionBody:
     subject: Subject
     result: Type
     stack: list[tuple[Stmt, _Inside]] = field(default_factory=list)
@@ -48,7 +48,7 @@ def check_control_flow(subject: Subject) -> None:
 
 
 def _check_function(function: FunctionDef, subject: Subject) -> None:
-    body = _Body(subject, subject.tables.functions[function.proto].result)
+    body = _FunctionBody(subject, subject.tables.functions[function.proto].result)
     body.stack.append((function.body, _Inside()))
     while body.stack:
         statement, inside = body.stack.pop()
@@ -58,7 +58,7 @@ def _check_function(function: FunctionDef, subject: Subject) -> None:
         subject.problems.error("SC211", message, function.proto)
 
 
-def _check_statement(node: Stmt, inside: _Inside, body: _Body) -> None:
+def _check_statement(node: Stmt, inside: _Inside, body: _FunctionBody) -> None:
     match node:
         case Block():
             nested = _Inside(inside.loop, inside.switch)
@@ -96,7 +96,7 @@ def _check_condition(condition: Expr | VarDecl | None, subject: Subject) -> None
             subject.problems.error("SC212", f"the condition is {kind}, not bool", condition)
 
 
-def _check_return(node: Return, body: _Body) -> None:
+def _check_return(node: Return, body: _FunctionBody) -> None:
     body.returns = True
     problems, wanted = body.subject.problems, body.result
     if node.value is None:

@@ -120,7 +120,7 @@ _ONLY_ON = {
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class LayoutPlace:
     """What a layout stands on.
 
     ``form`` is ``variable``, ``block``, ``member`` of a block, ``default`` for what follows, or the
@@ -137,7 +137,7 @@ class Place:
         return f"{self.form} {self.storage}"
 
 
-def word_problem(word: str, valued: bool, place: Place, language: Language) -> str | None:
+def word_problem(word: str, valued: bool, place: LayoutPlace, language: Language) -> str | None:
     """Why a layout word cannot stand where it does; ``None`` if it can."""
     if word not in SINCE:
         return f"'{word}' is no layout qualifier"
@@ -168,7 +168,7 @@ def _is_known(word: str, language: Language) -> bool:
     )
 
 
-def _wrong_type(word: str, place: Place, language: Language) -> str | None:
+def _wrong_type(word: str, place: LayoutPlace, language: Language) -> str | None:
     kind = place.type
     if kind is None or place.form != "variable" or kind.name.startswith("<"):
         return None
@@ -183,7 +183,7 @@ def _wrong_type(word: str, place: Place, language: Language) -> str | None:
     return None
 
 
-def _described(place: Place) -> str:
+def _described(place: LayoutPlace) -> str:
     storage = f"'{place.storage}'"
     forms = {
         "variable": f"{storage} variables",

@@ -17,7 +17,7 @@ from shadercache.lang.types import INT, UINT, Type
 from shadercache.sema.language import NEVER
 from shadercache.sema.problems import ERROR, did_you_mean
 from shadercache.sema.storage import of_one_vertex
-from shadercache.valid.layout_words import SINCE, Place, word_problem
+from shadercache.valid.layout_words import SINCE, LayoutPlace, word_problem
 from shadercache.valid.locations import Locations
 from shadercache.valid.member_offsets import check_member_offsets
 from shadercache.valid.subject import Subject
@@ -48,7 +48,7 @@ class _Layouts:
         self._locations = Locations(subject)
         self._defaults: dict[str, set[str]] = {"uniform": set(), "buffer": set()}
 
-    def check(self, qualifiers: Qualifiers, place: Place) -> dict[str, int]:
+    def check(self, qualifiers: Qualifiers, place: LayoutPlace) -> dict[str, int]:
         """The values by name; each is a constant integer, not negative. The last one counts."""
         values: dict[str, int] = {}
         for item in qualifiers.layout or ():
@@ -97,20 +97,22 @@ class _Layouts:
             self._variable(node, decl.qualifiers, storage)
         if not decl.declarators:
             kind = self._subject.tables.specs[decl.type]
-            self.check(decl.qualifiers, Place("variable", storage, (), kind))
+            self.check(decl.qualifiers, LayoutPlace("variable", storage, (), kind))
 
     def _variable(self, node: Declarator, qualifiers: Qualifiers, storage: str) -> None:
         kind = self._subject.tables.declared[node].type
-        values = self.check(qualifiers, Place("variable", storage, (node.name,), kind))
+        values = self.check(qualifiers, LayoutPlace("variable", storage, (node.name,), kind))
         if storage in ("in", "out", "uniform"):
             one = of_one_vertex(kind, qualifiers)
             self._locations.place(node, node.name, one, storage, values)
 
     def block(self, block: BlockDecl, storage: str) -> None:
         """The layouts of a block and of its members."""
-        own = self.check(block.qualifiers, Place("block", storage))
+        own = self.check(block.qualifiers, LayoutPlace("block", storage))
         members = [
-            self.check(decl.qualifiers, Place("member", storage, (), self._type_of(block, decl)))
+            self.check(
+                decl.qualifiers, LayoutPlace("member", storage, (), self._type_of(block, decl))
+            )
             for decl in block.fields
         ]
         self._locations.place_block(block, storage, own.get("location"), members)
@@ -131,7 +133,7 @@ class _Layouts:
 
     def default(self, qualifiers: Qualifiers, storage: str) -> None:
         """``layout(std140) uniform;``: for what follows."""
-        self.check(qualifiers, Place("default", storage))
+        self.check(qualifiers, LayoutPlace("default", storage))
         words = [item.name.lower() for item in qualifiers.layout or ()]
         known = self._defaults.get(storage, set())
         for word in words:

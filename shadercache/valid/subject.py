@@ -23,9 +23,9 @@ from shadercache.ast.nodes import (
 from shadercache.ast.walk import walk
 from shadercache.lang.types import Type
 from shadercache.sema.constants import Constants
-from shadercache.sema.context import Tables
 from shadercache.sema.facts import Kind, Symbol
 from shadercache.sema.fold import Value
+from shadercache.sema.inference_context import Tables
 from shadercache.sema.language import Language
 from shadercache.sema.problems import Problems
 from shadercache.sema.storage import storage_of

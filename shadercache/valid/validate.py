@@ -43,9 +43,9 @@ from collections.abc import Callable
 
 from shadercache.ast.large import without_collector
 from shadercache.ast.nodes import Module
-from shadercache.sema.context import Tables
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.infer import infer_tables
+from shadercache.sema.inference_context import Tables
 from shadercache.source import Source
 from shadercache.valid.assignments import check_assignments
 from shadercache.valid.call_arguments import check_call_arguments

@@ -8,7 +8,7 @@ import pytest
 
 from shadercache.analysis.cost import CostTable
 from shadercache.analysis.effect_table import EffectTable
-from shadercache.analysis.shared_work import OverlapTable
+from shadercache.analysis.shared_work import SharedWorkTable
 from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import InputError
 from shadercache.front.read_options import ReadOptions
@@ -28,7 +28,7 @@ def check(analysis: Analysis) -> int:
     """Every node costs what a walk of the whole shader says; how many were compared."""
     program = analysis.program
     table, costs = EffectTable(program.module), CostTable(program.facts)
-    overlaps = OverlapTable(analysis.candidates.instances, table, costs, program.color)
+    overlaps = SharedWorkTable(analysis.candidates.instances, table, costs, program.color)
     nodes = [node for node in analysis.nodes if node.legal]
     for node in nodes[:: 1 + len(nodes) // MOST]:
         assert overlaps.parts([node]) == overlaps.parts_of_set([node]), (node.path, node.text)

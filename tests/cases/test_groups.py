@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from shadercache.analysis.value_numbering import Group
 from shadercache.gpu.context import Gpu
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
@@ -24,17 +23,17 @@ GROUPS = 4
 MEMBERS = 4
 
 
-def groups_of(name: str) -> list[Group]:
+def groups_of(name: str) -> list[ValueGroup]:
     """Groups with several nodes that can be cached, those with most of them first."""
     found = dict.fromkeys(analysed(name).groups.values())
     several = [group for group in found if sum(node.legal for node in group.nodes) > 1]
     return sorted(several, key=lambda group: -len(group.nodes))[:GROUPS]
 
 
-def payloads(name: str, gpu: Gpu, folder: Path) -> dict[Group, list[np.ndarray]]:
+def payloads(name: str, gpu: Gpu, folder: Path) -> dict[ValueGroup, list[np.ndarray]]:
     """The payload of some nodes of each group, as all fragments computed it."""
     scene = replace(load_scene(folder), fragment=folder / f"{name}.frag")
-    found: dict[Group, list[np.ndarray]] = {}
+    found: dict[ValueGroup, list[np.ndarray]] = {}
     with RenderScene(gpu, scene, SIZE, color="rgba32f") as world:
         for group in groups_of(name):
             nodes = [node for node in group.nodes if node.legal]

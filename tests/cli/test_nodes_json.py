@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from bench.nodes_speed import field_of
-from shadercache.analysis.shared_work import OverlapTable
+from shadercache.analysis.shared_work import SharedWorkTable
 from shadercache.paths import data_path
 
 from .conftest import Shell
@@ -23,12 +23,12 @@ def walks(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
     """How often a function is walked, or a whole shader."""
     found: Counter[str] = Counter()
     for name in ("_walk", "parts_of_set"):
-        monkeypatch.setattr(OverlapTable, name, _counted(found, name))
+        monkeypatch.setattr(SharedWorkTable, name, _counted(found, name))
     return found
 
 
 def _counted(found: Counter[str], name: str) -> Any:
-    inner = getattr(OverlapTable, name)
+    inner = getattr(SharedWorkTable, name)
 
     def counted(*arguments: Any) -> Any:
         found[name] += 1

@@ -150,9 +150,9 @@ def choices_are_swapped(patch: pytest.MonkeyPatch) -> None:
 
 
 def nothing_is_stored(patch: pytest.MonkeyPatch) -> None:
-    own = specialise._Body._own_statements
+    own = specialise._CloneBody._own_statements
     patch.setattr(
-        specialise._Body,
+        specialise._CloneBody,
         "_own_statements",
         lambda self, item: (
             [] if item.cut and item.cut.kind in ("store", "keep") else own(self, item)
@@ -211,7 +211,7 @@ NOTICED: dict[str, tuple[str, Break]] = {
         "gl330-declarators",
         lambda patch: patch.setattr(compiler, "split_declarations", lambda module: module),
     ),
-    "lower_choices: swapped": ("gl330-choice", choices_are_swapped),
+    "lower_ternaries: swapped": ("gl330-choice", choices_are_swapped),
     "specialise: nothing stored": ("gl330-choice", nothing_is_stored),
     "remove_dead: calls": ("gl330-written_out", calls_are_dead),
     "make_precise: nothing": (
@@ -220,9 +220,9 @@ NOTICED: dict[str, tuple[str, Break]] = {
             program_set, "make_precise", lambda module, *_: replace(module, version=400)
         ),
     ),
-    "hide_arguments: nothing": (
+    "make_arguments_opaque: nothing": (
         "gl330-known_part",
-        lambda patch: patch.setattr(program_set, "hide_arguments", lambda module, _: module),
+        lambda patch: patch.setattr(program_set, "make_arguments_opaque", lambda module, _: module),
     ),
     "write_out_matrices: nothing": (
         "gl330-turned",
@@ -244,7 +244,7 @@ NOTICED: dict[str, tuple[str, Break]] = {
         "gl330-inout_global",
         lambda patch: patch.setattr(drop_parameters, "_given_back", lambda *_: set()),
     ),
-    "neighbours: no fetch ahead": ("gl330-fetched", fetches_stay),
+    "derivative_uses: no hoisted fetch": ("gl330-fetched", fetches_stay),
     "emission: discards too early": (
         "gl330-discarded",
         lambda patch: patch.setattr(
@@ -265,15 +265,15 @@ TOLD: dict[str, tuple[str, Break]] = {
             slices.SliceTable, "_written", lambda *_: (slices.NOTHING, True)
         ),
     ),
-    "inside: nothing flows": (
+    "control_dependence: nothing flows": (
         "implicit_lod_conditional",
         lambda patch: patch.setattr(
-            control_dependence.Inside,
+            control_dependence.ControlDependence,
             "_closure",
             lambda *_: control_dependence.Flow(frozenset(), ()),
         ),
     ),
-    "neighbours: feeds nothing": (
+    "derivative_uses: feeds nothing": (
         "derivative_of_value",
         lambda patch: patch.setattr(derivative_uses.Dependents, "fed_by", lambda *_: False),
     ),

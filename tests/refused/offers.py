@@ -88,7 +88,7 @@ def _held(analysis: Analysis) -> set[Operation]:
             roots.add((node.instance, node.expr))
             atoms |= slices.value(node.instance, node.place).atoms
     for instance, bits in slices.step_bits.items():
-        steps = instance.places.spine.steps
+        steps = instance.places.reaching.steps
         needed = (step for step, bit in zip(steps, bits, strict=True) if bit & atoms)
         roots |= {(instance, step.stmt) for step in needed}
     for (instance, name), bit in slices.argument_bits.items():

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from shadercache.front.preprocess.directive_errors import MistakeError
+from shadercache.front.preprocess.directive_errors import DirectiveError
 from shadercache.source import Span
 
 
@@ -54,10 +54,10 @@ class Groups:
     def go_on(self, name: str, holds: bool | None) -> None:
         """``#elif`` or ``#else``; where a condition is wrong (``None``) no more is read."""
         if not self._open:
-            raise MistakeError("SC121", f"#{name} without an #if")
+            raise DirectiveError("SC121", f"#{name} without an #if")
         group = self._open[-1]
         if group.last:
-            raise MistakeError("SC121", f"#{name} behind the #else of its #if")
+            raise DirectiveError("SC121", f"#{name} behind the #else of its #if")
         group.live = group.outer and bool(holds) and not group.taken
         group.taken |= holds is not False
         group.last = name == "else"
@@ -65,7 +65,7 @@ class Groups:
     def end(self) -> None:
         """``#endif``."""
         if not self._open:
-            raise MistakeError("SC121", "#endif without an #if")
+            raise DirectiveError("SC121", "#endif without an #if")
         self._open.pop()
 
     def unclosed(self) -> list[Span]:

@@ -12,7 +12,7 @@ import operator
 import re
 from collections.abc import Callable, Container, Sequence
 
-from shadercache.front.preprocess.directive_errors import MistakeError
+from shadercache.front.preprocess.directive_errors import DirectiveError
 from shadercache.front.preprocess.scanner import is_word
 
 _INTEGER = re.compile(r"0[xX][0-9a-fA-F]+|0[0-7]*|[1-9][0-9]*")
@@ -44,7 +44,7 @@ _BINARY: dict[str, tuple[int, Callable[[int, int], int]]] = {
 }
 _TIGHTEST = 11  # The precedence of the unary operators.
 
-_Value = int | MistakeError  # A mistake counts only if the whole depends on it.
+_Value = int | DirectiveError  # A mistake counts only if the whole depends on it.
 
 
 def replace_defined(words: tuple[str, ...], macros: Container[str]) -> list[str]:
@@ -59,11 +59,11 @@ def replace_defined(words: tuple[str, ...], macros: Container[str]) -> list[str]
         bracket = words[at + 1 : at + 2] == ("(",)
         name = words[at + 1 + bracket] if at + 1 + bracket < len(words) else ""
         if not is_word(name):
-            raise MistakeError("SC122", "'defined' needs the name of a macro")
+            raise DirectiveError("SC122", "'defined' needs the name of a macro")
         at += 2 + bracket
         if bracket:
             if words[at : at + 1] != (")",):
-                raise MistakeError("SC122", f"expected ')' after 'defined({name}'")
+                raise DirectiveError("SC122", f"expected ')' after 'defined({name}'")
             at += 1
         made.append("1" if name in macros else "0")
     return made
@@ -94,14 +94,14 @@ def evaluate(words: Sequence[str], es: bool) -> int:
             waiting.append((word, precedence))
             operand = True
         else:
-            raise MistakeError("SC122", f"'{word}' is out of place in this expression")
+            raise DirectiveError("SC122", f"'{word}' is out of place in this expression")
     if operand:
-        raise MistakeError("SC122", "a value is missing at the end of this expression")
+        raise DirectiveError("SC122", "a value is missing at the end of this expression")
     _apply(values, waiting, 1)
     if waiting:
-        raise MistakeError("SC122", "a ')' is missing in this expression")
+        raise DirectiveError("SC122", "a ')' is missing in this expression")
     (result,) = values
-    if isinstance(result, MistakeError):
+    if isinstance(result, DirectiveError):
         raise result
     return result
 
@@ -109,16 +109,16 @@ def evaluate(words: Sequence[str], es: bool) -> int:
 def _operand(word: str, es: bool) -> _Value:
     if word == "defined":
         message = "'defined' comes out of a macro, which compilers do not take"
-        raise MistakeError("SC122", message, "write it into the #if itself")
+        raise DirectiveError("SC122", message, "write it into the #if itself")
     if is_word(word):
         hint = "ask with 'defined' first"
-        mistake = MistakeError("SC122", f"'{word}' is not defined, which GLSL ES forbids", hint)
+        mistake = DirectiveError("SC122", f"'{word}' is not defined, which GLSL ES forbids", hint)
         return mistake if es else 0
     if _INTEGER.fullmatch(word):
         return _wrapped(_integer(word))
     if word[0].isdigit():
-        raise MistakeError("SC122", f"'{word}' is not an integer")
-    raise MistakeError("SC122", f"expected a value before '{word}'")
+        raise DirectiveError("SC122", f"'{word}' is not an integer")
+    raise DirectiveError("SC122", f"expected a value before '{word}'")
 
 
 def _integer(word: str) -> int:
@@ -126,14 +126,14 @@ def _integer(word: str) -> int:
     base = 16 if word[1:2] in ("x", "X") else 8 if word[0] == "0" else 10
     # Decimal digits beyond a few thousand would take their time, and Python refuses them.
     if (base == 10 and len(word) > 10) or (value := int(word, base)) >= 1 << 32:
-        raise MistakeError("SC122", f"'{word}' needs more than 32 bits")
+        raise DirectiveError("SC122", f"'{word}' needs more than 32 bits")
     return value
 
 
 def _close_bracket(values: list[_Value], waiting: list[tuple[str, int]]) -> None:
     _apply(values, waiting, 1)
     if not waiting:
-        raise MistakeError("SC122", "this expression has a ')' without a '('")
+        raise DirectiveError("SC122", "this expression has a ')' without a '('")
     waiting.pop()
 
 
@@ -144,21 +144,21 @@ def _apply(values: list[_Value], waiting: list[tuple[str, int]], precedence: int
         right = values.pop()
         if binding == _TIGHTEST:
             values.append(
-                right if isinstance(right, MistakeError) else _wrapped(_UNARY[word](right))
+                right if isinstance(right, DirectiveError) else _wrapped(_UNARY[word](right))
             )
         else:
             values.append(_combined(values.pop(), word, right))
 
 
 def _combined(left: _Value, word: str, right: _Value) -> _Value:
-    if isinstance(left, MistakeError):
+    if isinstance(left, DirectiveError):
         return left
     if word in ("&&", "||") and bool(left) == (word == "||"):
         return int(bool(left))
-    if isinstance(right, MistakeError):
+    if isinstance(right, DirectiveError):
         return right
     if word in ("/", "%") and right == 0:
-        return MistakeError("SC122", "division by zero")
+        return DirectiveError("SC122", "division by zero")
     return _wrapped(_BINARY[word][1](left, right))
 
 

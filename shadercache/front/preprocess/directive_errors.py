@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 
-class MistakeError(Exception):
+class DirectiveError(Exception):
     """A code, a message and a hint; whoever reads the directive knows its place."""
 
     def __init__(self, code: str, message: str, hint: str | None = None) -> None:
@@ -13,7 +13,7 @@ class MistakeError(Exception):
         self.hint = hint
 
 
-class RunawayError(MistakeError):
+class RunawayError(DirectiveError):
     """A limit is reached; reading on makes no sense."""
 
 

@@ -1,7 +1,7 @@
 """What each directive does: one function a directive, found by its name in two tables.
 
 Those of :data:`CONDITIONALS` are obeyed even where the text is skipped, those of :data:`HANDLERS`
-only where it is read. What is wrong is raised as a :class:`MistakeError`.
+only where it is read. What is wrong is raised as a :class:`DirectiveError`.
 
 Source: The OpenGL Shading Language 4.60, section 3.3.
 """
@@ -16,11 +16,11 @@ from pathlib import Path
 from shadercache.ast.nodes import Directive
 from shadercache.front.preprocess import include
 from shadercache.front.preprocess.conditions import evaluate
-from shadercache.front.preprocess.directive_errors import MistakeError, RunawayError
+from shadercache.front.preprocess.directive_errors import DirectiveError, RunawayError
 from shadercache.front.preprocess.extensions import INCLUDES, read_extension
 from shadercache.front.preprocess.macros import define
+from shadercache.front.preprocess.reading_state import ReadingState
 from shadercache.front.preprocess.scanner import is_word, spellings
-from shadercache.front.preprocess.state import State
 from shadercache.source import Span
 
 _FILE_NAME = re.compile(r'"[^"\n]*"$')
@@ -39,44 +39,44 @@ class Line:
 # --- conditions -----------------------------------------------------------------------------------
 
 
-def _if(state: State, line: Line) -> None:
+def _if(state: ReadingState, line: Line) -> None:
     groups = state.file.groups
     if not groups.live:
         groups.skip(line.span)
         return
     try:
         groups.begin(line.span, state.value(line.rest) != 0)
-    except MistakeError:
+    except DirectiveError:
         groups.skip(line.span)
         raise
 
 
-def _ifdef(state: State, line: Line) -> None:
+def _ifdef(state: ReadingState, line: Line) -> None:
     groups = state.file.groups
     if not groups.live or is_word(line.rest):
         groups.begin(line.span, (line.rest in state.macros) == (line.name == "ifdef"))
     else:
         groups.skip(line.span)
-        raise MistakeError("SC121", f"#{line.name} is followed by the name of a macro")
+        raise DirectiveError("SC121", f"#{line.name} is followed by the name of a macro")
 
 
-def _elif(state: State, line: Line) -> None:
+def _elif(state: ReadingState, line: Line) -> None:
     groups = state.file.groups
     try:
         holds = groups.asks and state.value(line.rest) != 0
-    except MistakeError:
+    except DirectiveError:
         groups.go_on("elif", None)
         raise
     groups.go_on("elif", holds)
 
 
-def _else(state: State, line: Line) -> None:
+def _else(state: ReadingState, line: Line) -> None:
     state.file.groups.go_on("else", True)
     if state.file.groups.around:
         _expect_nothing(line)
 
 
-def _endif(state: State, line: Line) -> None:
+def _endif(state: ReadingState, line: Line) -> None:
     state.file.groups.end()
     if state.file.groups.live:
         _expect_nothing(line)
@@ -85,10 +85,10 @@ def _endif(state: State, line: Line) -> None:
 def _expect_nothing(line: Line) -> None:
     if line.rest:
         hint = "a remark there needs // before it"
-        raise MistakeError("SC121", f"nothing may follow #{line.name}", hint)
+        raise DirectiveError("SC121", f"nothing may follow #{line.name}", hint)
 
 
-CONDITIONALS: dict[str, Callable[[State, Line], None]] = {
+CONDITIONALS: dict[str, Callable[[ReadingState, Line], None]] = {
     "if": _if,
     "ifdef": _ifdef,
     "ifndef": _ifdef,
@@ -101,11 +101,11 @@ CONDITIONALS: dict[str, Callable[[State, Line], None]] = {
 # --- other directives -----------------------------------------------------------------------------
 
 
-def _misplaced_version(state: State, line: Line) -> None:
-    raise MistakeError("SC100", "#version must come first, and only once")
+def _misplaced_version(state: ReadingState, line: Line) -> None:
+    raise DirectiveError("SC100", "#version must come first, and only once")
 
 
-def _extension(state: State, line: Line) -> None:
+def _extension(state: ReadingState, line: Line) -> None:
     name, behaviour = read_extension(line.rest)
     if behaviour == "disable":
         state.enabled.discard(name)
@@ -115,46 +115,46 @@ def _extension(state: State, line: Line) -> None:
         state.directives.append(Directive(line.span, f"#extension {name} : {behaviour}"))
 
 
-def _pragma(state: State, line: Line) -> None:
+def _pragma(state: ReadingState, line: Line) -> None:
     if line.rest == "once":
         state.once.add(state.file.part)
     else:
         state.directives.append(Directive(line.span, " ".join(f"#pragma {line.rest}".split())))
 
 
-def _define(state: State, line: Line) -> None:
+def _define(state: ReadingState, line: Line) -> None:
     macro = define(line.rest)
     _check_name(state, macro.name)
     if state.macros.setdefault(macro.name, macro) != macro:
         message = f"macro '{macro.name}' is defined again in another way"
-        raise MistakeError("SC108", message, f"#undef {macro.name} first")
+        raise DirectiveError("SC108", message, f"#undef {macro.name} first")
 
 
-def _undef(state: State, line: Line) -> None:
+def _undef(state: ReadingState, line: Line) -> None:
     if not is_word(line.rest):
-        raise MistakeError("SC108", "#undef is followed by the name of a macro")
+        raise DirectiveError("SC108", "#undef is followed by the name of a macro")
     _check_name(state, line.rest)
     state.macros.pop(line.rest, None)
 
 
-def _check_name(state: State, name: str) -> None:
+def _check_name(state: ReadingState, name: str) -> None:
     if name in _FIXED or name.startswith("GL_"):
-        raise MistakeError("SC108", f"the macro name '{name}' belongs to the language")
+        raise DirectiveError("SC108", f"the macro name '{name}' belongs to the language")
     if "__" in name and state.version.number == 100:
         message = f"the macro name '{name}' has two underscores, which GLSL ES 1.00 reserves"
-        raise MistakeError("SC108", message)
+        raise DirectiveError("SC108", message)
 
 
-def _error(state: State, line: Line) -> None:
-    raise MistakeError("SC108", f"#error {line.rest}".rstrip())
+def _error(state: ReadingState, line: Line) -> None:
+    raise DirectiveError("SC108", f"#error {line.rest}".rstrip())
 
 
-def _line(state: State, line: Line) -> None:
+def _line(state: ReadingState, line: Line) -> None:
     """``#line line`` or ``#line line file``; both are expressions."""
     rest = _FILE_NAME.sub("", line.rest)
     if rest != line.rest and "GL_GOOGLE_cpp_style_line_directive" not in state.enabled:
         hint = "#extension GL_GOOGLE_cpp_style_line_directive : require"
-        raise MistakeError("SC108", "the file of a #line is a number", hint)
+        raise DirectiveError("SC108", "the file of a #line is a number", hint)
     words = state.expander.expand_all(spellings(rest))
     if len(words) > 1 and words[-1].isdecimal() and _ends_value(words[-2]):
         state.set_file_number(words.pop())
@@ -168,7 +168,7 @@ def _ends_value(word: str) -> bool:
     return word == ")" or word[0] == "_" or word[0].isalnum()
 
 
-def _include(state: State, line: Line) -> Path:
+def _include(state: ReadingState, line: Line) -> Path:
     """The file that is to be read next."""
     # As it was written, if it has to be: "a//b" is no comment.
     number, column = state.source.position(line.span.start)
@@ -180,7 +180,7 @@ def _include(state: State, line: Line) -> Path:
     return include.find(name, beside, state.options.include_folders)
 
 
-HANDLERS: dict[str, Callable[[State, Line], Path | None]] = {
+HANDLERS: dict[str, Callable[[ReadingState, Line], Path | None]] = {
     "version": _misplaced_version,
     "extension": _extension,
     "pragma": _pragma,

@@ -9,7 +9,7 @@ import re
 from functools import cache
 from pathlib import Path
 
-from shadercache.front.preprocess.directive_errors import MistakeError
+from shadercache.front.preprocess.directive_errors import DirectiveError
 
 _FILE = Path(__file__).with_name("extensions.txt")
 _EXTENSION = re.compile(r"(\w+)\s*:\s*(\w+)", re.ASCII)
@@ -44,14 +44,14 @@ def read_extension(rest: str) -> tuple[str, str]:
     """Name and behaviour that an ``#extension`` line gives."""
     match = _EXTENSION.fullmatch(rest)
     if match is None:
-        raise MistakeError("SC108", "#extension is followed by 'name : behaviour'")
+        raise DirectiveError("SC108", "#extension is followed by 'name : behaviour'")
     name, behaviour = match.groups()
     if behaviour not in _BEHAVIOURS:
         message = f"'{behaviour}' is no behaviour of an extension"
-        raise MistakeError("SC108", message, "it is require, enable, warn or disable")
+        raise DirectiveError("SC108", message, "it is require, enable, warn or disable")
     if name == "all" and behaviour in ("require", "enable"):
-        raise MistakeError("SC108", f"'all' cannot be followed by '{behaviour}'")
+        raise DirectiveError("SC108", f"'all' cannot be followed by '{behaviour}'")
     if behaviour == "require" and name != "all" and name not in _known():
         message = f"the extension '{name}' is not known"
-        raise MistakeError("SC108", message, "with 'enable' it is used where the driver has it")
+        raise DirectiveError("SC108", message, "with 'enable' it is used where the driver has it")
     return name, behaviour

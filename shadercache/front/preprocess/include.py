@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from shadercache.diagnostics import shortened
-from shadercache.front.preprocess.directive_errors import MistakeError, RunawayError
+from shadercache.front.preprocess.directive_errors import DirectiveError, RunawayError
 
 MAX_DEPTH = 50
 """Files that may be open inside one another."""
@@ -32,7 +32,7 @@ def name_of(rest: str, line: str) -> tuple[str, bool]:
     """
     match = _NAME.fullmatch(rest) or _NAME.fullmatch(line)
     if match is None:
-        raise MistakeError("SC123", '#include is followed by "name" or <name>')
+        raise DirectiveError("SC123", '#include is followed by "name" or <name>')
     return match[1] or match[2], bool(match[1])
 
 
@@ -42,7 +42,7 @@ def find(name: str, beside: Path | None, folders: tuple[Path, ...]) -> Path:
     shown = shortened(name)
     if not looked_at:
         message = f"cannot include '{shown}': there is no folder to look in"
-        raise MistakeError("SC123", message, "name folders with -I")
+        raise DirectiveError("SC123", message, "name folders with -I")
     inside = False
     for path in _candidates(name, looked_at):
         try:
@@ -55,10 +55,10 @@ def find(name: str, beside: Path | None, folders: tuple[Path, ...]) -> Path:
             inside = True
     if not inside:
         message = f"cannot include '{shown}': it leads out of the folders for included files"
-        raise MistakeError("SC123", message, "a folder more can be named with -I")
+        raise DirectiveError("SC123", message, "a folder more can be named with -I")
     places = ", ".join(f"'{folder}'" for folder in looked_at)
     hint = "other folders to look in can be named with -I"
-    raise MistakeError("SC123", f"cannot include '{shown}': it is not in {places}", hint)
+    raise DirectiveError("SC123", f"cannot include '{shown}': it is not in {places}", hint)
 
 
 def _candidates(name: str, folders: tuple[Path, ...]) -> Iterator[Path]:
@@ -75,6 +75,6 @@ def read(path: Path, room: int) -> str:
             raise RunawayError("SC123", message)
         return path.read_bytes().decode("utf-8-sig")
     except OSError as error:
-        raise MistakeError("SC123", f"cannot include '{path}': {error.strerror}") from None
+        raise DirectiveError("SC123", f"cannot include '{path}': {error.strerror}") from None
     except UnicodeDecodeError:
-        raise MistakeError("SC123", f"cannot include '{path}': it is not UTF-8 text") from None
+        raise DirectiveError("SC123", f"cannot include '{path}': it is not UTF-8 text") from None

@@ -21,7 +21,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from shadercache.diagnostics import shortened
-from shadercache.front.preprocess.directive_errors import LIMIT_HINT, MistakeError, RunawayError
+from shadercache.front.preprocess.directive_errors import LIMIT_HINT, DirectiveError, RunawayError
 from shadercache.front.preprocess.scanner import MAX_WORD, is_word, spellings
 
 MAX_NESTING = 100
@@ -65,11 +65,11 @@ def define(text: str) -> Macro:
     """The macro that ``#define text`` defines."""
     match = _DEFINITION.fullmatch(text)
     if match is None:
-        raise MistakeError("SC108", "#define needs the name of a macro")
+        raise DirectiveError("SC108", "#define needs the name of a macro")
     name, parameters, rest = match.groups()
     body = spellings(rest)
     if body[:1] == (_PASTE,) or body[-1:] == (_PASTE,):
-        raise MistakeError("SC108", "'##' needs a word on both sides")
+        raise DirectiveError("SC108", "'##' needs a word on both sides")
     names = None if parameters is None else _parameters(parameters)
     alone = (word for at, word in enumerate(body) if not _beside_paste(body, at))
     expanded = frozenset(names or ()).intersection(alone)
@@ -84,15 +84,15 @@ def _parameters(text: str) -> tuple[str, ...]:
     words = spellings(text)
     names = words[1:-1:2]
     if words[-1] != ")":
-        raise MistakeError("SC108", "the list of macro parameters has no ')'")
+        raise DirectiveError("SC108", "the list of macro parameters has no ')'")
     if words[2:-1:2] != (",",) * max(0, len(names) - 1) or not all(map(is_word, names)):
-        raise MistakeError("SC108", "the parameters of a macro are names with ',' between them")
+        raise DirectiveError("SC108", "the parameters of a macro are names with ',' between them")
     if len(set(names)) < len(names):
-        raise MistakeError("SC108", "a macro has two parameters of the same name")
+        raise DirectiveError("SC108", "a macro has two parameters of the same name")
     return names
 
 
-class _Frame:
+class _Expansion:
     """The expansion of a macro, and how far it is read."""
 
     __slots__ = ("at", "name", "texts")
@@ -115,10 +115,10 @@ class _Feed:
         self.texts = texts
         self.at = at
         self.hidden = hidden
-        self.frames: list[_Frame] = []
+        self.frames: list[_Expansion] = []
 
     def push(self, name: str, texts: Sequence[str]) -> None:
-        self.frames.append(_Frame(name, texts))
+        self.frames.append(_Expansion(name, texts))
         self.hidden.add(name)
 
     def drop_finished(self) -> None:
@@ -246,7 +246,7 @@ class Expander:
             text = feed.next()
             if text is None:
                 message = f"the '(' of macro '{macro.name}' is never closed"
-                raise MistakeError("SC124", message, "no directive may stand among the arguments")
+                raise DirectiveError("SC124", message, "no directive may stand among the arguments")
             depth += (text == "(") - (text == ")")
             if depth == 0:
                 break
@@ -278,11 +278,11 @@ class Expander:
         return made
 
 
-def _wrong_number(macro: Macro, given: int) -> MistakeError:
+def _wrong_number(macro: Macro, given: int) -> DirectiveError:
     wanted = len(macro.parameters or ())
     plural = "" if wanted == 1 else "s"
     message = f"macro '{macro.name}' has {wanted} parameter{plural}, but {given} are given"
-    return MistakeError("SC124", message)
+    return DirectiveError("SC124", message)
 
 
 def _put_in(macro: Macro, raw: list[list[str]], plain: list[list[str]]) -> list[str]:
@@ -312,7 +312,7 @@ def _put_in(macro: Macro, raw: list[list[str]], plain: list[list[str]]) -> list[
 def _pasted(left: str, right: str) -> str:
     text = left + right
     if len(text) > MAX_WORD:
-        raise MistakeError("SC124", f"'##' makes a word of more than {MAX_WORD} characters")
+        raise DirectiveError("SC124", f"'##' makes a word of more than {MAX_WORD} characters")
     if len(spellings(text)) > 1:
-        raise MistakeError("SC124", f"'##' makes '{shortened(text)}', which is not one word")
+        raise DirectiveError("SC124", f"'##' makes '{shortened(text)}', which is not one word")
     return text

@@ -30,18 +30,18 @@ from shadercache.foreign_files import is_file
 from shadercache.front.preprocess import include
 from shadercache.front.preprocess.directive_errors import (
     LIMIT_HINT,
-    MistakeError,
+    DirectiveError,
     RunawayError,
     StopReading,
 )
 from shadercache.front.preprocess.directives import CONDITIONALS, HANDLERS, Line
 from shadercache.front.preprocess.macros import define
+from shadercache.front.preprocess.reading_state import OpenFile, ReadingState
 from shadercache.front.preprocess.scanner import (
     Lexemes,
     clean,
     joins_comments,
 )
-from shadercache.front.preprocess.state import OpenFile, State
 from shadercache.front.preprocess.version import NO_VERSION, Version, check_place, read_version
 from shadercache.front.read_options import DEFAULTS, ReadOptions
 from shadercache.source import Source, Span
@@ -100,14 +100,14 @@ class _Reader:
     def __init__(self, source: Source, options: ReadOptions, default: Version) -> None:
         self.source = source
         self.options = options
-        self.state = State(source, options, default)
+        self.state = ReadingState(source, options, default)
         self.expander, self.macros = self.state.expander, self.state.macros
         self.errors: list[Diagnostic] = []
         self.lexemes = Lexemes()
         self._joined = joins_comments(source.text)
         self._room = include.MAX_TEXT
 
-    def tell(self, mistake: MistakeError, span: Span) -> None:
+    def tell(self, mistake: DirectiveError, span: Span) -> None:
         """Note a mistake, and go on if that makes sense."""
         error = Diagnostic(mistake.code, mistake.message, self.source, span, mistake.hint)
         self.errors.append(error)
@@ -129,7 +129,7 @@ class _Reader:
             try:
                 self.state.version = read_version(match[2].strip())
                 check_place(self.state.version, self.source.text[: span.start])
-            except MistakeError as mistake:
+            except DirectiveError as mistake:
                 self.tell(mistake, span)
         self.state.define_first_macros()
         self.define_macros()
@@ -155,7 +155,7 @@ class _Reader:
         for name, value in self.options.defines:
             try:
                 macro = define(f"{name} {value}")
-            except MistakeError as mistake:
+            except DirectiveError as mistake:
                 message = f"cannot define '{name}': {mistake.message}"
                 self.errors.append(Diagnostic(mistake.code, message, hint=mistake.hint))
             else:
@@ -173,7 +173,7 @@ class _Reader:
             self.read_code(at, len(text))
         if unclosed := groups.unclosed():
             hint = f"nor have the {len(unclosed) - 1} around it" if unclosed[1:] else None
-            self.tell(MistakeError("SC121", "this condition has no #endif", hint), unclosed[-1])
+            self.tell(DirectiveError("SC121", "this condition has no #endif", hint), unclosed[-1])
 
     # --- code
 
@@ -200,7 +200,7 @@ class _Reader:
             self.state.place = Span(found.starts[index], found.ends[index])
             try:
                 made = self.expander.expand_use(found.texts, index)
-            except MistakeError as mistake:
+            except DirectiveError as mistake:
                 self.tell(mistake, self.state.place)
                 made = []
             at = self.expander.behind
@@ -222,7 +222,7 @@ class _Reader:
                 CONDITIONALS[line.name](self.state, line)
             elif self.state.file.groups.live:
                 self.obey(line)
-        except MistakeError as mistake:
+        except DirectiveError as mistake:
             self.tell(mistake, span)
 
     def obey(self, line: Line) -> None:
@@ -230,12 +230,12 @@ class _Reader:
         handler = HANDLERS.get(line.name)
         if line.rest.endswith("\\"):
             hint = "the line break must follow the '\\' at once"
-            raise MistakeError("SC104", "this '\\' continues no line", hint)
+            raise DirectiveError("SC104", "this '\\' continues no line", hint)
         if handler is None and (line.name or line.rest):
             name = shortened(line.name or line.rest)
-            raise MistakeError("SC108", f"there is no directive #{name}")
+            raise DirectiveError("SC108", f"there is no directive #{name}")
         if not line.rest.isascii() and line.name not in _ANY_CHARACTER:
-            raise MistakeError("SC101", "a directive holds a character that is not ASCII")
+            raise DirectiveError("SC101", "a directive holds a character that is not ASCII")
         included = None if handler is None else handler(self.state, line)
         if included is not None:
             self.read_included(included)

@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from shadercache.front.preprocess.directive_errors import MistakeError
+from shadercache.front.preprocess.directive_errors import DirectiveError
 
 DESKTOP = (110, 120, 130, 140, 150, 330, 400, 410, 420, 430, 440, 450, 460)
 ES = (100, 300, 310, 320)
@@ -57,21 +57,21 @@ def read_version(rest: str) -> Version:
     """The version that ``#version rest`` asks for."""
     match = _VERSION.fullmatch(rest)
     if match is None:
-        raise MistakeError("SC100", "#version is followed by a number and a profile", _HINT)
+        raise DirectiveError("SC100", "#version is followed by a number and a profile", _HINT)
     number, profile = int(match[1]), match[2]
     if number not in DESKTOP and number not in ES:
-        raise MistakeError("SC100", f"there is no GLSL version {number}", _HINT)
+        raise DirectiveError("SC100", f"there is no GLSL version {number}", _HINT)
     if profile not in (None, "core", "compatibility", "es"):
-        raise MistakeError("SC100", f"there is no profile '{profile}'", _HINT)
+        raise DirectiveError("SC100", f"there is no profile '{profile}'", _HINT)
     if number < 150 and profile:
         message = f"version {number} has no profiles"
-        raise MistakeError("SC100", message, f"write #version {number}")
+        raise DirectiveError("SC100", message, f"write #version {number}")
     if number in ES and number > 100 and profile != "es":
         message = f"version {number} is one of GLSL ES"
-        raise MistakeError("SC100", message, f"write #version {number} es")
+        raise DirectiveError("SC100", message, f"write #version {number} es")
     if profile == "es" and number not in ES:
         message = f"version {number} is not one of GLSL ES"
-        raise MistakeError("SC100", message, "those with 'es' are 300, 310 and 320")
+        raise DirectiveError("SC100", message, "those with 'es' are 300, 310 and 320")
     return Version(number, "es" if number == 100 else profile)
 
 
@@ -82,7 +82,7 @@ def check_place(version: Version, before: str) -> None:
     """
     if version.es and version.number >= 300 and before.strip(" \t\ufeff"):
         hint = "move it up: there may be no empty line and no comment before it"
-        raise MistakeError("SC100", "#version with 'es' must stand on the first line", hint)
+        raise DirectiveError("SC100", "#version with 'es' must stand on the first line", hint)
 
 
 def version_line(text: str) -> tuple[int, int] | None:

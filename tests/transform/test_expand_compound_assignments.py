@@ -10,7 +10,7 @@ from shadercache.compiler import analyse
 from shadercache.emit.printer import print_node
 from shadercache.front.parse import parse
 from shadercache.source import Source
-from shadercache.transform.expand_compound_assignments import contract, spell_out
+from shadercache.transform.expand_compound_assignments import contract, expand_compound_assignments
 from shadercache.valid.validate import validate
 from tests.configured import rewritten
 from tests.shaders import analysed, find, fragment
@@ -36,7 +36,7 @@ def module_of(statement: str) -> tuple[n.Module, n.Module]:
     """A module, and the same spelled out."""
     source = fragment(f"{statement}\no_color = vec4(1.0);", DECLARATIONS + VARIABLES)
     module = parse(source)
-    made = spell_out(module, validate(module, source))
+    made = expand_compound_assignments(module, validate(module, source))
     validate(made, source)
     return module, made
 

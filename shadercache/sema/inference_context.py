@@ -47,7 +47,7 @@ class Tables:
 
 
 @dataclass(slots=True)
-class Context:
+class InferenceContext:
     """The language, the scopes, the tables that are being filled, and what is found wrong."""
 
     language: Language

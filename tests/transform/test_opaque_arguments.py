@@ -8,7 +8,7 @@ from shadercache.ast.memo import Memo
 from shadercache.emit.printer import print_module
 from shadercache.front.parse import parse
 from shadercache.source import Source
-from shadercache.transform.opaque_arguments import hide_arguments
+from shadercache.transform.opaque_arguments import make_arguments_opaque
 from shadercache.valid.validate import validate
 
 HEAD = """#version 330
@@ -26,7 +26,7 @@ ZERO = "float(gl_FragCoord.x < 0.0)"
 
 def hidden(body: str) -> str:
     text = f"{HEAD}void main() {{ {body} color = vec4(v_a, 1.0); }}"
-    made = print_module(hide_arguments(parse(Source("test.frag", text)), Memo()))
+    made = print_module(make_arguments_opaque(parse(Source("test.frag", text)), Memo()))
     validate(parse(Source("made.frag", made)), Source("made.frag", made))
     assert "const float Z = sqrt(0.25) - 0.5;" in made
     return made
@@ -80,4 +80,7 @@ def test_what_stays(kept: str) -> None:
 def test_functions_that_are_shared_are_made_once() -> None:
     memo = Memo()
     module = parse(Source("test.frag", HEAD + "void main() { color.x = cos(v_a.x); }"))
-    assert hide_arguments(module, memo).decls[-1] is hide_arguments(module, memo).decls[-1]
+    assert (
+        make_arguments_opaque(module, memo).decls[-1]
+        is make_arguments_opaque(module, memo).decls[-1]
+    )

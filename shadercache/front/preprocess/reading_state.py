@@ -29,7 +29,7 @@ class OpenFile:
     number: str = "0"
 
 
-class State:
+class ReadingState:
     """Version, macros, kept directives, and the files that are open, innermost last."""
 
     def __init__(self, source: Source, options: ReadOptions, default: Version) -> None:
