@@ -38,6 +38,7 @@ from typing import Generic, TypeVar
 from shadercache.analysed import Analysis
 from shadercache.analysis.candidates import (
     Candidate,
+    Origin,
     find_candidates,
     reused_builtins,
     varyings,
@@ -155,7 +156,7 @@ def analyse(
     table = EffectTable(module, marks=_marks(side, mapping, stage))
     if mapping == "user":
         check_user_mapping(module, fragment, table)
-    candidates = find_candidates(module, facts, fragment, printed, table, mapping)
+    candidates = find_candidates(module, facts, table, Origin(fragment, printed), mapping)
     program = FragmentProgram(
         raised[0].module, module, facts, candidates, color, prefix, original, mapping
     )

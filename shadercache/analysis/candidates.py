@@ -1,19 +1,19 @@
 """Every node of a shader, offered for caching or refused with a reason.
 
-A node is one expression on one call path from ``main`` (DESIGN section 2). The checks stand in
-:meth:`_Judge.refusal` in the order in which they are reported.
+A node is one expression on one call path from ``main`` (DESIGN section 2). Why one is refused
+stands in :mod:`analysis.refusal_rules`.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from hashlib import blake2b
 
 from shadercache.analysis.call_paths import Instance, Place, Use, find_instances, path_to
-from shadercache.analysis.cost import FETCH, CostTable
+from shadercache.analysis.cost import CostTable
 from shadercache.analysis.derivative_uses import (
-    Dependents,
     SharedUses,
     cube_lookups,
     derivatives,
@@ -23,20 +23,15 @@ from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.effects import Does
 from shadercache.analysis.mapping import MappingKind
 from shadercache.analysis.reaching_definitions import written_anywhere
+from shadercache.analysis.refusal_rules import Evidence, Trial, refusal_of
 from shadercache.analysis.refusals import Code, Refusal
-from shadercache.analysis.slices import DERIVATIVE, Slice, SliceTable
+from shadercache.analysis.slices import DERIVATIVE, SliceTable
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import expressions
 from shadercache.diagnostics import shortened
 from shadercache.lang.types import Type
 from shadercache.sema.facts import Facts
 from shadercache.source import NOWHERE, Source, Span
-
-FIRST_TEXEL, SECOND_TEXEL = 3, 4
-"""Channels for the payload in the two texels that a cache can have; the eighth holds the depth."""
-
-STORABLE = frozenset[str | None](("float", "int", "uint", "bool"))
-"""Scalar types that a channel of 32 bits can hold."""
 
 OF_PIXEL = frozenset(("gl_FragCoord", "gl_FrontFacing", "gl_PointCoord", "gl_PrimitiveID"))
 """Built-in inputs that are the same again at the same pixel, if nothing changes. (Those of samples
@@ -101,169 +96,86 @@ class Candidates:
     total_cost: float
 
 
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """What the user wrote: the file, and the text of each function and initialised global as it
+    stands there, from which the ids are made."""
+
+    source: Source
+    printed: Mapping[str, str]
+
+
 def find_candidates(
     module: n.Module,
     facts: Facts,
-    source: Source,
-    printed: dict[str, str],
     table: EffectTable,
+    origin: Origin,
     mapping: MappingKind = "surface",
 ) -> Candidates:
     """Judge every expression of ``main`` and of every function it reaches.
 
-    ``module`` has unique names; ``printed`` holds the text of each function and initialised
-    global as the user's source has it, from which the ids are made. Raises :class:`InputError`
-    SC401 on too many call paths.
+    ``module`` has unique names. Raises :class:`InputError` SC401 on too many call paths.
     """
-    instances = find_instances(table, source)
+    instances = find_instances(table, origin.source)
     costs = CostTable(facts)
     slices = SliceTable(module, instances, table, costs)
-    takes = SharedUses(instances, slices, derivatives(table))
-    cubes = SharedUses(instances, slices, cube_lookups(table, facts))
-    drops = discards(instances, slices)
-    judge = _Judge(module, facts, source, table, slices, (takes, cubes, drops), costs, mapping)
-    digests = _digests(instances, printed)
+    evidence = _evidence(module, facts, slices, table, mapping)
+    total = costs.function(table.functions["main"]) or 1.0
+    digests = _digests(instances, origin.printed)
+    texts: dict[n.Expr, str] = {}
     found: list[Candidate] = []
     for instance in instances:
-        # What has no place in the source was added: the user's own expressions are the nodes.
-        own = (place for place in instance.places.all if place.expr.span != NOWHERE)
-        found.extend(judge.candidate(instance, place, digests) for place in own)
-    found.extend(_initialisers(module, facts, source, printed))
-    return Candidates(tuple(found), instances, slices, takes, judge.total)
-
-
-class _Judge:
-    """Decides on one expression of one instance at a time."""
-
-    def __init__(
-        self,
-        module: n.Module,
-        facts: Facts,
-        source: Source,
-        table: EffectTable,
-        slices: SliceTable,
-        uses: tuple[SharedUses, SharedUses, Dependents],
-        costs: CostTable,
-        mapping: MappingKind,
-    ) -> None:
-        self.facts, self.source, self.table, self.slices = facts, source, table, slices
-        (self.derivatives, self.cubes, self.discards), self.costs = uses, costs
-        self.texts: dict[n.Expr, str] = {}
-        main = table.functions["main"]
-        self.total = costs.function(main) or 1.0
-        bit = slices.leaf_bit
-        written = written_anywhere(module, table)
-        self.mutable = sum({bit(name) for name in written})
-        self.structs = {d.type.struct for d in module.decls if isinstance(d, n.VarDecl)} - {None}
-        self.derivative = bit(DERIVATIVE)
-        self.reused = reused_builtins(module, mapping)
-        self.varying = sum({bit(name) for name in varyings(module) | self.reused})
-
-    def candidate(
-        self, instance: Instance, place: Place, digests: dict[Instance, str]
-    ) -> Candidate:
-        kind = self.facts.types[place.expr]
-        found = self.slices.value(instance, place)
-        cost = self.slices.cost(found.atoms) + self.costs.of(place.expr)
-        refusal = self.refusal(instance, place, kind, found, cost)
-        return Candidate(
-            id=_node_id(instance, place, digests),
-            instance=instance,
-            place=place,
-            expr=place.expr,
-            text=self._text(place.expr),
-            path=path_to(instance, place, self.source),
-            type=kind,
-            cost=cost,
-            ratio=cost / self.total,
-            inputs=_inputs(self.slices.leaf_names(found.leaves)),
-            refusal=refusal,
-        )
-
-    def _text(self, expr: n.Expr) -> str:
-        if expr not in self.texts:
-            self.texts[expr] = _text(self.source, expr, self.facts)
-        return self.texts[expr]
-
-    def refusal(
-        self, instance: Instance, place: Place, kind: Type, found: Slice, cost: float
-    ) -> Refusal | None:
-        return (
-            self._by_place(instance, place)
-            or self._by_type(place.expr, kind)
-            or self._by_effects(instance, place)
-            or self._by_inputs(place.expr, found)
-            or self._by_use(instance, place)
-            or self._by_cost(kind, cost)
-        )
-
-    def _by_cost(self, kind: Type, cost: float) -> Refusal | None:
-        fetches = 1 if kind.components_or_one <= FIRST_TEXEL else 2
-        return Refusal(Code.CHEAP) if cost < fetches * FETCH else None
-
-    def _by_place(self, instance: Instance, place: Place) -> Refusal | None:
-        uses = (instance.use, place.use)
-        if Use.LOOP in uses:
-            return Refusal(Code.LOOP)
-        if place.use is Use.LVALUE:
-            return Refusal(Code.LVALUE)
-        if Use.CONSTANT in uses or self.facts.is_constant(place.expr):
-            return Refusal(Code.CONSTANT)
-        return Refusal(Code.CONDITIONAL) if Use.CONDITIONAL in uses else None
-
-    def _by_type(self, expr: n.Expr, kind: Type) -> Refusal | None:
-        if kind.is_void or kind.holds_opaque:
-            return Refusal(Code.OPAQUE, str(kind))
-        if kind.components is None or kind.components > FIRST_TEXEL + SECOND_TEXEL:
-            return Refusal(Code.WIDE, str(kind))
-        spelled = not isinstance(expr, n.InitList)  # Else its type has no name of its own.
-        if not (spelled and kind.bases <= STORABLE and self._declared_outside(kind)):
-            return Refusal(Code.UNSTORABLE, str(kind))
-        return None
-
-    def _declared_outside(self, kind: Type) -> bool:
-        """Can a global variable of the type be declared?"""
-        if kind.struct is None:
-            return True
-        if not kind.struct.name:
-            return False
-        known = self.facts.structs.get(kind.struct) in self.structs
-        return known and all(map(self._declared_outside, kind.struct.fields.values()))
-
-    def _by_effects(self, instance: Instance, place: Place) -> Refusal | None:
-        effects = self.table.of(place.expr)
-        if effects.writes:
-            return Refusal(Code.SIDE_EFFECT, "writes " + ", ".join(sorted(effects.writes)))
-        if effects.does & Does.DISCARD:
-            return Refusal(Code.SIDE_EFFECT, "discards the fragment")
-        if instance.order_matters or place.order_matters:
-            return Refusal(Code.ORDER)
-        return None
-
-    def _by_inputs(self, expr: n.Expr, found: Slice) -> Refusal | None:
-        names = self.slices.leaf_names
-        if found.leaves & self.mutable:
-            return Refusal(
-                Code.MUTABLE_GLOBAL, ", ".join(sorted(names(found.leaves & self.mutable)))
+        for place in instance.places.all:
+            expr = place.expr
+            if expr.span == NOWHERE:
+                continue  # It was added: the user's own expressions are the nodes.
+            if expr not in texts:
+                texts[expr] = _text(origin.source, expr, facts)
+            value = slices.value(instance, place)
+            cost = slices.cost(value.atoms) + costs.of(expr)
+            trial = Trial(evidence, instance, place, facts.types[expr], value, cost)
+            found.append(
+                Candidate(
+                    id=_node_id(instance, place, digests),
+                    instance=instance,
+                    place=place,
+                    expr=expr,
+                    text=texts[expr],
+                    path=path_to(instance, place, origin.source),
+                    type=trial.type,
+                    cost=cost,
+                    ratio=cost / total,
+                    inputs=_inputs(slices.leaf_names(value.leaves)),
+                    refusal=refusal_of(trial),
+                )
             )
-        if found.leaves & self.derivative:
-            return Refusal(Code.DERIVATIVE)
-        bound = {name for name in names(found.leaves) if name.startswith(("gl_", "%"))}
-        screen = sorted(name.removeprefix("%") for name in bound - self.reused)
-        if screen:
-            return Refusal(Code.SCREEN, ", ".join(screen))
-        if not found.leaves and not self.table.of(expr).does:
-            return Refusal(Code.CONSTANT)
-        if not found.leaves & self.varying:
-            return Refusal(Code.UNIFORM, ", ".join(sorted(names(found.leaves))))
-        return None
+    found.extend(_initialisers(module, facts, origin))
+    return Candidates(tuple(found), instances, slices, evidence.derivatives, total)
 
-    def _by_use(self, instance: Instance, place: Place) -> Refusal | None:
-        if self.derivatives.fed_by(instance, place):
-            return Refusal(Code.FEEDS_DERIVATIVE)
-        if self.cubes.fed_by(instance, place):
-            return Refusal(Code.FEEDS_CUBE)
-        return Refusal(Code.DISCARDS) if self.discards.fed_by(instance, place) else None
+
+def _evidence(
+    module: n.Module, facts: Facts, slices: SliceTable, table: EffectTable, mapping: MappingKind
+) -> Evidence:
+    instances, bit = slices.instances, slices.leaf_bit
+    # The bits are handed out in this order.
+    derivatives_taken = SharedUses(instances, slices, derivatives(table))
+    cubes = SharedUses(instances, slices, cube_lookups(table, facts))
+    drops = discards(instances, slices)
+    reused = reused_builtins(module, mapping)
+    structs = (decl.type.struct for decl in module.decls if isinstance(decl, n.VarDecl))
+    return Evidence(
+        facts=facts,
+        table=table,
+        slices=slices,
+        derivatives=derivatives_taken,
+        cubes=cubes,
+        discards=drops,
+        structs=frozenset(structs) - {None},
+        mutable=sum({bit(name) for name in written_anywhere(module, table)}),
+        derivative=bit(DERIVATIVE),
+        varying=sum({bit(name) for name in varyings(module) | reused}),
+        reused=reused,
+    )
 
 
 def reused_builtins(module: n.Module, mapping: MappingKind) -> frozenset[str]:
@@ -319,7 +231,7 @@ def _digest(*parts: str) -> str:
     return blake2b("\0".join(parts).encode(), digest_size=4).hexdigest()
 
 
-def _digests(instances: tuple[Instance, ...], printed: dict[str, str]) -> dict[Instance, str]:
+def _digests(instances: tuple[Instance, ...], printed: Mapping[str, str]) -> dict[Instance, str]:
     """A digest of every call path: the functions on it as written, and which calls it takes."""
     found: dict[Instance, str] = {}
     for item in instances:
@@ -339,9 +251,7 @@ def _node_id(instance: Instance, place: Place, digests: dict[Instance, str]) -> 
     return f"{name}.{place.ordinal}{mark}-{_digest(digests[instance], str(place.ordinal))}"
 
 
-def _initialisers(
-    module: n.Module, facts: Facts, source: Source, printed: dict[str, str]
-) -> list[Candidate]:
+def _initialisers(module: n.Module, facts: Facts, origin: Origin) -> list[Candidate]:
     """The expressions in initialisers of globals: all refused (law 9: refused means told)."""
     found: list[Candidate] = []
     for decl in module.decls:
@@ -352,14 +262,14 @@ def _initialisers(
             own = (expr for expr in inside if expr.span != NOWHERE)
             for number, expr in enumerate(own):
                 code = Code.CONSTANT if facts.is_constant(expr) else Code.INITIALISER
-                digest = _digest(printed[item.name], str(number))
+                digest = _digest(origin.printed[item.name], str(number))
                 found.append(
                     Candidate(
                         id=f"{item.name}.{number}-{digest}",
                         instance=None,
                         place=None,
                         expr=expr,
-                        text=_text(source, expr, facts),
+                        text=_text(origin.source, expr, facts),
                         path=f"(initialiser of {item.name})",
                         type=facts.types[expr],
                         cost=0.0,

@@ -55,6 +55,7 @@ class SliceTable:
         table: EffectTable,
         cost: CostTable,
     ) -> None:
+        self.instances = instances
         self._table = table
         self._cost = cost
         self._leaf_bits: dict[str, int] = {}

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from shadercache.analysis import candidates
+from shadercache.analysis import candidates, refusal_rules
 from shadercache.analysis.call_paths import Instance
 from shadercache.analysis.refusals import Code, Refusal
 from shadercache.analysis.slices import NOTHING, SliceTable
@@ -72,25 +72,24 @@ def _without(*codes: Code) -> Break:
     """Nothing is refused with these codes."""
 
     def change(patch: pytest.MonkeyPatch) -> None:
-        for name in ("_by_place", "_by_effects", "_by_inputs", "_by_use"):
-            patch.setattr(candidates._Judge, name, _lenient(name, codes))
+        rules = tuple(_lenient(rule, codes) for rule in refusal_rules.RULES)
+        patch.setattr(refusal_rules, "RULES", rules)
 
     return change
 
 
-def _lenient(name: str, codes: tuple[Code, ...]) -> Callable[..., Refusal | None]:
-    strict: Callable[..., Refusal | None] = getattr(candidates._Judge, name)
-
-    def judged(*args: Any) -> Refusal | None:
-        found = strict(*args)
+def _lenient(strict: refusal_rules.Rule, codes: tuple[Code, ...]) -> refusal_rules.Rule:
+    def judged(trial: refusal_rules.Trial) -> Refusal | None:
+        found = strict(trial)
         return None if found is not None and found.code in codes else found
 
     return judged
 
 
-def _in_any_order(patch: pytest.MonkeyPatch) -> None:
+def without_effects(patch: pytest.MonkeyPatch) -> None:
     """As if order did not matter for what stands in a statement with side effects."""
-    patch.setattr(candidates._Judge, "_by_effects", lambda *_: None)
+    rules = tuple(item for item in refusal_rules.RULES if item is not refusal_rules.by_effects)
+    patch.setattr(refusal_rules, "RULES", rules)
 
 
 def _always_valid(patch: pytest.MonkeyPatch) -> None:
@@ -108,7 +107,7 @@ RULES = (
     Rule("values flow through globals", _no_flow_through_globals, "gl330-through_global"),
     Rule("SC316: a value decides on a discard", _without(Code.DISCARDS), "gl330-discard_decided"),
     Rule("SC319: a value decides a look-up", _without(Code.FEEDS_CUBE), "gl330-cube_decided"),
-    Rule("SC304, SC314: side effects", _in_any_order, "gl330-ordered"),
+    Rule("SC304, SC314: side effects", without_effects, "gl330-ordered"),
     Rule("a branch skips the payload", _always_valid, "gl330-skipped", judges=False),
     Rule("fetches ahead of a branch", _fetched_from_anywhere, "gl330-skipped_fetch", judges=False),
 )

@@ -23,7 +23,6 @@ from laws.slices import NIGHTLY
 
 from shadercache import compiler
 from shadercache.analysis import (
-    candidates,
     control_dependence,
     derivative_uses,
     effect_table,
@@ -46,7 +45,7 @@ from tests.cases.cases import FOLDER as CASES
 from tests.cases.cases import golden_text, sources
 
 from .dialects import DIALECTS
-from .rules import RULES, Rule
+from .rules import RULES, Rule, without_effects
 from .suite import Nodes, pick_nodes, quick_shader
 from .trial import Chooser, try_shader
 
@@ -58,11 +57,6 @@ MOST = 25
 """Shaders that may be tried until one notices."""
 
 Break = Callable[[pytest.MonkeyPatch], None]
-
-
-def the_payload_is_stored_late(patch: pytest.MonkeyPatch) -> None:
-    """As if order did not matter for what stands in a statement with side effects."""
-    patch.setattr(candidates._Judge, "_by_effects", lambda self, instance, place: None)
 
 
 def nothing_but_the_position_is_written(patch: pytest.MonkeyPatch) -> None:
@@ -100,7 +94,7 @@ BROKEN: dict[str, tuple[str, Break]] = {
         "es300",
         lambda patch: patch.setattr(program_set, "with_precisions", lambda module, *_: module),
     ),
-    "candidates: order": ("gl330", the_payload_is_stored_late),
+    "candidates: order": ("gl330", without_effects),
 }
 
 
