@@ -54,16 +54,15 @@ class Terms:
 
     def leaf(self, name: str, kind: Type | None, moves: bool) -> Term:
         """An input, or something else that nothing is known of."""
-        return self._make("leaf", name, (), kind, moves)
+        return self._known.setdefault((name, kind), Term("leaf", name, (), kind, moves, False))
 
     def literal(self, value: object, kind: Type | None) -> Term:
         """A constant."""
-        return self._make("literal", value, (), kind, False)
+        return self._make("literal", value, (), kind)
 
     def make(self, op: str, data: object, args: Iterable[Term], kind: Type | None) -> Term:
         """A term of an operator or of a function."""
-        parts = tuple(args)
-        return self._make(op, data, parts, kind, any(part.moves for part in parts))
+        return self._make(op, data, tuple(args), kind)
 
     def unknown(self, parts: Iterable[Term], kind: Type | None) -> Term:
         """Something that is made of ``parts``, like nothing else."""
@@ -81,8 +80,7 @@ class Terms:
         if len(different) == 1:
             return different[0]
         controls = tuple(dict.fromkeys(decides))
-        moves = any(item.moves for item in (*different, *controls))
-        return self._make("join", None, different, different[0].type, moves, controls)
+        return self._make("join", None, different, different[0].type, controls)
 
     def swizzle(self, of: Term, places: tuple[int, ...], kind: Type | None) -> Term:
         """Components of a vector."""
@@ -127,13 +125,13 @@ class Terms:
         data: object,
         args: tuple[Term, ...],
         kind: Type | None,
-        moves: bool,
         decides: tuple[Term, ...] = (),
     ) -> Term:
         key = (op, data, args, kind, decides)
         found = self._known.get(key)
         if found is None:
             parts = (*args, *decides)
+            moves = any(part.moves for part in parts)
             constant = op == "literal" or (bool(parts) and all(part.constant for part in parts))
             found = self._known[key] = Term(op, data, args, kind, moves, constant, decides)
         return found

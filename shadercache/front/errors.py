@@ -153,7 +153,7 @@ def _no_type(name: str) -> str:
 
 
 def _type_hint(mistake: Unexpected, name: str) -> str | None:
-    known = {*type_names(*mistake.language), *mistake.types}
+    known = {*type_names(*mistake.language), *mistake.stream.scopes.types}
     if mistake.before == "," and mistake.openings and mistake.openings[-1][0] == "(":
         return "each parameter has a type of its own"
     return foreign.type_hint(name, known) or _outside_hint(mistake)

@@ -24,11 +24,10 @@ class Unexpected:
     before it and of the next, empty outside the file. ``callee`` is the word before the brackets
     that end before the token. ``openings`` has the brackets that are open, innermost last, each
     with the spelling before it. ``right`` has the terminals that could have come, ``values`` what
-    stands unfinished on the parser's stack, ``types`` the names of structs.
+    stands unfinished on the parser's stack.
     """
 
-    source: Source
-    language: Edition
+    stream: TokenStream
     text: str
     kind: str
     span: Span
@@ -40,7 +39,16 @@ class Unexpected:
     openings: list[tuple[str, Span, str]]
     right: frozenset[str]
     values: list[Any]
-    types: frozenset[str]
+
+    @property
+    def source(self) -> Source:
+        """The file."""
+        return self.stream.source
+
+    @property
+    def language(self) -> Edition:
+        """Its GLSL."""
+        return self.stream.language
 
     def at(
         self, span: Span, message: str, hint: str | None = None, code: str = "SC103"
@@ -81,8 +89,7 @@ def gather(error: UnexpectedToken, stream: TokenStream) -> Unexpected:
         elif text in CLOSERS:
             _, _, callee = openings.pop()
     return Unexpected(
-        source=stream.source,
-        language=stream.language,
+        stream=stream,
         text=_spelling(stream, index),
         kind=error.token.type,
         span=_place(stream, index),
@@ -94,7 +101,6 @@ def gather(error: UnexpectedToken, stream: TokenStream) -> Unexpected:
         openings=openings,
         right=frozenset(parser.accepts()),
         values=parser.parser_state.value_stack,
-        types=frozenset(stream.scopes.types),
     )
 
 

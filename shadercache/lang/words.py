@@ -9,15 +9,13 @@ precedence table that the printer sets parentheses by, so the two cannot disagre
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
-from typing import Literal
 
 # --- keywords and reserved words ------------------------------------------------------------------
 
 _NEVER = 9999
 _NO_EXTENSIONS: frozenset[str] = frozenset()
-_Kind = Literal["type", "qualifier", "statement"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +26,6 @@ class _Row:
     ``extended_since`` and later ones.
     """
 
-    kind: _Kind
     words: frozenset[str]
     desktop: int
     es: int
@@ -48,19 +45,21 @@ class _Row:
 
 
 def _row(
-    kind: _Kind,
     words: str | Iterable[str],
     desktop: int,
     es: int,
     *,
     reserved: tuple[int, int] = (_NEVER, _NEVER),
-    es_until: int = _NEVER,
     ext: str = "",
-    ext_since: int = 0,
 ) -> _Row:
     split = words.split() if isinstance(words, str) else words
     extensions = frozenset("GL_" + name for name in ext.split())
-    return _Row(kind, frozenset(split), desktop, es, *reserved, es_until, extensions, ext_since)
+    return _Row(frozenset(split), desktop, es, *reserved, extensions=extensions)
+
+
+def _since(version: int, row: _Row) -> _Row:
+    """The row where its extensions begin with a version."""
+    return replace(row, extended_since=version)
 
 
 def _with_int_kinds(names: str) -> tuple[str, ...]:
@@ -83,108 +82,107 @@ _INT64 = "ARB_gpu_shader_int64 EXT_shader_explicit_arithmetic_types_int64"
 _RECTANGLES = "ARB_texture_rectangle"
 
 _TYPES = (
-    _row("type", "void bool int float vec2 vec3 vec4 bvec2 bvec3 bvec4 ivec2 ivec3 ivec4", 0, 0),
-    _row("type", "mat2 mat3 mat4 sampler2D samplerCube", 0, 0),
-    _row("type", "sampler1D sampler1DShadow", 0, _NEVER, reserved=(0, 0)),
-    _row("type", "sampler2DShadow", 0, 300, reserved=(0, 0), ext="EXT_shadow_samplers"),
-    _row("type", "sampler3D", 0, 300, reserved=(0, 0), ext="OES_texture_3D"),
-    _row("type", _MATRICES, 120, 300),
-    _row("type", "uint uvec2 uvec3 uvec4", 130, 300, ext="EXT_gpu_shader4"),
-    _row("type", _int_kinds("sampler2D sampler2DArray sampler3D samplerCube"), 130, 300,
+    _row("void bool int float vec2 vec3 vec4 bvec2 bvec3 bvec4 ivec2 ivec3 ivec4", 0, 0),
+    _row("mat2 mat3 mat4 sampler2D samplerCube", 0, 0),
+    _row("sampler1D sampler1DShadow", 0, _NEVER, reserved=(0, 0)),
+    _row("sampler2DShadow", 0, 300, reserved=(0, 0), ext="EXT_shadow_samplers"),
+    _row("sampler3D", 0, 300, reserved=(0, 0), ext="OES_texture_3D"),
+    _row(_MATRICES, 120, 300),
+    _row("uint uvec2 uvec3 uvec4", 130, 300, ext="EXT_gpu_shader4"),
+    _row(_int_kinds("sampler2D sampler2DArray sampler3D samplerCube"), 130, 300,
          ext="EXT_gpu_shader4"),
-    _row("type", "sampler2DArray", 130, 300, ext="EXT_gpu_shader4 EXT_texture_array"),
-    _row("type", "sampler2DArrayShadow", 130, 300, ext="EXT_gpu_shader4 EXT_texture_array"),
-    _row("type", "samplerCubeShadow", 130, 300, ext="EXT_gpu_shader4"),
-    _row("type", "sampler1DArray sampler1DArrayShadow", 130, _NEVER, reserved=(_NEVER, 300),
+    _row("sampler2DArray", 130, 300, ext="EXT_gpu_shader4 EXT_texture_array"),
+    _row("sampler2DArrayShadow", 130, 300, ext="EXT_gpu_shader4 EXT_texture_array"),
+    _row("samplerCubeShadow", 130, 300, ext="EXT_gpu_shader4"),
+    _row("sampler1DArray sampler1DArrayShadow", 130, _NEVER, reserved=(_NEVER, 300),
          ext="EXT_gpu_shader4 EXT_texture_array"),
-    _row("type", _int_kinds("sampler1D sampler1DArray"), 130, _NEVER, reserved=(_NEVER, 300),
+    _row(_int_kinds("sampler1D sampler1DArray"), 130, _NEVER, reserved=(_NEVER, 300),
          ext="EXT_gpu_shader4"),
-    _row("type", "sampler2DRect sampler2DRectShadow", 140, _NEVER, reserved=(0, 0),
+    _row("sampler2DRect sampler2DRectShadow", 140, _NEVER, reserved=(0, 0),
          ext=_RECTANGLES),
-    _row("type", _int_kinds("sampler2DRect"), 140, _NEVER, reserved=(_NEVER, 300),
+    _row(_int_kinds("sampler2DRect"), 140, _NEVER, reserved=(_NEVER, 300),
          ext="EXT_gpu_shader4"),
-    _row("type", "samplerBuffer", 130, 320, reserved=(_NEVER, 300),
+    _row("samplerBuffer", 130, 320, reserved=(_NEVER, 300),
          ext=f"{_BUFFERS} EXT_gpu_shader4"),
-    _row("type", "isamplerBuffer usamplerBuffer", 140, 320, reserved=(_NEVER, 300),
+    _row("isamplerBuffer usamplerBuffer", 140, 320, reserved=(_NEVER, 300),
          ext=f"{_BUFFERS} EXT_gpu_shader4 ARB_texture_buffer_object"),
-    _row("type", _with_int_kinds("sampler2DMS"), 150, 310, reserved=(_NEVER, 300),
+    _row(_with_int_kinds("sampler2DMS"), 150, 310, reserved=(_NEVER, 300),
          ext="ARB_texture_multisample"),
-    _row("type", _with_int_kinds("sampler2DMSArray"), 150, 320, reserved=(_NEVER, 300),
+    _row(_with_int_kinds("sampler2DMSArray"), 150, 320, reserved=(_NEVER, 300),
          ext="ARB_texture_multisample OES_texture_storage_multisample_2d_array"),
-    _row("type", "double dvec2 dvec3 dvec4", 400, _NEVER, reserved=(0, 0), ext=_FP64,
-         ext_since=150),
-    _row("type", (f"d{name}" for name in ("mat2", "mat3", "mat4", *_MATRICES)), 400, _NEVER,
-         reserved=(_NEVER, 300), ext=_FP64, ext_since=150),
-    _row("type", ("samplerCubeArrayShadow", *_with_int_kinds("samplerCubeArray")), 400, 320,
+    _since(150, _row("double dvec2 dvec3 dvec4", 400, _NEVER, reserved=(0, 0), ext=_FP64)),
+    _since(150, _row((f"d{name}" for name in ("mat2", "mat3", "mat4", *_MATRICES)), 400, _NEVER,
+                     reserved=(_NEVER, 300), ext=_FP64)),
+    _row(("samplerCubeArrayShadow", *_with_int_kinds("samplerCubeArray")), 400, 320,
          reserved=(0, 0), ext=f"{_CUBE_ARRAYS} ANDROID_extension_pack_es31a"),
-    _row("type", "atomic_uint", 420, 310, reserved=(_NEVER, 300),
+    _row("atomic_uint", 420, 310, reserved=(_NEVER, 300),
          ext="ARB_shader_atomic_counters"),
-    _row("type", _with_int_kinds("image2D image2DArray image3D imageCube"), 420, 310,
+    _row(_with_int_kinds("image2D image2DArray image3D imageCube"), 420, 310,
          reserved=(130, 300), ext=_IMAGES),
-    _row("type", _with_int_kinds("image1D image1DArray image2DRect"), 420, _NEVER,
+    _row(_with_int_kinds("image1D image1DArray image2DRect"), 420, _NEVER,
          reserved=(130, 300), ext=_IMAGES),
-    _row("type", _with_int_kinds("imageBuffer"), 420, 320, reserved=(130, 300),
+    _row(_with_int_kinds("imageBuffer"), 420, 320, reserved=(130, 300),
          ext=f"{_IMAGES} {_BUFFERS}"),
-    _row("type", _with_int_kinds("imageCubeArray"), 420, 320, reserved=(_NEVER, 310),
+    _row(_with_int_kinds("imageCubeArray"), 420, 320, reserved=(_NEVER, 310),
          ext=f"{_IMAGES} {_CUBE_ARRAYS} ANDROID_extension_pack_es31a"),
-    _row("type", _with_int_kinds("image2DMS image2DMSArray"), 420, _NEVER,
+    _row(_with_int_kinds("image2DMS image2DMSArray"), 420, _NEVER,
          reserved=(_NEVER, 310), ext=_IMAGES),
-    _row("type", "int64_t uint64_t", _NEVER, _NEVER, ext=_INT64, ext_since=400),
-    _row("type", (f"{sign}64vec{size}" for sign in "iu" for size in (2, 3, 4)),
-         _NEVER, _NEVER, ext=_INT64, ext_since=400),
-    _row("type", "samplerExternalOES", _NEVER, _NEVER,
+    _since(400, _row("int64_t uint64_t", _NEVER, _NEVER, ext=_INT64)),
+    _since(400, _row((f"{sign}64vec{size}" for sign in "iu" for size in (2, 3, 4)),
+                     _NEVER, _NEVER, ext=_INT64)),
+    _row("samplerExternalOES", _NEVER, _NEVER,
          ext="OES_EGL_image_external OES_EGL_image_external_essl3"),
 )  # fmt: skip
 
 _QUALIFIERS = (
-    _row("qualifier", "const in out inout uniform", 0, 0),
-    _row("qualifier", "attribute varying", 0, 0, es_until=100, reserved=(_NEVER, 300)),
-    _row("qualifier", "highp mediump lowp", 130, 0),
-    _row("qualifier", "invariant", 120, 0),
-    _row("qualifier", "centroid", 120, 300, ext="EXT_gpu_shader4"),
-    _row("qualifier", "flat", 130, 300, reserved=(_NEVER, 0), ext="EXT_gpu_shader4"),
-    _row("qualifier", "smooth", 130, 300),
-    _row("qualifier", "noperspective", 130, _NEVER, reserved=(_NEVER, 300),
+    _row("const in out inout uniform", 0, 0),
+    replace(_row("attribute varying", 0, 0, reserved=(_NEVER, 300)), es_until=100),
+    _row("highp mediump lowp", 130, 0),
+    _row("invariant", 120, 0),
+    _row("centroid", 120, 300, ext="EXT_gpu_shader4"),
+    _row("flat", 130, 300, reserved=(_NEVER, 0), ext="EXT_gpu_shader4"),
+    _row("smooth", 130, 300),
+    _row("noperspective", 130, _NEVER, reserved=(_NEVER, 300),
          ext="EXT_gpu_shader4 NV_shader_noperspective_interpolation"),
-    _row("qualifier", "pervertexEXT", _NEVER, _NEVER, ext="EXT_fragment_shader_barycentric"),
-    _row("qualifier", "pervertexNV", _NEVER, _NEVER, ext="NV_fragment_shader_barycentric"),
-    _row("qualifier", "__explicitInterpAMD", _NEVER, _NEVER,
+    _row("pervertexEXT", _NEVER, _NEVER, ext="EXT_fragment_shader_barycentric"),
+    _row("pervertexNV", _NEVER, _NEVER, ext="NV_fragment_shader_barycentric"),
+    _row("__explicitInterpAMD", _NEVER, _NEVER,
          ext="AMD_shader_explicit_vertex_parameter"),
-    _row("qualifier", "precise", 400, 320, reserved=(_NEVER, 310), ext=_GPU5),
-    _row("qualifier", "patch", 400, 320, reserved=(_NEVER, 300),
+    _row("precise", 400, 320, reserved=(_NEVER, 310), ext=_GPU5),
+    _row("patch", 400, 320, reserved=(_NEVER, 300),
          ext="ARB_tessellation_shader EXT_tessellation_shader OES_tessellation_shader"),
-    _row("qualifier", "sample", 400, 320, reserved=(_NEVER, 300),
+    _row("sample", 400, 320, reserved=(_NEVER, 300),
          ext="ARB_gpu_shader5 OES_shader_multisample_interpolation ANDROID_extension_pack_es31a"),
-    _row("qualifier", "volatile", 420, 310, reserved=(0, 0), ext=_IMAGES),
-    _row("qualifier", "coherent restrict readonly writeonly", 420, 310, reserved=(_NEVER, 300),
+    _row("volatile", 420, 310, reserved=(0, 0), ext=_IMAGES),
+    _row("coherent restrict readonly writeonly", 420, 310, reserved=(_NEVER, 300),
          ext=f"{_IMAGES} ARB_shader_storage_buffer_object"),
-    _row("qualifier", "buffer", 430, 310, ext="ARB_shader_storage_buffer_object"),
-    _row("qualifier", "shared", 140, 300),
+    _row("buffer", 430, 310, ext="ARB_shader_storage_buffer_object"),
+    _row("shared", 140, 300),
 )  # fmt: skip
 
 _STATEMENTS = (
-    _row("statement", "if else for while do break continue return discard struct", 0, 0),
-    _row("statement", "switch case default", 130, 300, reserved=(0, 0), ext="EXT_gpu_shader4"),
-    _row("statement", "precision", 130, 0),
-    _row("statement", "layout", 140, 300,
+    _row("if else for while do break continue return discard struct", 0, 0),
+    _row("switch case default", 130, 300, reserved=(0, 0), ext="EXT_gpu_shader4"),
+    _row("precision", 130, 0),
+    _row("layout", 140, 300,
          ext="ARB_explicit_attrib_location ARB_shading_language_420pack "
              "ARB_uniform_buffer_object ARB_fragment_coord_conventions"),
-    _row("statement", "demote", _NEVER, _NEVER, ext="EXT_demote_to_helper_invocation"),
+    _row("demote", _NEVER, _NEVER, ext="EXT_demote_to_helper_invocation"),
 )  # fmt: skip
 
 _RESERVED = (
-    _row("statement", "active asm cast class common enum extern external filter fixed",
+    _row("active asm cast class common enum extern external filter fixed",
          _NEVER, _NEVER, reserved=(0, 0)),
-    _row("statement", "goto half inline input interface long namespace noinline output partition",
+    _row("goto half inline input interface long namespace noinline output partition",
          _NEVER, _NEVER, reserved=(0, 0)),
-    _row("statement", "public sampler3DRect short sizeof static template this typedef union",
+    _row("public sampler3DRect short sizeof static template this typedef union",
          _NEVER, _NEVER, reserved=(0, 0)),
-    _row("statement", "unsigned using hvec2 hvec3 hvec4 fvec2 fvec3 fvec4", _NEVER, _NEVER,
+    _row("unsigned using hvec2 hvec3 hvec4 fvec2 fvec3 fvec4", _NEVER, _NEVER,
          reserved=(0, 0)),
-    _row("statement", "superp", _NEVER, _NEVER, reserved=(130, 0)),
-    _row("statement", "resource", _NEVER, _NEVER, reserved=(420, 300)),
+    _row("superp", _NEVER, _NEVER, reserved=(130, 0)),
+    _row("resource", _NEVER, _NEVER, reserved=(420, 300)),
     # The keyword of subroutines, which are refused.
-    _row("statement", "subroutine", _NEVER, _NEVER, reserved=(400, 300)),
+    _row("subroutine", _NEVER, _NEVER, reserved=(400, 300)),
 )  # fmt: skip
 
 _PACKED_UNTIL = 130

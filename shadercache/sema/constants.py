@@ -99,7 +99,7 @@ class Constants:
         if one is not None and two is not None:
             base = self._conversions.common_base(left, right) if left and right else None
             operands = (self._types[node.left], self._types[node.right])
-            folded = fold.fold_binary(node.op, one, two, operands, base, self._types[node])
+            folded = fold.fold_binary(node.op, (one, two), operands, base, self._types[node])
         self.set(node, folded, node.left, node.right)
 
     def conditional(self, node: Conditional) -> None:

@@ -148,9 +148,15 @@ def fold_unary(op: str, value: Value, kind: Type) -> Value | None:
 
 
 def fold_binary(
-    op: str, left: Value, right: Value, operands: tuple[Type, Type], base: str | None, kind: Type
+    op: str,
+    values: tuple[Value, Value],
+    operands: tuple[Type, Type],
+    base: str | None,
+    kind: Type,
 ) -> Value | None:
-    """``left op right`` of result type ``kind``; both are first converted to scalar ``base``."""
+    """An operator on two values of the types ``operands``, with a result of type ``kind``; both are
+    first converted to scalar ``base``."""
+    left, right = values
     if base is not None and op not in ("<<", ">>"):
         one, two = converted(left, base), converted(right, base)
         if one is None or two is None:

@@ -136,7 +136,7 @@ class TripCounter:
         kind = operands[bases.index(base) if base in bases else 0]
         if whole is not None:
             kind = self._facts.types[whole]
-        found = fold.fold_binary(op, one, two, operands, base, kind)
+        found = fold.fold_binary(op, (one, two), operands, base, kind)
         return None if isinstance(found, tuple) else found
 
 
