@@ -27,6 +27,7 @@ from shadercache.analysis.refusal_rules import Evidence, Trial, refusal_of
 from shadercache.analysis.refusals import Code, Refusal
 from shadercache.analysis.slices import DERIVATIVE, SliceTable
 from shadercache.ast import nodes as n
+from shadercache.ast.large import without_collector
 from shadercache.ast.walk import expressions
 from shadercache.diagnostics import shortened
 from shadercache.lang.types import Type
@@ -116,6 +117,13 @@ def find_candidates(
 
     ``module`` has unique names. Raises :class:`InputError` SC401 on too many call paths.
     """
+    with without_collector():
+        return _judged(module, facts, table, origin, mapping)
+
+
+def _judged(
+    module: n.Module, facts: Facts, table: EffectTable, origin: Origin, mapping: MappingKind
+) -> Candidates:
     instances = find_instances(table, origin.source)
     costs = CostTable(facts)
     slices = SliceTable(module, instances, table, costs)

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from typing import cast
 
 from shadercache.ast import nodes as n
-from shadercache.ast.walk import children
+from shadercache.ast.walk import children, postorder
 from shadercache.sema.facts import Facts
 
 FETCH = 24.0
@@ -55,14 +55,7 @@ class CostTable:
         found = self._table.get(node)
         if found is not None:
             return found
-        order: list[n.Node] = []
-        stack = [node]
-        while stack:
-            item = stack.pop()
-            if item not in self._table:
-                order.append(item)
-                stack.extend(children(item))
-        for item in reversed(order):
+        for item in postorder(node, self._table):
             inside = sum(self._table[child] for child in children(item))
             self._table[item] = self._loop(item, inside) + self._own(item)
         return self._table[node]

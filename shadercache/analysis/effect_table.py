@@ -25,7 +25,7 @@ from shadercache.analysis.effects import (
 from shadercache.analysis.liveness import live_at_entry, overwritten_in
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
-from shadercache.ast.walk import children, walk
+from shadercache.ast.walk import children, postorder, walk
 from shadercache.lang.builtins import Signature, overloads
 
 
@@ -49,7 +49,7 @@ class EffectTable:
         """The effects of evaluating an expression or executing a statement."""
         found = self._table.get(node)
         if found is None:
-            for item in _postorder(node, self._table):
+            for item in postorder(node, self._table):
                 effects = self._own(item)
                 if item in self._marks:
                     effects = effects | Effects(frozenset((self._marks[item],)))
@@ -68,7 +68,7 @@ class EffectTable:
             function = self.functions[name]
             heads = tuple(
                 self.linked(callee).head if callee in self.functions else None
-                for callee in self._callees(function)
+                for callee in self._called(function)
             )
             table: dict[object, Linked] = self._memo.table("linked functions")
             found = table.get((function, heads))
@@ -100,7 +100,11 @@ class EffectTable:
         )
         return Linked(function, own | inside.writes, heads.setdefault(key, head))
 
-    def _callees(self, function: n.FunctionDef) -> tuple[str, ...]:
+    def callees(self, name: str) -> list[str]:
+        """The user's functions that the user's function ``name`` calls."""
+        return [item for item in self._called(self.functions[name]) if item in self.functions]
+
+    def _called(self, function: n.FunctionDef) -> tuple[str, ...]:
         """The names of all functions that a function calls, built-in ones too."""
         table: dict[n.FunctionDef, tuple[str, ...]] = self._memo.table("callees")
         found = table.get(function)
@@ -202,17 +206,3 @@ def _builtin_does(call: n.Call) -> Does:
 def _written(target: n.Expr) -> Effects:
     root = root_variable(target)
     return Effects(writes=frozenset((root,))) if root else NO_EFFECTS
-
-
-def _postorder(node: n.Node, done: dict[n.Node, Effects]) -> list[n.Node]:
-    """Children before parents, skipping what is done; no recursion (long operator chains)."""
-    order: list[n.Node] = []
-    stack = [node]
-    while stack:
-        item = stack.pop()
-        if item in done:
-            continue
-        order.append(item)
-        stack.extend(children(item))
-    order.reverse()
-    return order

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from enum import Flag, auto
 
 from shadercache.ast import nodes as n
-from shadercache.ast.walk import children
+from shadercache.ast.walk import walk
 
 
 class Does(Flag):
@@ -91,10 +91,5 @@ class Linked:
 def local_names(function: n.FunctionDef) -> frozenset[str]:
     """Names of the parameters and of all variables declared in a function."""
     names = {param.name for param in function.proto.params if param.name}
-    stack: list[n.Node] = [function.body]
-    while stack:
-        item = stack.pop()
-        if isinstance(item, n.Declarator):
-            names.add(item.name)
-        stack.extend(children(item))
+    names.update(item.name for item in walk(function.body) if isinstance(item, n.Declarator))
     return frozenset(names)

@@ -14,9 +14,10 @@ takes no account of order.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Set
 from dataclasses import dataclass, field
 
+from shadercache.analysis.dataflow import reached
 from shadercache.analysis.effect_table import EffectTable, out_arguments
 from shadercache.analysis.effects import Does, local_names, root_variable
 from shadercache.ast import nodes as n
@@ -83,17 +84,11 @@ def _all_flows(table: EffectTable, memo: Memo | None) -> list[_Flows]:
     return found
 
 
-def _reached(every: list[_Flows], names: Iterable[str]) -> set[str]:
+def _reached(every: list[_Flows], names: Iterable[str]) -> Set[str]:
     """All names that a value of the given ones may come to."""
-    found = set(names)
-    waiting = list(found)
-    while waiting:
-        name = waiting.pop()
-        for flows in every:
-            new = flows.targets.get(name, _NOTHING) - found
-            found |= new
-            waiting += new
-    return found
+    return reached(
+        names, lambda name: (to for flows in every for to in flows.targets.get(name, _NOTHING))
+    ).keys()
 
 
 class _FlowWalker:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from shadercache.analysis.call_paths import Instance, Place, Use
 from shadercache.analysis.cost import FETCH
@@ -42,8 +43,7 @@ class Evidence:
     reused: frozenset[str]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Trial:
+class Trial(NamedTuple):
     """An expression on a call path, its type, what its value depends on and what that costs."""
 
     evidence: Evidence
@@ -59,7 +59,11 @@ Rule = Callable[[Trial], Refusal | None]
 
 def refusal_of(trial: Trial) -> Refusal | None:
     """What the first rule says that has something to say."""
-    return next((found for rule in RULES if (found := rule(trial)) is not None), None)
+    for rule in RULES:
+        found = rule(trial)
+        if found is not None:
+            return found
+    return None
 
 
 def by_place(trial: Trial) -> Refusal | None:

@@ -23,12 +23,13 @@ from typing import cast
 from shadercache.analysis.call_paths import Instance
 from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.cost import UNKNOWN_TRIPS, CostTable
+from shadercache.analysis.dataflow import NAMES, before_cases, before_loop
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.effects import Does
 from shadercache.analysis.liveness import overwritten_by
 from shadercache.analysis.path_costs import Cut, Demand, PathCosts, Walked
 from shadercache.ast import nodes as n
-from shadercache.ast.walk import EXPRESSIONS, children
+from shadercache.ast.walk import EXPRESSIONS, children, walk
 
 _JUMPED_WITHIN = (n.For, n.While, n.DoWhile, n.Switch)
 """A jump inside one of these leads no further than its end."""
@@ -166,14 +167,7 @@ class SharedWorkTable:
 
 
 def _parents(root: n.Node) -> dict[n.Node, n.Node]:
-    found: dict[n.Node, n.Node] = {}
-    stack = [root]
-    while stack:
-        node = stack.pop()
-        for child in children(node):
-            found[child] = node
-            stack.append(child)
-    return found
+    return {child: node for node in walk(root) for child in children(node)}
 
 
 @dataclass(slots=True)
@@ -269,12 +263,12 @@ class _NeedWalker:
         around = live.union(*(self.table.of(part).reads for part in header))
         before, outer = self.cost, (self.in_next_round, self.inside_loop)
         self.inside_loop = True
-        while True:
-            self.cost, self.in_next_round = before, around | live
-            body = self.statement(stmt.body, around)
-            if body <= around:
-                break
-            around |= body
+
+        def round_(head: _Names) -> _Names:
+            self.cost, self.in_next_round = before, head | live
+            return self.statement(stmt.body, head)
+
+        around = before_loop(NAMES, around, round_)
         inside = self.cost - before + sum(self.costs.of(part) for part in header)
         self.cost, self.reached = before + inside * UNKNOWN_TRIPS, self.reached + 1
         self.in_next_round, self.inside_loop = outer
@@ -282,13 +276,11 @@ class _NeedWalker:
 
     def cases(self, stmt: n.Switch, live: _Names) -> _Names:
         """Each group falls through to the next, or leads to the end."""
-        at = head = live
-        for item in reversed(stmt.body):
-            if isinstance(item, n.Case):
-                head |= at
-            else:
-                at = live | self.statement(item, at)
-        return self.taken(stmt.selector, head)
+
+        def before(item: n.Stmt, at: _Names) -> _Names:
+            return at if isinstance(item, n.Case) else live | self.statement(item, at)
+
+        return self.taken(stmt.selector, before_cases(NAMES, stmt.body, live, before))
 
     def matters(self, node: n.Node, live: _Names) -> bool:
         """Is it needed whole?"""

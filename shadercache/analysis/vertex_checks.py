@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from shadercache.analysis.dataflow import reached
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.restrictions import busy_initialisers
 from shadercache.analysis.vertex_inputs import (
@@ -100,16 +101,9 @@ def _writers(module: n.Module, table: EffectTable, source: Source) -> Iterator[D
 
 def _reached(table: EffectTable) -> Iterator[n.Node]:
     """Every node of the functions that ``main`` leads to."""
-    todo, seen = ["main"], set[str]()
-    while todo:
-        name = todo.pop()
-        if name in seen or name not in table.functions:
-            continue
-        seen.add(name)
-        for node in walk(table.functions[name]):
-            yield node
-            if isinstance(node, n.Call):
-                todo.append(node.name)
+    return (
+        node for name in reached(["main"], table.callees) for node in walk(table.functions[name])
+    )
 
 
 def _names(block: n.BlockDecl) -> list[str]:

@@ -5,7 +5,7 @@ Nothing here recurses, so a chain of 100,000 operators is walked as well as a sh
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Container, Iterator
 from operator import attrgetter
 from typing import Any, cast, get_args
 
@@ -144,6 +144,19 @@ def walk(node: Node) -> Iterator[Node]:
         node = stack.pop()
         yield node
         stack += below[type(node)](node)[::-1]
+
+
+def postorder(node: Node, done: Container[Node] = ()) -> list[Node]:
+    """A node and all nodes below it, each behind its children; without what is ``done``."""
+    order: list[Node] = []
+    stack = [node]
+    while stack:
+        node = stack.pop()
+        if node not in done:
+            order.append(node)
+            stack += _CHILDREN[type(node)](node)
+    order.reverse()
+    return order
 
 
 def expressions(node: Node) -> Iterator[Expr]:

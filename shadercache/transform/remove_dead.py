@@ -22,6 +22,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import cast
 
+from shadercache.analysis.dataflow import NAMES, before_cases, before_loop
 from shadercache.analysis.effect_table import EffectTable, out_arguments
 from shadercache.analysis.effects import Does, Linked, root_variable
 from shadercache.analysis.liveness import overwritten_by, reads_of
@@ -305,15 +306,14 @@ class _Pruner:
         self.at_end = False
         header = [part for part in children(stmt) if part is not stmt.body]
         around = live.union(*(self.table.of(part).reads for part in header))
-        while True:
-            # Liveness at the head of the loop: what is live after it, or in the next round.
-            jumps = Jumps(after_break=live, after_continue=around)
+
+        def round_(head: Live) -> Live:
+            jumps = Jumps(after_break=live, after_continue=head)
             trial = _Pruner(self.table, self.at_exit, self.after_calls)
             trial.mentioned, trial.at_end = set(self.mentioned), False
-            _, before = trial.nested(stmt.body, around, jumps)
-            if before <= around:
-                break
-            around |= before
+            return trial.nested(stmt.body, head, jumps)[1]
+
+        around = before_loop(NAMES, around, round_)
         for part in header:
             self.evaluated(part, around)
             self.mentioned |= names_in(part)
@@ -331,26 +331,27 @@ class _Pruner:
     def switch(self, stmt: n.Switch, live: Live, jumps: Jumps) -> tuple[n.Stmt | None, Live]:
         """Statement by statement; a group of cases falls through to the next."""
         inside = Jumps(live, jumps.after_continue, self.at_end)
-        at, head = live, live
         kept: list[n.Stmt] = []
-        for item in reversed(stmt.body):
-            new: n.Stmt | None = item
+
+        def before(item: n.Stmt, after: Live) -> Live:
             if isinstance(item, n.Case):
-                head |= at
-            else:
-                new, at = self.nested(item, at, inside)
+                kept.append(item)
+                return after
+            new, at = self.nested(item, after, inside)
             if new is not None:
                 kept.append(new)
-                if not isinstance(new, n.Case):
-                    self.at_end = ends_here(new, inside)
+                self.at_end = ends_here(new, inside)
+            return at
+
+        head = before_cases(NAMES, stmt.body, live, before)
         if all(isinstance(item, n.Case) or is_break(item) for item in kept):
             return self.expression(n.ExprStmt(stmt.span, stmt.selector), live)
-        before = self.evaluated(stmt.selector, head)
+        at_selector = self.evaluated(stmt.selector, head)
         if isinstance(kept[0], n.Case):  # Something has to follow the last label.
             kept.insert(0, n.Jump(NOWHERE, "break"))
         body = tuple(reversed(kept))
         same = len(body) == len(stmt.body) and all(map(operator.is_, body, stmt.body))
-        return (stmt if same else replace(stmt, body=body)), before
+        return (stmt if same else replace(stmt, body=body)), at_selector
 
     def _is_dead(self, target: n.Expr, live: Live) -> bool:
         """Is nothing of what is assigned there wanted, and does nothing else happen there?"""

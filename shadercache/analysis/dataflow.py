@@ -1,0 +1,68 @@
+"""The equations of data flow over structured programs, solved for any lattice.
+
+GLSL has no ``goto``, so a walk over the statements meets all of the control flow. Facts go backward
+through blocks and conditionals in one pass; only a loop has an equation that needs a fixed point,
+and only a ``switch`` has paths that fall through. Facts that go forward along a relation ("what
+does this flow into?") are a closure.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Iterable, Sequence
+from dataclasses import dataclass
+from typing import Generic, TypeVar
+
+from shadercache.ast import nodes as n
+
+F = TypeVar("F")
+H = TypeVar("H", bound=Hashable)
+
+
+@dataclass(frozen=True, slots=True)
+class Lattice(Generic[F]):
+    """How facts meet where paths do, and whether one fact says no more than another."""
+
+    join: Callable[[F, F], F]
+    within: Callable[[F, F], bool]
+
+
+NAMES: Lattice[frozenset[str]] = Lattice(frozenset.union, frozenset.issubset)
+"""Sets of variables that may be live."""
+
+
+def before_loop(lattice: Lattice[F], at_head: F, round_: Callable[[F], F]) -> F:
+    """The least fact at the head of a loop that no further round adds to.
+
+    ``at_head`` holds there anyway; ``round_`` leads backward through the body, from one head to the
+    head before.
+    """
+    while True:
+        earlier = round_(at_head)
+        if lattice.within(earlier, at_head):
+            return at_head
+        at_head = lattice.join(at_head, earlier)
+
+
+def before_cases(
+    lattice: Lattice[F], body: Sequence[n.Stmt], after: F, before: Callable[[n.Stmt, F], F]
+) -> F:
+    """The fact where a ``switch`` chooses: each group of statements falls through to the next, and
+    there may be no label that fits. ``before`` leads backward through one statement."""
+    head = at = after
+    for stmt in reversed(body):
+        if isinstance(stmt, n.Case):
+            head = lattice.join(head, at)
+        at = before(stmt, at)
+    return head
+
+
+def reached(start: Iterable[H], onward: Callable[[H], Iterable[H]]) -> dict[H, None]:
+    """Everything that ``start`` leads to, itself included; an ordered set."""
+    found: dict[H, None] = {}
+    todo = list(start)
+    while todo:
+        item = todo.pop()
+        if item not in found:
+            found[item] = None
+            todo += onward(item)
+    return found
