@@ -20,7 +20,6 @@ from shadercache.analysis.derivative_uses import (
     discards,
 )
 from shadercache.analysis.effect_table import EffectTable
-from shadercache.analysis.effects import Does
 from shadercache.analysis.mapping import MappingKind
 from shadercache.analysis.reaching_definitions import written_anywhere
 from shadercache.analysis.refusal_rules import Evidence, Trial, refusal_of

@@ -21,7 +21,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from shadercache.analysis.candidates import FIRST_TEXEL, SECOND_TEXEL
+from shadercache.analysis.refusal_rules import FIRST_TEXEL, SECOND_TEXEL
 from shadercache.caching.configuration import CacheFormat, Configuration
 from shadercache.lang.types import FLOAT, INT, Type
 

@@ -8,7 +8,7 @@ from shadercache.ast.nodes import Assign, Call, Expr, Index, Member, Name, Postf
 from shadercache.sema.facts import Symbol
 from shadercache.sema.overloads import parameters
 from shadercache.sema.problems import ERROR
-from shadercache.valid.subject import Subject
+from shadercache.valid.suspect import Suspect
 
 _READ_ONLY = {
     "const": "a constant",
@@ -18,25 +18,25 @@ _READ_ONLY = {
 }
 
 
-def check_assignments(subject: Subject) -> None:
+def check_assignments(suspect: Suspect) -> None:
     """What an operator or a function writes to is a variable that may change."""
-    for target, by in _targets(subject):
-        problem = None if subject.type_of(target) is ERROR else _problem(target, subject)
+    for target, by in _targets(suspect):
+        problem = None if suspect.type_of(target) is ERROR else _problem(target, suspect)
         if problem is not None:
             message, place = problem
-            subject.problems.error("SC209", message + by, place)
+            suspect.problems.error("SC209", message + by, place)
 
 
-def _targets(subject: Subject) -> Iterator[tuple[Expr, str]]:
+def _targets(suspect: Suspect) -> Iterator[tuple[Expr, str]]:
     """What is written, and by which function."""
-    for assign in subject.nodes(Assign):
+    for assign in suspect.nodes(Assign):
         yield assign.target, ""
-    operators: list[Unary | Postfix] = [*subject.nodes(Unary), *subject.nodes(Postfix)]
+    operators: list[Unary | Postfix] = [*suspect.nodes(Unary), *suspect.nodes(Postfix)]
     for node in operators:
-        if node.op in ("++", "--") and subject.type_of(node) is not ERROR:
+        if node.op in ("++", "--") and suspect.type_of(node) is not ERROR:
             yield node.operand, ""
-    for call in subject.nodes(Call):
-        callee = subject.tables.calls.get(call)
+    for call in suspect.nodes(Call):
+        callee = suspect.tables.calls.get(call)
         if callee is None:
             continue
         for arg, (_, direction) in zip(call.args, parameters(callee), strict=True):
@@ -44,18 +44,18 @@ def _targets(subject: Subject) -> Iterator[tuple[Expr, str]]:
                 yield arg, f" by '{call.name}'"
 
 
-def _problem(target: Expr, subject: Subject) -> tuple[str, Expr] | None:
+def _problem(target: Expr, suspect: Suspect) -> tuple[str, Expr] | None:
     """Why ``target`` cannot be assigned to, and the node to blame; ``None`` if it can."""
     expr = target
     while not isinstance(expr, Name):
         if isinstance(expr, Member):
-            whole = subject.type_of(expr.object)
+            whole = suspect.type_of(expr.object)
             if not whole.dims and whole.struct is None and len(set(expr.name)) < len(expr.name):
                 return f"the swizzle '{expr.name}' names a component twice", expr
         elif not isinstance(expr, Index):
             return "this is a value, not a variable: it cannot be changed", expr
         expr = expr.object
-    symbol = subject.tables.symbols.get(expr)
+    symbol = suspect.tables.symbols.get(expr)
     if symbol is None or symbol.writable:
         return None
     return f"'{symbol.name}' is {_read_only(symbol)}: it cannot be changed", target

@@ -4,31 +4,31 @@ from __future__ import annotations
 
 from shadercache.ast.nodes import Call, Expr
 from shadercache.lang.builtins import Signature
-from shadercache.valid.subject import Subject
+from shadercache.valid.suspect import Suspect
 
 _OFFSETS = range(-8, 8)
 
 
-def check_call_arguments(subject: Subject) -> None:
+def check_call_arguments(suspect: Suspect) -> None:
     """Offsets of texture look-ups are constant expressions."""
-    for call in subject.nodes(Call):
-        callee = subject.tables.calls.get(call)
+    for call in suspect.nodes(Call):
+        callee = suspect.tables.calls.get(call)
         if not isinstance(callee, Signature) or not callee.texture:
             continue
         for arg, param in zip(call.args, callee.params, strict=True):
             if not param.constant:
                 continue
-            if not subject.is_constant(arg):
+            if not suspect.is_constant(arg):
                 message = f"this argument of '{call.name}' must be a constant expression"
-                subject.problems.error("SC226", message, arg)
+                suspect.problems.error("SC226", message, arg)
             elif "Gather" not in call.name:
-                _check_offset(arg, subject)
+                _check_offset(arg, suspect)
 
 
-def _check_offset(arg: Expr, subject: Subject) -> None:
+def _check_offset(arg: Expr, suspect: Suspect) -> None:
     """All drivers have the same least and greatest offset."""
-    value = subject.value(arg) or 0
+    value = suspect.value(arg) or 0
     far = [n for n in (value if isinstance(value, tuple) else (value,)) if n not in _OFFSETS]
     if far:
         message = f"an offset lies between {_OFFSETS[0]} and {_OFFSETS[-1]}; this is {far[0]}"
-        subject.problems.error("SC226", message, arg)
+        suspect.problems.error("SC226", message, arg)

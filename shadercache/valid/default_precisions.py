@@ -24,29 +24,29 @@ from shadercache.ast.walk import EXPRESSIONS, children
 from shadercache.lang.types import FLOAT, INT, Type
 from shadercache.lang.words import PRECISIONS
 from shadercache.sema.problems import ERROR
-from shadercache.valid.subject import Subject
+from shadercache.valid.suspect import Suspect
 
 _ALWAYS = frozenset(("int", "sampler2D", "samplerCube", "samplerExternalOES", "atomic_uint"))
 _EXPRESSIONS = frozenset(EXPRESSIONS)
 _SCOPES = (FunctionDef, Block, For, While, Switch)
 
 
-def check_default_precisions(subject: Subject) -> None:
+def check_default_precisions(suspect: Suspect) -> None:
     """What is declared has a precision, its own or a default."""
-    for decl in subject.nodes(PrecisionDecl):
-        kind = _kind(decl, subject)
+    for decl in suspect.nodes(PrecisionDecl):
+        kind = _kind(decl, suspect)
         if kind not in (FLOAT, INT, ERROR) and not kind.is_opaque:
             message = f"there is no default precision of {kind}"
-            subject.problems.error("SC221", message, decl.type)
-    if not subject.language.es:
+            suspect.problems.error("SC221", message, decl.type)
+    if not suspect.language.es:
         return
     told = set(_ALWAYS)
-    if subject.language.stage == "vertex":
+    if suspect.language.stage == "vertex":
         told.add("float")
-    for node, given in _scoped(subject):
-        kind = _kind(node, subject)
+    for node, given in _scoped(suspect):
+        kind = _kind(node, suspect)
         if not isinstance(node, PrecisionDecl):
-            _require(node, kind, given, told, subject)
+            _require(node, kind, given, told, suspect)
         elif (sort := _sort(kind)) is not None:
             given.add(sort)
 
@@ -54,13 +54,13 @@ def check_default_precisions(subject: Subject) -> None:
 _Typed = VarDecl | Param | FunctionProto
 
 
-def _kind(node: _Typed | PrecisionDecl, subject: Subject) -> Type:
-    return subject.tables.specs.get(node.type, ERROR)
+def _kind(node: _Typed | PrecisionDecl, suspect: Suspect) -> Type:
+    return suspect.tables.specs.get(node.type, ERROR)
 
 
-def _scoped(subject: Subject) -> Iterator[tuple[_Typed | PrecisionDecl, set[str]]]:
+def _scoped(suspect: Suspect) -> Iterator[tuple[_Typed | PrecisionDecl, set[str]]]:
     """What is declared, in source order, with the default precisions of its scope."""
-    stack: list[tuple[Node, set[str]]] = [(subject.module, set())]
+    stack: list[tuple[Node, set[str]]] = [(suspect.module, set())]
     while stack:
         node, given = stack.pop()
         if isinstance(node, VarDecl | Param | FunctionProto | PrecisionDecl):
@@ -70,9 +70,9 @@ def _scoped(subject: Subject) -> Iterator[tuple[_Typed | PrecisionDecl, set[str]
         stack += [(child, inner) for child in below if type(child) not in _EXPRESSIONS]
 
 
-def _require(node: _Typed, kind: Type, given: set[str], told: set[str], subject: Subject) -> None:
+def _require(node: _Typed, kind: Type, given: set[str], told: set[str], suspect: Suspect) -> None:
     """Complain about a type without a precision; once for each sort of type."""
-    sort, problems = _sort(kind), subject.problems
+    sort, problems = _sort(kind), suspect.problems
     if not PRECISIONS.isdisjoint(node.qualifiers.words):
         if sort is None and kind is not ERROR:
             problems.error("SC221", f"{kind} has no precision", node.type)

@@ -20,32 +20,32 @@ from shadercache.sema.storage import of_one_vertex
 from shadercache.valid.layout_words import SINCE, LayoutPlace, word_problem
 from shadercache.valid.locations import Locations
 from shadercache.valid.member_offsets import check_member_offsets
-from shadercache.valid.subject import Subject
+from shadercache.valid.suspect import Suspect
 
 _PACKINGS = ("shared", "packed", "std140", "std430")
 
 
-def check_layouts(subject: Subject) -> None:
+def check_layouts(suspect: Suspect) -> None:
     """The layouts of all declarations, in the order of the source: a default holds for what
     follows."""
-    layouts = _Layouts(subject)
-    for decl in subject.module.decls:
+    layouts = _Layouts(suspect)
+    for decl in suspect.module.decls:
         if isinstance(decl, VarDecl):
-            layouts.variables(decl, subject.storage(decl.qualifiers))
+            layouts.variables(decl, suspect.storage(decl.qualifiers))
         elif isinstance(decl, BlockDecl):
-            layouts.block(decl, subject.storage(decl.qualifiers))
+            layouts.block(decl, suspect.storage(decl.qualifiers))
         elif isinstance(decl, QualifierDecl) and not decl.names:
-            layouts.default(decl.qualifiers, subject.storage(decl.qualifiers))
-    for decl, local in subject.variables:
+            layouts.default(decl.qualifiers, suspect.storage(decl.qualifiers))
+    for decl, local in suspect.variables:
         if local:
-            layouts.variables(decl, subject.storage(decl.qualifiers, local))
+            layouts.variables(decl, suspect.storage(decl.qualifiers, local))
 
 
 class _Layouts:
-    def __init__(self, subject: Subject) -> None:
-        self._subject = subject
-        self._language, self._problems = subject.language, subject.problems
-        self._locations = Locations(subject)
+    def __init__(self, suspect: Suspect) -> None:
+        self._suspect = suspect
+        self._language, self._problems = suspect.language, suspect.problems
+        self._locations = Locations(suspect)
         self._defaults: dict[str, set[str]] = {"uniform": set(), "buffer": set()}
 
     def check(self, qualifiers: Qualifiers, place: LayoutPlace) -> dict[str, int]:
@@ -67,7 +67,7 @@ class _Layouts:
         return values
 
     def _number(self, item: LayoutItem, name: str, value: Expr) -> int | None:
-        kind, number = self._subject.type_of(value), self._subject.value(value)
+        kind, number = self._suspect.type_of(value), self._suspect.value(value)
         if kind is ERROR:
             return None
         if not isinstance(value, Literal) and not self._takes_expressions():
@@ -96,11 +96,11 @@ class _Layouts:
         for node in decl.declarators:
             self._variable(node, decl.qualifiers, storage)
         if not decl.declarators:
-            kind = self._subject.tables.specs[decl.type]
+            kind = self._suspect.tables.specs[decl.type]
             self.check(decl.qualifiers, LayoutPlace("variable", storage, (), kind))
 
     def _variable(self, node: Declarator, qualifiers: Qualifiers, storage: str) -> None:
-        kind = self._subject.tables.declared[node].type
+        kind = self._suspect.tables.declared[node].type
         values = self.check(qualifiers, LayoutPlace("variable", storage, (node.name,), kind))
         if storage in ("in", "out", "uniform"):
             one = of_one_vertex(kind, qualifiers)
@@ -123,11 +123,11 @@ class _Layouts:
         parts = [words, self._defaults[storage]]
         parts += [{item.name for item in decl.qualifiers.layout or ()} for decl in block.fields]
         if not any("row_major" in part for part in parts):
-            check_member_offsets(block, packing, own.get("align"), members, self._subject)
+            check_member_offsets(block, packing, own.get("align"), members, self._suspect)
 
     def _type_of(self, block: BlockDecl, decl: VarDecl) -> Type | None:
         """The type of the members that one declaration declares (the first, where sizes differ)."""
-        fields = self._subject.fields(block)
+        fields = self._suspect.fields(block)
         kind = fields.get(decl.declarators[0].name) if decl.declarators else None
         return None if kind is ERROR else kind
 

@@ -9,7 +9,7 @@ from shadercache.ast.nodes import BlockDecl, Node
 from shadercache.lang.types import StructType, Type
 from shadercache.sema.problems import ERROR
 from shadercache.sema.storage import PER_VERTEX, of_one_vertex
-from shadercache.valid.subject import Subject
+from shadercache.valid.suspect import Suspect
 
 # First version of a location: (stage, storage) -> version; what is missing needs 4.10.
 _LOCATION_SINCE = {("vertex", "in"): 330, ("fragment", "out"): 330}
@@ -27,9 +27,9 @@ _SORTS = {"int": "integers", "uint": "unsigned integers"}
 class Locations:
     """Places variables and members of blocks at locations; no two of them share one."""
 
-    def __init__(self, subject: Subject) -> None:
-        self._subject = subject
-        self._language, self._problems = subject.language, subject.problems
+    def __init__(self, suspect: Suspect) -> None:
+        self._suspect = suspect
+        self._language, self._problems = suspect.language, suspect.problems
         self._taken: dict[tuple[str, int, int, int], str] = {}
         self._sorts: dict[tuple[int, int], str] = {}
 
@@ -70,7 +70,7 @@ class Locations:
                 problems.error("SC223", message, block)
             at = values.get("location", at)
             for node in decl.declarators:
-                kind = of_one_vertex(self._subject.fields(block)[node.name], decl.qualifiers)
+                kind = of_one_vertex(self._suspect.fields(block)[node.name], decl.qualifiers)
                 if at is not None and kind is not ERROR and not array:
                     self._take(node, node.name, kind, storage, {**values, "location": at})
                     at += kind.slots

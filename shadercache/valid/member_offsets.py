@@ -6,7 +6,7 @@ from shadercache.ast.nodes import BlockDecl
 from shadercache.lang.block_layout import alignment
 from shadercache.lang.types import Type
 from shadercache.sema.problems import ERROR
-from shadercache.valid.subject import Subject
+from shadercache.valid.suspect import Suspect
 
 _ALIGNED = ("std140", "std430")
 
@@ -16,10 +16,10 @@ def check_member_offsets(
     packing: str,
     shared_align: int | None,
     members: list[dict[str, int]],
-    subject: Subject,
+    suspect: Suspect,
 ) -> None:
     """Offsets and alignments stand in ``std140`` and ``std430`` blocks, and grow."""
-    problems, fields = subject.problems, subject.fields(block)
+    problems, fields = suspect.problems, suspect.fields(block)
     given = [values for values in members if "offset" in values or "align" in values]
     if (given or shared_align) and packing not in _ALIGNED:
         message = "'offset' and 'align' are for blocks with the layout std140 or std430"

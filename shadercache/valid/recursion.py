@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from shadercache.ast.nodes import Call, FunctionDef
 from shadercache.sema.scopes import Overload
-from shadercache.valid.subject import Subject
+from shadercache.valid.suspect import Suspect
 
 
-def check_recursion(subject: Subject) -> None:
+def check_recursion(suspect: Suspect) -> None:
     """Report each call that closes a cycle of calls, even one that never runs."""
     done: set[FunctionDef] = set()
-    for start in subject.tables.called:
+    for start in suspect.tables.called:
         path: list[FunctionDef] = []
         stack: list[tuple[FunctionDef, Call | None]] = [(start, None)]
         while stack:
@@ -22,17 +22,17 @@ def check_recursion(subject: Subject) -> None:
                 cycle = [*path[path.index(function) :], function]
                 names = " > ".join(item.name for item in cycle)
                 message = f"recursion is not allowed: {names}"
-                subject.problems.error("SC216", message, call)
+                suspect.problems.error("SC216", message, call)
             elif function not in done:
                 path.append(function)
                 stack.append((function, None))
-                stack.extend(_calls(function, subject))
+                stack.extend(_calls(function, suspect))
 
 
-def _calls(function: FunctionDef, subject: Subject) -> list[tuple[FunctionDef, Call | None]]:
+def _calls(function: FunctionDef, suspect: Suspect) -> list[tuple[FunctionDef, Call | None]]:
     calls: list[tuple[FunctionDef, Call | None]] = []
-    for call in reversed(subject.tables.called[function]):
-        callee = subject.tables.calls[call]
-        if isinstance(callee, Overload) and callee.definition in subject.tables.called:
+    for call in reversed(suspect.tables.called[function]):
+        callee = suspect.tables.calls[call]
+        if isinstance(callee, Overload) and callee.definition in suspect.tables.called:
             calls.append((callee.definition, call))
     return calls

@@ -8,7 +8,7 @@ from shadercache.lang.builtins import MOST_ELEMENTS, BuiltinVariable
 from shadercache.sema.facts import Symbol
 from shadercache.sema.language import NEVER
 from shadercache.sema.problems import ERROR
-from shadercache.valid.subject import Subject
+from shadercache.valid.suspect import Suspect
 
 _IO_BLOCKS = ("EXT_shader_io_blocks", "OES_shader_io_blocks", "ANDROID_extension_pack_es31a")
 _DEPTH = ("ARB_conservative_depth", "AMD_conservative_depth", "EXT_conservative_depth")
@@ -38,32 +38,32 @@ _SINCE: dict[str, tuple[int, int, *tuple[str, ...]]] = {
 _OF_VERTICES = {"gl_Position": "vec4 gl_Position", "gl_PointSize": "float gl_PointSize"}
 
 
-def check_redeclared(subject: Subject) -> None:
+def check_redeclared(suspect: Suspect) -> None:
     """Every declaration of a variable whose name begins with ``gl_``."""
     earlier: dict[str, Symbol] = {}
-    for node, symbol in subject.tables.declared.items():
+    for node, symbol in suspect.tables.declared.items():
         if isinstance(node, Param) or not symbol.name.startswith("gl_"):
             continue
-        known = subject.language.builtin_variable(symbol.name)
+        known = suspect.language.builtin_variable(symbol.name)
         if known is None or known.storage == "const" or not symbol.is_global:
-            subject.problems.error("SC203", "names with 'gl_' are reserved", node)
+            suspect.problems.error("SC203", "names with 'gl_' are reserved", node)
             continue
         before = earlier.get(symbol.name)
-        _check(symbol, node, known, before is None, subject)
+        _check(symbol, node, known, before is None, suspect)
         if before is not None and _layout(before) != _layout(symbol):
             message = f"'{symbol.name}' was redeclared with another layout before"
-            subject.problems.error("SC223", message, node)
+            suspect.problems.error("SC223", message, node)
         earlier[symbol.name] = symbol
 
 
 def _check(
-    symbol: Symbol, node: Node, known: BuiltinVariable, first: bool, subject: Subject
+    symbol: Symbol, node: Node, known: BuiltinVariable, first: bool, suspect: Suspect
 ) -> None:
-    kind, name, problems = symbol.type, symbol.name, subject.problems
-    storage = subject.storage_of(symbol)
-    if symbol.block is None and not _may_be_redeclared(name, subject):
+    kind, name, problems = symbol.type, symbol.name, suspect.problems
+    storage = suspect.storage_of(symbol)
+    if symbol.block is None and not _may_be_redeclared(name, suspect):
         message = f"'{name}' is a built-in variable, which is not declared again"
-        problems.error("SC203", message, node, _instead(name, subject))
+        problems.error("SC203", message, node, _instead(name, suspect))
     elif kind is not ERROR and (
         kind.name != known.type.name or bool(kind.dims) != bool(known.type.dims)
     ):
@@ -71,26 +71,26 @@ def _check(
     elif storage != known.storage:
         message = f"'{name}' is redeclared as '{storage}'; it is '{known.storage}'"
         problems.error("SC202", message, node)
-    elif name == "gl_FragCoord" and first and subject.is_used_before(node, name, None):
+    elif name == "gl_FragCoord" and first and suspect.is_used_before(node, name, None):
         problems.error("SC202", f"'{name}' is redeclared after its first use", node)
     elif kind.dims and (kind.dims[0] or 0) > MOST_ELEMENTS.get(name, NEVER):
         problems.error("SC215", f"'{name}' has {MOST_ELEMENTS[name]} elements at most", node)
 
 
-def _instead(name: str, subject: Subject) -> str:
+def _instead(name: str, suspect: Suspect) -> str:
     """What to write in the place of a declaration that nobody needs."""
-    if name in _OF_VERTICES and subject.language.at_least(150, NEVER):
+    if name in _OF_VERTICES and suspect.language.at_least(150, NEVER):
         return (
             f"leave it out, or redeclare the block: out gl_PerVertex {{ {_OF_VERTICES[name]}; }};"
         )
     return "leave it out"
 
 
-def _may_be_redeclared(name: str, subject: Subject) -> bool:
+def _may_be_redeclared(name: str, suspect: Suspect) -> bool:
     desktop, es, *extensions = _SINCE.get(name, (NEVER, NEVER))
-    if subject.language.at_least(desktop, es):
+    if suspect.language.at_least(desktop, es):
         return True
-    return any(f"GL_{item}" in subject.language.extensions for item in extensions)
+    return any(f"GL_{item}" in suspect.language.extensions for item in extensions)
 
 
 def _layout(symbol: Symbol) -> set[str]:

@@ -5,49 +5,49 @@ from __future__ import annotations
 from shadercache.ast.nodes import BlockDecl, Declarator, FunctionProto, Node, Param, StructDef
 from shadercache.sema.blocks import BUILTIN_BLOCK
 from shadercache.sema.facts import Symbol
-from shadercache.valid.subject import Subject
+from shadercache.valid.suspect import Suspect
 
 
-def check_names(subject: Subject) -> None:
+def check_names(suspect: Suspect) -> None:
     """The names of everything that the shader declares."""
-    for proto in subject.nodes(FunctionProto):
-        _check(proto.name, proto, subject)
-    for struct in subject.nodes(StructDef):
-        _check(struct.name, struct, subject)
-        _check_members(struct, subject)
-    for block in subject.nodes(BlockDecl):
+    for proto in suspect.nodes(FunctionProto):
+        _check(proto.name, proto, suspect)
+    for struct in suspect.nodes(StructDef):
+        _check(struct.name, struct, suspect)
+        _check_members(struct, suspect)
+    for block in suspect.nodes(BlockDecl):
         if block.name != BUILTIN_BLOCK:
-            _check(block.name, block, subject)
-            _check_members(block, subject)
-    for node, symbol in subject.tables.declared.items():
+            _check(block.name, block, suspect)
+            _check_members(block, suspect)
+    for node, symbol in suspect.tables.declared.items():
         if isinstance(node, Param):
-            _check(symbol.name, node, subject)
+            _check(symbol.name, node, suspect)
         elif not symbol.name.startswith("gl_"):  # valid.redeclared has those
-            _check_variable(symbol, node, subject)
+            _check_variable(symbol, node, suspect)
 
 
-def _check(name: str, node: Node, subject: Subject) -> None:
+def _check(name: str, node: Node, suspect: Suspect) -> None:
     """Names with ``gl_`` are reserved, those with ``__`` doubtful."""
     if name.startswith("gl_"):
-        subject.problems.error("SC203", "names with 'gl_' are reserved", node)
-    elif "__" in name and subject.language.es_version == 100:
-        subject.problems.error("SC203", f"'{name}': names with '__' are reserved", node)
+        suspect.problems.error("SC203", "names with 'gl_' are reserved", node)
+    elif "__" in name and suspect.language.es_version == 100:
+        suspect.problems.error("SC203", f"'{name}': names with '__' are reserved", node)
     elif "__" in name:
-        subject.problems.warn("SC292", f"'{name}': names with '__' are reserved", node)
+        suspect.problems.warn("SC292", f"'{name}': names with '__' are reserved", node)
 
 
-def _check_members(owner: StructDef | BlockDecl, subject: Subject) -> None:
+def _check_members(owner: StructDef | BlockDecl, suspect: Suspect) -> None:
     for decl in owner.fields:
         for node in decl.declarators:
             if node.name.startswith("gl_"):
-                _check(node.name, node, subject)
+                _check(node.name, node, suspect)
 
 
-def _check_variable(symbol: Symbol, node: Declarator | BlockDecl, subject: Subject) -> None:
-    language = subject.language
+def _check_variable(symbol: Symbol, node: Declarator | BlockDecl, suspect: Suspect) -> None:
+    language = suspect.language
     if "__" in symbol.name:
-        _check(symbol.name, node, subject)
+        _check(symbol.name, node, suspect)
     elif (
         symbol.is_global and language.es_version >= 300 and language.builtin_functions(symbol.name)
     ):
-        subject.problems.error("SC202", f"'{symbol.name}' is a built-in function", node)
+        suspect.problems.error("SC202", f"'{symbol.name}' is a built-in function", node)

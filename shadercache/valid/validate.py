@@ -58,14 +58,14 @@ from shadercache.valid.layouts import check_layouts
 from shadercache.valid.recursion import check_recursion
 from shadercache.valid.redeclared import check_redeclared
 from shadercache.valid.reserved_names import check_names
-from shadercache.valid.subject import Subject
+from shadercache.valid.suspect import Suspect
 from shadercache.valid.variable_storage import (
     check_qualifier_declarations,
     check_structs,
     check_variables,
 )
 
-RULES: tuple[Callable[[Subject], None], ...] = (
+RULES: tuple[Callable[[Suspect], None], ...] = (
     check_names,
     check_redeclared,
     check_structs,
@@ -82,7 +82,7 @@ RULES: tuple[Callable[[Subject], None], ...] = (
     check_definitions,
     check_recursion,
 )
-"""What is asked of every module; each rule reports to the problems of its subject."""
+"""What is asked of every module; each rule reports to the problems of its suspect."""
 
 
 def validate(
@@ -100,10 +100,10 @@ def validate(
     """
     with without_collector():
         inferred = infer_tables(module, source, stage, tables)
-        subject = Subject(
+        suspect = Suspect(
             module, inferred.language, inferred.tables, inferred.constants, inferred.problems
         )
         for rule in RULES:
-            rule(subject)
-        check_main(subject, needed=needs_main)
+            rule(suspect)
+        check_main(suspect, needed=needs_main)
         return inferred.facts()

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from shadercache.analysis.value_numbering import ValueGroup
 from shadercache.gpu.context import Gpu
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene

@@ -35,7 +35,7 @@ _Variable = tuple[str, Node | None]
 
 
 @dataclass(frozen=True)
-class Subject:
+class Suspect:
     """A module on trial. A rule that finds something reports it to ``problems``."""
 
     module: Module
