@@ -122,3 +122,11 @@ def test_names_get_the_prefix() -> None:
     text = "\n".join(print_node(decl) for decl in program_part(MAINS[0], choice).decls)
     assert "sc_" not in text
     assert "sc7_look_up" in text
+
+
+def test_what_is_put_in_keeps_its_order_of_operations() -> None:
+    """As text in the place of a name it would not: ``texel.w - 2.0 * z - 1.0``."""
+    asked = with_settings(Configuration(), ["depth=ndc,filter=bilinear"])
+    choice = Choice(Layout((FLOAT,)), "sc_", located=Located("screen"), configuration=asked)
+    text = "\n".join(print_node(decl) for decl in program_part(MAINS[0], choice).decls)
+    assert "abs(sc_texel.w - (2.0 * gl_FragCoord.z - 1.0))" in text

@@ -153,7 +153,7 @@ def replaced(old: str, new: str) -> Change:
     return lambda text: text.replace(old, new)
 
 
-OWN = "ivec2 own = ivec2(gl_FragCoord.xy);"
+OWN = "ivec2 near = ivec2(gl_FragCoord.xy);"
 BROKEN = {
     "one pixel off": replaced(OWN, f"{OWN[:-1]} + ivec2(1, 0);"),
     "payload not stored": replaced("vec4(sc_payload, ", "vec4(0.0, "),

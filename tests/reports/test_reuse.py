@@ -107,7 +107,7 @@ def twins_undefined(name: str, text: str) -> str:
 
 
 def hits_disabled(name: str, text: str) -> str:
-    return text.replace("    return 1;\n", "    return 4;\n")
+    return text.replace("    return sc_hit;\n", "    return 4;\n")
 
 
 def hits_of_variants_disabled(name: str, text: str) -> str:
