@@ -12,13 +12,18 @@ from shadercache.analysis.candidates import (
     Candidates,
     varyings,
 )
-from shadercache.analysis.cost import CostTable
+from shadercache.analysis.costs.cost import CostTable
+from shadercache.analysis.costs.payload_sets import (
+    check_needed,
+    check_set,
+    companion,
+    note_on_overlap,
+)
+from shadercache.analysis.costs.shared_work import Parts, SharedWorkTable
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.input_reads import input_kinds
 from shadercache.analysis.mapping import MappingKind
-from shadercache.analysis.payload_sets import check_needed, check_set, companion, note_on_overlap
 from shadercache.analysis.refusals import Code
-from shadercache.analysis.shared_work import Parts, SharedWorkTable
 from shadercache.analysis.stages import Links, StageSide, match_stages
 from shadercache.analysis.use_def import Definitions
 from shadercache.analysis.value_numbering import ValueGroup, number_values
@@ -37,7 +42,7 @@ from shadercache.front.webgl import WEBGL, names_version
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.infer import infer
 from shadercache.source import Source
-from shadercache.transform.raise_version import Raised
+from shadercache.transform.versions.raise_version import Raised
 
 _UNROLLED = re.compile(r"\.\d+u-")
 _INCLUDE = re.compile(r"#[ \t]*include\b")

@@ -2,31 +2,30 @@
 
 The passes, in order (each in its own file):
 
-1.  :mod:`front.parse`              text to tree
-2.  :mod:`sema.infer`               names and types, and
-    :mod:`valid.validate`           the other rules; every error of the user is found here
-3.  :mod:`transform.raise_version`  older versions, in words of the first that has what it takes;
-    :mod:`transform.name_parameters`  and names for parameters without
-4.  :mod:`transform.unique_names`   every identifier means one thing, so the rest works by name
-5.  :mod:`transform.split`          one declarator to a declaration
-6.  :mod:`transform.spell_lists`    ``{a, b}`` is ``vec2(a, b)``, which may stand anywhere
-7.  :mod:`transform.unroll`         loops of few trips are taken apart, on request; then 4 to 6
-8.  :mod:`transform.expand_compound_assignments`       ``c += x`` is ``c = c + x``, a value as well
-9.  :mod:`transform.lower_ternaries`  costly choices inside expressions become conditionals
-10. :mod:`sema.infer`               types of the tree that the rest works on
-11. :mod:`analysis.candidates`      every node, offered or refused
+1.  :mod:`front.parse`: text to tree
+2.  :mod:`sema.infer`: names and types; and :mod:`valid.validate`: the other rules. Every error of
+    the user is found here
+3.  :mod:`transform.versions`: older versions, in words of the first that has what it takes, and
+    names for parameters without
+4.  :mod:`transform.unique_names`: every identifier means one thing, so the rest works by name
+5.  :mod:`transform.split`: one declarator to a declaration
+6.  :mod:`transform.spell_lists`: ``{a, b}`` is ``vec2(a, b)``, which may stand anywhere
+7.  :mod:`transform.unroll`: loops of few trips are taken apart, on request; then 4 to 6
+8.  :mod:`transform.expand_compound_assignments`: ``c += x`` is ``c = c + x``, a value as well
+9.  :mod:`transform.lower_ternaries`: costly choices inside expressions become conditionals
+10. :mod:`sema.infer`: types of the tree that the rest works on
+11. :mod:`analysis.candidates`: every node, offered or refused
 
 and for one node or a set of them, for each pass of each algorithm:
 
-12. :mod:`transform.specialise`     cut the nodes out of clones of the functions on their call paths
-13. :mod:`emit.assemble`            add the look-up, the store and a new ``main``
-14. :mod:`transform.remove_dead`    keep what the pass's outputs need, in turns with
-15. :mod:`transform.drop_results`
-16. :mod:`transform.drop_parameters`, :mod:`transform.move_arguments`
-17. :mod:`transform.expand_compound_assignments`       ``c += x`` again where nothing was cut out
-18. :mod:`transform.opaque_arguments`, :mod:`transform.opaque_varyings`,
-    :mod:`transform.write_out_matrices` and :mod:`transform.make_precise`   in proof mode only
-19. :mod:`emit.printer`             tree to text
+12. :mod:`transform.specialise`: cut the nodes out of clones of the functions on their call paths
+13. :mod:`emit.assemble`: add the look-up, the store and a new ``main``
+14. :mod:`transform.remove_dead`: keep what the pass's outputs need, in turns with
+15. :mod:`transform.drop_results`,
+16. :mod:`transform.drop_parameters` and :mod:`transform.move_arguments`
+17. :mod:`transform.expand_compound_assignments`: ``c += x`` again where nothing was cut out
+18. :mod:`transform.proof`: what keeps a driver from rearranging, in proof mode only
+19. :mod:`emit.printer`: tree to text
 """
 
 from __future__ import annotations
@@ -43,14 +42,14 @@ from shadercache.analysis.candidates import (
     reused_builtins,
     varyings,
 )
+from shadercache.analysis.costs.payload_sets import notes_on
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.mapping import MappingKind
-from shadercache.analysis.payload_sets import notes_on
 from shadercache.analysis.restrictions import check_depth, check_size, find_color
-from shadercache.analysis.screen_inputs import Marks, screen_marks
-from shadercache.analysis.screen_varyings import ScreenVaryings, screen_varyings
+from shadercache.analysis.screen.screen_inputs import Marks, screen_marks
+from shadercache.analysis.screen.screen_varyings import ScreenVaryings, screen_varyings
+from shadercache.analysis.screen.user_mapping import check_user_mapping
 from shadercache.analysis.stages import Pairs, StageSide, aligned, links_of, match_stages
-from shadercache.analysis.user_mapping import check_user_mapping
 from shadercache.analysis.vertex_checks import POSITION, check_position, check_vertex
 from shadercache.ast import nodes as n
 from shadercache.ast.large import allow_deep_trees
@@ -70,18 +69,18 @@ from shadercache.manifest.setting import Setting
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.infer import infer
 from shadercache.source import Source
-from shadercache.transform.builtin_block import plain_builtin_block
 from shadercache.transform.expand_compound_assignments import expand_compound_assignments
 from shadercache.transform.lower_ternaries import lower_ternaries
-from shadercache.transform.make_precise import precise_version
-from shadercache.transform.name_parameters import name_parameters
 from shadercache.transform.names import fresh_prefix
-from shadercache.transform.raise_version import Raised, StageTree, raise_versions
+from shadercache.transform.proof.make_precise import precise_version
 from shadercache.transform.remove_dead import remove_dead
 from shadercache.transform.spell_lists import spell_lists
 from shadercache.transform.split import split_declarations
 from shadercache.transform.unique_names import later_keywords, make_names_unique
 from shadercache.transform.unroll import unroll_loops
+from shadercache.transform.versions.builtin_block import plain_builtin_block
+from shadercache.transform.versions.name_parameters import name_parameters
+from shadercache.transform.versions.raise_version import Raised, StageTree, raise_versions
 from shadercache.valid.read import read
 
 _ES_WITH_PRIMITIVES = 320

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from hashlib import blake2b
 
 from shadercache.analysis.call_paths import Instance, Place, Use, find_instances, path_to
-from shadercache.analysis.cost import CostTable
+from shadercache.analysis.costs.cost import CostTable
 from shadercache.analysis.derivative_uses import (
     SharedUses,
     cube_lookups,

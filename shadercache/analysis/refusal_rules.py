@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from shadercache.analysis.call_paths import Instance, Place, Use
-from shadercache.analysis.cost import FETCH
+from shadercache.analysis.costs.cost import FETCH
 from shadercache.analysis.derivative_uses import Dependents, SharedUses
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.effects import Does

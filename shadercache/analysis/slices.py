@@ -17,7 +17,7 @@ from itertools import compress
 
 from shadercache.analysis.call_paths import Instance, Place
 from shadercache.analysis.control_dependence import ControlDependence, Flow
-from shadercache.analysis.cost import CostTable
+from shadercache.analysis.costs.cost import CostTable
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.effects import Does
 from shadercache.analysis.reaching_definitions import written_anywhere

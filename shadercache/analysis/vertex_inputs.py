@@ -19,7 +19,7 @@ memory that is written                    refused, whatever it decides
 ========================================  =========================================================
 
 The fixed-function state and attributes of old are declared as uniforms and attributes
-(:mod:`shadercache.transform.fixed_function`): they are what these are.
+(:mod:`shadercache.transform.versions.fixed_function`): they are what these are.
 """
 
 from __future__ import annotations

@@ -30,11 +30,11 @@ from shadercache.emit.full_screen import full_screen_vertex
 from shadercache.emit.printer import print_module
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.sema.facts import Stage
-from shadercache.transform.make_precise import make_precise
-from shadercache.transform.opaque_arguments import make_arguments_opaque
-from shadercache.transform.opaque_varyings import hide_uniform_varyings
-from shadercache.transform.state_precisions import with_precisions
-from shadercache.transform.write_out_matrices import write_out_matrices
+from shadercache.transform.proof.make_precise import make_precise
+from shadercache.transform.proof.opaque_arguments import make_arguments_opaque
+from shadercache.transform.proof.opaque_varyings import hide_uniform_varyings
+from shadercache.transform.proof.write_out_matrices import write_out_matrices
+from shadercache.transform.versions.state_precisions import with_precisions
 
 SECOND = "-2"
 """Ends what belongs to the second texture of a cache: a target, what is read."""

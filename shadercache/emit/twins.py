@@ -15,9 +15,9 @@ from shadercache.lang.builtins import MOST_ELEMENTS, variable
 from shadercache.lang.types import builtin_type
 from shadercache.sema.language import enabled_extensions
 from shadercache.source import NOWHERE
-from shadercache.transform.builtin_block import BUILTIN_BLOCK
 from shadercache.transform.reachable import declared_names, names_in
 from shadercache.transform.rename import rename
+from shadercache.transform.versions.builtin_block import BUILTIN_BLOCK
 
 POSITION = "gl_Position"
 

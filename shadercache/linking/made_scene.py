@@ -25,7 +25,7 @@ from shadercache.scene.description import (
     TextureSpec,
     causes,
 )
-from shadercache.transform.raise_version import Raised
+from shadercache.transform.versions.raise_version import Raised
 
 START = 4.0
 """Seconds that the clock shows in frame 0: at zero many a shader is still dark."""

@@ -10,7 +10,7 @@ from msgspec import UNSET, convert
 
 from shadercache import __version__
 from shadercache.analysis.candidates import Candidate
-from shadercache.analysis.payload_sets import is_skipped
+from shadercache.analysis.costs.payload_sets import is_skipped
 from shadercache.caching.configuration import Configuration, Mode
 from shadercache.caching.layout import Layout, extras_of
 from shadercache.caching.outcomes import outcomes

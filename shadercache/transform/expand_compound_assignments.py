@@ -17,7 +17,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from shadercache.analysis.cost import FETCH, CostTable
+from shadercache.analysis.costs.cost import FETCH, CostTable
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo

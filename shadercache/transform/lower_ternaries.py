@@ -19,7 +19,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
-from shadercache.analysis.cost import FETCH, CostTable
+from shadercache.analysis.costs.cost import FETCH, CostTable
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.precision import PrecisionTable
 from shadercache.analysis.reaching_definitions import order_matters

@@ -20,8 +20,8 @@ from shadercache.ast.walk import walk
 from shadercache.lang.builtins import overloads
 from shadercache.lang.words import keywords, reserved_words
 from shadercache.sema.facts import Facts
-from shadercache.transform.make_precise import precise_version
 from shadercache.transform.names import FreshNames
+from shadercache.transform.proof.make_precise import precise_version
 from shadercache.transform.reachable import declared_names
 from shadercache.transform.rename import Renamer
 

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from shadercache.analysis.cost import CostTable
+from shadercache.analysis.costs.cost import CostTable
+from shadercache.analysis.costs.shared_work import SharedWorkTable
 from shadercache.analysis.effect_table import EffectTable
-from shadercache.analysis.shared_work import SharedWorkTable
 from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import InputError
 from shadercache.front.read_options import ReadOptions

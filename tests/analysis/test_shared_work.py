@@ -10,7 +10,7 @@ from shaders import analysed as analysed_body
 from shaders import find
 
 from shadercache.analysis.candidates import Candidate
-from shadercache.analysis.cost import FETCH, CostTable
+from shadercache.analysis.costs.cost import FETCH, CostTable
 from shadercache.analysis.value_numbering import one_of_each
 from shadercache.ast import nodes as n
 from shadercache.caching.algorithms import algorithm
@@ -24,7 +24,7 @@ from shadercache.emit.three_passes import payload_only, shade
 from shadercache.emit.two_passes import hit, miss
 from shadercache.front.parse import parse
 from shadercache.source import Source
-from shadercache.transform.state_precisions import with_precisions
+from shadercache.transform.versions.state_precisions import with_precisions
 from shadercache.valid.validate import validate
 from tests.cases.cases import analysed
 from tests.cases.test_cases import CACHEABLE

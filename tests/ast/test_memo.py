@@ -16,9 +16,9 @@ from shadercache.emit.printer import print_module
 from shadercache.front.parse import parse
 from shadercache.paths import data_path
 from shadercache.source import Source
-from shadercache.transform.make_precise import make_precise
+from shadercache.transform.proof.make_precise import make_precise
+from shadercache.transform.proof.write_out_matrices import write_out_matrices
 from shadercache.transform.remove_dead import remove_dead
-from shadercache.transform.write_out_matrices import write_out_matrices
 from tests.configured import configured, rewritten
 
 TEXT = """#version 330

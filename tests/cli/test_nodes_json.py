@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from bench.nodes_speed import field_of
-from shadercache.analysis.shared_work import SharedWorkTable
+from shadercache.analysis.costs.shared_work import SharedWorkTable
 from shadercache.paths import data_path
 
 from .conftest import Shell

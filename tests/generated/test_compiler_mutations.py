@@ -33,14 +33,8 @@ from shadercache.ast import nodes as n
 from shadercache.caching import program_parts
 from shadercache.emit import fragment, one_pass, program_set
 from shadercache.gpu.context import Gpu
-from shadercache.transform import (
-    drop_parameters,
-    fixed_function,
-    lower_ternaries,
-    raise_version,
-    remove_dead,
-    specialise,
-)
+from shadercache.transform import drop_parameters, lower_ternaries, remove_dead, specialise
+from shadercache.transform.versions import fixed_function, raise_version
 from tests.cases.cases import FOLDER as CASES
 from tests.cases.cases import golden_text, sources
 

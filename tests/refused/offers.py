@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from shadercache.analysis.call_paths import Instance, Use
 from shadercache.analysis.candidates import Candidate
-from shadercache.analysis.cost import UNKNOWN_TRIPS, CostTable
+from shadercache.analysis.costs.cost import UNKNOWN_TRIPS, CostTable
 from shadercache.analysis.precision import PrecisionTable
 from shadercache.analysis.refusals import Code
 from shadercache.ast import nodes as n
@@ -29,8 +29,8 @@ from shadercache.transform.drop_parameters import drop_parameters
 from shadercache.transform.names import FreshNames
 from shadercache.transform.remove_dead import remove_dead
 from shadercache.transform.specialise import Cut, insert_clones, specialise
-from shadercache.transform.state_precisions import with_precisions
 from shadercache.transform.strip_spans import without_places
+from shadercache.transform.versions.state_precisions import with_precisions
 
 NEEDLESS = frozenset((Code.CONSTANT, Code.UNIFORM, Code.CHEAP))
 """Refusals that say: there is nothing to gain."""
@@ -52,7 +52,7 @@ class Refused:
 
 
 def refused_cost(analysis: Analysis) -> Refused:
-    """The refused cost of one shader, in the units of :mod:`analysis.cost`.
+    """The refused cost of one shader, in the units of :mod:`analysis.costs.cost`.
 
     An operation is refused where its own expression is and no value that may be cached needs it: it
     lies in none of their expressions, nor in a statement or an argument that they depend on.

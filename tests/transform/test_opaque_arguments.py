@@ -8,7 +8,7 @@ from shadercache.ast.memo import Memo
 from shadercache.emit.printer import print_module
 from shadercache.front.parse import parse
 from shadercache.source import Source
-from shadercache.transform.opaque_arguments import make_arguments_opaque
+from shadercache.transform.proof.opaque_arguments import make_arguments_opaque
 from shadercache.valid.validate import validate
 
 HEAD = """#version 330

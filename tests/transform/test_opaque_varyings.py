@@ -8,7 +8,7 @@ from shadercache.ast.memo import Memo
 from shadercache.emit.printer import print_module
 from shadercache.front.parse import parse
 from shadercache.source import Source
-from shadercache.transform.opaque_varyings import hide_uniform_varyings
+from shadercache.transform.proof.opaque_varyings import hide_uniform_varyings
 from shadercache.valid.validate import validate
 
 HEAD = """#version 400

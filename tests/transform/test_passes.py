@@ -11,13 +11,13 @@ from shadercache.front.parse import parse
 from shadercache.source import Source
 from shadercache.transform.drop_parameters import drop_parameters
 from shadercache.transform.drop_results import drop_results
-from shadercache.transform.make_precise import make_precise
 from shadercache.transform.names import FreshNames, fresh_prefix
+from shadercache.transform.proof.make_precise import make_precise
+from shadercache.transform.proof.write_out_matrices import write_out_matrices
 from shadercache.transform.rename import rename
 from shadercache.transform.specialise import Cut, insert_clones, specialise
 from shadercache.transform.split import split_declarations
 from shadercache.transform.unique_names import make_names_unique
-from shadercache.transform.write_out_matrices import write_out_matrices
 from shadercache.valid.validate import validate
 
 HEAD = "#version 330\nuniform float u_a;\nin vec3 v_a;\nout vec4 color;\n"

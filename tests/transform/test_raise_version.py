@@ -13,8 +13,8 @@ from shadercache.front.parse import parse
 from shadercache.lang.builtins import function_names, overloads
 from shadercache.sema.facts import Stage
 from shadercache.source import Source
-from shadercache.transform.legacy_calls import modern_name
-from shadercache.transform.raise_version import Raised, StageTree, raise_versions
+from shadercache.transform.versions.legacy_calls import modern_name
+from shadercache.transform.versions.raise_version import Raised, StageTree, raise_versions
 from shadercache.valid.validate import validate
 from tests.configured import rewritten
 
@@ -250,7 +250,7 @@ def test_what_cannot_be_raised_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     def complain(*_: object) -> None:
         raise InputError(found)
 
-    monkeypatch.setattr("shadercache.transform.raise_version.validate", complain)
+    monkeypatch.setattr("shadercache.transform.versions.raise_version.validate", complain)
     with pytest.raises(InputError) as caught:
         raise_versions([given], "legacy_")
     (item,) = caught.value.diagnostics

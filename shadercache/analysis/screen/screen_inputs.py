@@ -2,22 +2,22 @@
 
 Each use of such a thing gets a *mark*: a name that begins with ``%`` and counts as one more input
 of whatever is made of it. There are varyings that carry the position
-(:mod:`shadercache.analysis.screen_varyings`), varyings that are interpolated on the screen, levels
-of detail, and interpolation at another place of the pixel.
+(:mod:`shadercache.analysis.screen.screen_varyings`), varyings that are interpolated on the screen,
+levels of detail, and interpolation at another place of the pixel.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from shadercache.analysis.screen_varyings import (
+from shadercache.analysis.screen.screen_varyings import (
     WHOLE,
     Components,
     ScreenVaryings,
     touches,
 )
+from shadercache.analysis.screen.symbolic import swizzled
 from shadercache.analysis.stages import Pairs
-from shadercache.analysis.symbolic import swizzled
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import children, walk
 from shadercache.sema.facts import Facts

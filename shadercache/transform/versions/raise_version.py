@@ -13,7 +13,8 @@ Variants write several targets and calculate with unsigned integers: they need G
 
 The state of the fixed-function pipeline (``gl_Vertex``, ``gl_ModelViewMatrix``, ``gl_LightSource``,
 ``gl_TexCoord``) is declared: the core profile has none, so an engine gives it like any other
-attribute or uniform (:mod:`transform.fixed_function`). The compatibility profile is left as well.
+attribute or uniform (:mod:`transform.versions.fixed_function`). The compatibility profile is left
+as well.
 """
 
 from __future__ import annotations
@@ -32,10 +33,10 @@ from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.infer import infer
 from shadercache.sema.language import enabled_extensions
 from shadercache.source import Source
-from shadercache.transform.builtin_block import BUILTIN_BLOCK
-from shadercache.transform.fixed_function import FixedFunction, Shared, is_builtin
-from shadercache.transform.legacy_calls import modern_call
 from shadercache.transform.unique_names import make_names_unique
+from shadercache.transform.versions.builtin_block import BUILTIN_BLOCK
+from shadercache.transform.versions.fixed_function import FixedFunction, Shared, is_builtin
+from shadercache.transform.versions.legacy_calls import modern_call
 from shadercache.valid.validate import validate
 
 DESKTOP_VERSION, ES_VERSION = 330, 300

@@ -18,8 +18,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
-from shadercache.analysis.symbolic import POSITION, Evaluator, TooLongError
-from shadercache.analysis.terms import Term
+from shadercache.analysis.screen.symbolic import POSITION, Evaluator, TooLongError
+from shadercache.analysis.screen.terms import Term
 from shadercache.ast import nodes as n
 from shadercache.sema.facts import Facts
 

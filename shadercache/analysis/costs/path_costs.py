@@ -1,8 +1,8 @@
 """What a node costs or leaves, found out once for all the paths on which it is the same.
 
 A function is walked backward with one cut in it, a node or the call that leads to one
-(:mod:`analysis.shared_work`). What comes of that depends on the function, the cut, what is live
-where the function ends, and for a call on what is needed inside: never on the path that leads
+(:mod:`analysis.costs.shared_work`). What comes of that depends on the function, the cut, what is
+live where the function ends, and for a call on what is needed inside: never on the path that leads
 there. So sixty thousand nodes on hundreds of paths take some thousand walks.
 """
 

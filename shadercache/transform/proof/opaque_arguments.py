@@ -28,7 +28,7 @@ from shadercache.ast.rewriter import Rewriter
 from shadercache.ast.walk import walk
 from shadercache.lang.types import builtin_type
 from shadercache.source import NOWHERE
-from shadercache.transform.known_values import (
+from shadercache.transform.proof.known_values import (
     Constants,
     Known,
     is_floating,

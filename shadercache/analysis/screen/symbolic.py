@@ -1,4 +1,4 @@
-"""Goes through ``main`` with a term for what each variable holds (:mod:`analysis.terms`)."""
+"""Goes through ``main`` with a term for what each variable holds (:mod:`analysis.screen.terms`)."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import cast
 
 from shadercache.analysis.effect_table import EffectTable, out_arguments
-from shadercache.analysis.terms import Term, Terms
+from shadercache.analysis.screen.terms import Term, Terms
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import EXPRESSIONS, children
 from shadercache.lang.types import Type, builtin_type

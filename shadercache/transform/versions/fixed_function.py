@@ -25,7 +25,7 @@ from shadercache.lang.words import ES_VERSIONS, VERSIONS
 from shadercache.sema.facts import Facts, Symbol
 from shadercache.sema.language import enabled_extensions
 from shadercache.source import NOWHERE, Span
-from shadercache.transform.legacy_calls import Place
+from shadercache.transform.versions.legacy_calls import Place
 
 _DATA = "gl_FragData"
 _COLORS = {"gl_Color": "FrontColor", "gl_SecondaryColor": "FrontSecondaryColor"}

@@ -12,7 +12,7 @@ compute exactly what is written, and must agree to the bit (DESIGN section 4, la
 parameters; a returned value and an argument of a user's function become locals first, since
 ``precise`` does not reach into expressions that are not assigned to a precise variable. So do the
 arguments of built-in functions of matrices, which Mesa takes apart into temporaries that are not
-precise; :mod:`transform.write_out_matrices` has left no other arithmetic on these.
+precise; :mod:`transform.proof.write_out_matrices` has left no other arithmetic on these.
 In GLSL ES everything becomes ``highp``: how exact ``mediump`` is, and where it is rounded, is up to
 the driver as well.
 """
@@ -30,9 +30,9 @@ from shadercache.ast.walk import children
 from shadercache.lang.types import builtin_type
 from shadercache.sema.facts import Stage
 from shadercache.source import NOWHERE
+from shadercache.transform.proof.write_out_matrices import Types, types_for_matrices
 from shadercache.transform.replace import replace_expressions
-from shadercache.transform.state_precisions import all_highp
-from shadercache.transform.write_out_matrices import Types, types_for_matrices
+from shadercache.transform.versions.state_precisions import all_highp
 
 _DESKTOP, _ES = 400, 320
 _OUTPUTS_ONLY = 420

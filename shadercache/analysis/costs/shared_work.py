@@ -9,8 +9,8 @@ computed (Sitthi-amorn et al. 2008, figure 7)::
     color = vec4(s * dot(n, u_light));  // shading only
 
 The slices are those that :mod:`transform.remove_dead` leaves: liveness, backward over structured
-statements. Costs are static (:mod:`analysis.cost`) and at most somewhat too high: a function that
-is not on the path of a node, and a ``switch`` without one, count as a whole.
+statements. Costs are static (:mod:`analysis.costs.cost`) and at most somewhat too high: a function
+that is not on the path of a node, and a ``switch`` without one, count as a whole.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ from typing import cast
 
 from shadercache.analysis.call_paths import Instance
 from shadercache.analysis.candidates import Candidate
-from shadercache.analysis.cost import UNKNOWN_TRIPS, CostTable
+from shadercache.analysis.costs.cost import UNKNOWN_TRIPS, CostTable
+from shadercache.analysis.costs.path_costs import Cut, Demand, PathCosts, Walked
 from shadercache.analysis.dataflow import NAMES, before_cases, before_loop
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.effects import Does
 from shadercache.analysis.liveness import overwritten_by
-from shadercache.analysis.path_costs import Cut, Demand, PathCosts, Walked
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import EXPRESSIONS, children, walk
 

@@ -1,0 +1,1 @@
+"""What values cost, alone and together."""

@@ -1,0 +1,1 @@
+"""What binds a value to its place on the screen."""

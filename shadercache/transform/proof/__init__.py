@@ -1,0 +1,1 @@
+"""Proof mode: what keeps a driver from rearranging and foreseeing."""
