@@ -24,7 +24,7 @@ MINUTES = 20.0
 
 PARTS = {
     "cases": ["tests/cases/test_cases.py", "-k", "laws or reference"],
-    "costs": ["tests/analysis/test_overlap.py", "-k", "no_pass"],
+    "costs": ["tests/analysis/test_shared_work.py", "-k", "no_pass"],
     "corpus": ["tests/laws/test_slice.py", "-k", "laws_1_to_4"],
     "sets": ["tests/laws/test_sets.py", "-k", "random_sets"],
     "cache options": ["tests/laws/test_cache_options.py"],

@@ -8,7 +8,7 @@ from pathlib import Path
 from random import Random
 
 import pytest
-from analysis.test_overlap import can_be_cached, compare
+from analysis.test_shared_work import can_be_cached, compare
 from laws.random_sets import random_sets
 from reports.in_scene import analysed, scene_of
 
