@@ -3,7 +3,7 @@
 The parts of the step are its plain statements and the conditions that they stand under. A part is
 relevant for a value if it writes what the value reads, directly or through other parts, in whatever
 order they come; then its conditions are relevant too. Conditions of a ``return``, ``discard`` or
-``break`` are relevant for everything: whether the rest is reached hangs on them.
+``break`` are relevant for everything: they decide whether the rest is reached.
 
 A plain statement has one part, itself. What it writes comes after what it reads, unless one of its
 operands has a side effect.
@@ -60,7 +60,7 @@ class ControlDependence:
         self._of = {item: part for part in self.parts for item in walk(part.node)}
 
     def into_value(self, expr: n.Expr) -> Flow:
-        """What the value of an expression hangs on, where it is evaluated."""
+        """What decides the value of an expression, where it is evaluated."""
         own = self._of[expr]
         return self._closure(self._table.of(expr).reads, self._later(own), (), own.above, Does.JUMP)
 
@@ -78,12 +78,12 @@ class ControlDependence:
         return self._closure(reads, self._later(own), first, (), _EXITS)
 
     def into_reach(self, expr: n.Expr, whole: bool) -> Flow:
-        """What decides whether an expression is come by, without what it works on."""
+        """What decides whether an expression is reached, without what it works on."""
         own = self._of[expr]
         return self._closure((), self._later(own), self._deciding(own, whole), (), _EXITS)
 
     def into_exits(self) -> Flow:
-        """What decides whether a ``return`` or ``discard`` is come by."""
+        """What decides whether a ``return`` or ``discard`` is reached."""
         return self._closure((), None, (), (), _EXITS)
 
     def _deciding(self, own: Part, whole: bool) -> tuple[Part, ...]:

@@ -1,4 +1,4 @@
-"""Loops whose length hangs on certain variables: here, on what the cache holds.
+"""Loops whose length depends on certain variables: here, on what the cache holds.
 
 A fragment that has no payload, or a pixel at the edge of a triangle that is computed for its
 neighbours only, goes on with whatever the cache holds there. In a loop that waits for such a value

@@ -93,7 +93,7 @@ def command(
         list[str] | None,
         typer.Option(
             metavar="NAME",
-            help="Debug view, oftener for several: hits, hit, refresh, clip, depth, id, poison, "
+            help="Debug view; repeat it for several: hits, hit, refresh, clip, depth, id, poison, "
             "age, or all.",
         ),
     ] = None,

@@ -77,7 +77,7 @@ class PassBuilder:
         nodes: Sequence[Candidate],
         configuration: Configuration | None = None,
     ) -> None:
-        """Nothing hangs on the configuration's own nodes and algorithm: it says how, not what."""
+        """The configuration's own nodes and algorithm play no part: it says how, not what."""
         self.program, self.nodes = program, tuple(nodes)
         chosen = configuration or Configuration()
         self.configuration = chosen.look_up

@@ -23,7 +23,7 @@ class MeasureOptions:
     ``frames``: how many are drawn; frame 0 is a reset and is not timed.
     ``error_from``: images are compared from this frame on (half of ``frames`` if that is less).
     ``probe_every``: every so many frames of that range, hit masks, work and the parts of the floor
-    are taken as well (they cost extra draws); oftener in a short run, so that there are eight.
+    are taken as well (they cost extra draws); more often in a short run, so that there are eight.
     ``group``: how many variants are interleaved at once; more need more memory for caches.
     ``picture_frame``: the frame whose pictures are kept; None keeps none.
     ``curves``: of at most so many payloads what becomes of the pixels is counted in every frame.
