@@ -93,7 +93,6 @@ class Candidates:
     instances: tuple[Instance, ...]
     slices: SliceTable
     derivatives: SharedUses
-    total_cost: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -157,7 +156,7 @@ def _judged(
                 )
             )
     found.extend(_initialisers(module, facts, origin))
-    return Candidates(tuple(found), instances, slices, evidence.derivatives, total)
+    return Candidates(tuple(found), instances, slices, evidence.derivatives)
 
 
 def _evidence(

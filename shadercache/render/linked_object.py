@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from shadercache.caching.algorithms import NAMES
@@ -28,8 +27,3 @@ class LinkedObject:
         if self.configuration is None or chosen is None:
             return LinkedObject(self.bundle)
         return LinkedObject(self.bundle, replace(self.configuration, algorithm=chosen))
-
-
-def bundles_of(objects: Iterable[LinkedObject]) -> tuple[Bundle, ...]:
-    """The programs of each."""
-    return tuple(item.bundle for item in objects)

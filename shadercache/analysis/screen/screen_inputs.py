@@ -25,9 +25,6 @@ from shadercache.sema.facts import Facts
 Marks = Mapping[n.Node, str]
 """An expression -> the mark of what it is."""
 
-Bound = Mapping[tuple[str | None, str], Components]
-"""A varying, or a block's instance and a member -> its components that are bound."""
-
 _FUNCTIONS = frozenset(
     (
         *("textureQueryLod", "textureQueryLOD"),

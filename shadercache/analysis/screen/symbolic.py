@@ -9,7 +9,7 @@ from shadercache.analysis.effect_table import EffectTable, out_arguments
 from shadercache.analysis.screen.terms import Term, Terms
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import EXPRESSIONS, children
-from shadercache.lang.types import Type, builtin_type
+from shadercache.lang.types import Type
 from shadercache.sema.facts import Facts
 
 POSITION = "gl_Position"
@@ -270,14 +270,6 @@ def swizzled(expr: n.Member, facts: Facts) -> tuple[int, ...] | None:
         return None
     letters = next((row for row in _SWIZZLES if set(expr.name) <= set(row)), None)
     return None if letters is None else tuple(map(letters.index, expr.name))
-
-
-def _moves(decl: n.VarDecl | n.BlockDecl) -> bool:
-    """May it be another in the next frame? (What is in textures is taken not to be.)"""
-    if not decl.qualifiers.has("uniform", "buffer"):
-        return False
-    kind = builtin_type(decl.type.name) if isinstance(decl, n.VarDecl) else None
-    return kind is None or not kind.is_opaque
 
 
 def _declared(decl: n.VarDecl | n.BlockDecl) -> list[str]:
