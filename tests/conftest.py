@@ -1,10 +1,11 @@
-"""Fixtures for all tests: expected files, and one OpenGL context for the whole process."""
+"""Fixtures for all tests: expected files, one OpenGL context, the torus and a variant of it."""
 
 from __future__ import annotations
 
 import difflib
 import os
 import random
+import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -15,6 +16,9 @@ from tests.crashes import pytest_xdist_make_scheduler  # noqa: F401 # a hook of 
 
 if TYPE_CHECKING:
     from shadercache.gpu.context import Gpu
+    from shadercache.render.bundle import Bundle
+    from shadercache.render.render_scene import RenderScene
+    from shadercache.scene.description import Scene
 
 ROOT = Path(__file__).resolve().parent.parent
 UPDATE, SHUFFLE = "--update-goldens", "--shuffle"
@@ -115,3 +119,40 @@ def shared_context_is_current() -> Iterator[None]:
 def _make_current() -> None:
     for context in _open:
         context.ctx.mglo._context.__enter__()
+
+
+@pytest.fixture(scope="session")
+def scene_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A copy of ``tests/torus`` with the mesh made."""
+    from tests.torus.mesh import FOLDER, write_arrays
+
+    folder = tmp_path_factory.mktemp("torus")
+    shutil.copytree(FOLDER, folder, dirs_exist_ok=True)
+    write_arrays(folder)
+    return folder
+
+
+@pytest.fixture(scope="session")
+def scene(scene_folder: Path) -> Scene:
+    """The torus."""
+    from shadercache.scene.description import load_scene
+
+    return load_scene(scene_folder)
+
+
+@pytest.fixture(scope="session")
+def bundle() -> Bundle:
+    """The variant of the torus's shader that is written by hand."""
+    from shadercache.render.bundle import load_bundle
+    from tests.torus.mesh import EMISSION
+
+    return load_bundle(EMISSION)
+
+
+@pytest.fixture(scope="session")
+def world(gpu: Gpu, scene: Scene) -> Iterator[RenderScene]:
+    """The torus at 96 x 64 with float colours, as proofs want it."""
+    from shadercache.render.render_scene import RenderScene
+
+    with RenderScene(gpu, scene, (96, 64), "rgba32f") as opened:
+        yield opened

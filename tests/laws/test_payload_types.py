@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from harness.test_independent import agree
 from laws.ground_truth import body_mesh, body_scene
 from laws.test_mutations import Replace, broken
 from payloads import DESKTOP, ES, FRAGMENT, PAYLOADS, VERTEX, analysed_payload
+from render.test_independent_runner import agree
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.compiler import analyse

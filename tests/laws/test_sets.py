@@ -9,13 +9,13 @@ from pathlib import Path
 from random import Random
 
 import pytest
-from harness.test_independent import agree
 from laws.random_sets import random_sets
 from laws.slices import VARIABLE, amount, seed
 from laws.test_conditions import FOLDER as CONDITIONS
 from laws.test_conditions import SHADERS
 from laws.test_mutations import Replace, broken
 from manifests import plain
+from render.test_independent_runner import agree
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.compiler import Analysis, analyse

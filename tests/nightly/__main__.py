@@ -28,7 +28,7 @@ PARTS = {
     "corpus": ["tests/laws/test_slice.py", "-k", "laws_1_to_4"],
     "sets": ["tests/laws/test_sets.py", "-k", "random_sets"],
     "cache options": ["tests/laws/test_cache_options.py"],
-    "independent runner": ["tests/harness/test_independent.py", "-k", "compiler_writes"],
+    "independent runner": ["tests/render/test_independent_runner.py", "-k", "compiler_writes"],
     "damaged shaders": ["tests/stress/test_stress.py", "-k", "random_cases"],
     "versions": ["tests/laws/test_versions.py", "-k", "reference_compiler"],
     "broken passes": ["tests/generated/test_compiler_mutations.py", "-k", "broken_pass"],

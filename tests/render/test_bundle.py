@@ -16,8 +16,7 @@ from msgspec.structs import replace
 from shadercache.diagnostics import InputError, UsageError
 from shadercache.manifest.model import Manifest
 from shadercache.render.bundle import Bundle, bundle_of, load_bundle
-
-FOLDER = Path(__file__).parent / "fixtures" / "emission"
+from tests.torus.mesh import EMISSION
 
 Change = Callable[[dict[str, Any]], Any]
 
@@ -31,7 +30,7 @@ def validator() -> Draft202012Validator:
 
 @pytest.fixture
 def manifest() -> dict[str, Any]:
-    found: dict[str, Any] = json.loads((FOLDER / "manifest.json").read_text())
+    found: dict[str, Any] = json.loads((EMISSION / "manifest.json").read_text())
     return found
 
 

@@ -27,6 +27,7 @@ from shadercache.scene.description import load_scene
 from shadercache.scene.mesh import load_mesh
 from shadercache.source import Source
 from tests.configured import DEFAULT, drawn_by, rewritten, variant
+from tests.torus.mesh import EMISSION
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -70,8 +71,7 @@ def agree(
 def test_same_bits_for_a_manifest_by_hand(
     world: RenderScene, bundle: Bundle, algorithm: str, form: str
 ) -> None:
-    folder = Path(__file__).parent / "fixtures" / "emission"
-    assert agree(world, bundle, folder, algorithm, form)
+    assert agree(world, bundle, EMISSION, algorithm, form)
 
 
 @pytest.mark.parametrize("name", ["orbit", "scroll"])

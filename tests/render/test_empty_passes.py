@@ -22,7 +22,6 @@ from tests.configured import PROOF, rewritten, variant
 pytestmark = pytest.mark.xdist_group("gl")
 
 SIZE = (96, 64)
-FOLDER = Path(__file__).parent / "fixtures" / "objects"
 
 
 @pytest.fixture(scope="module")
