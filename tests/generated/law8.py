@@ -81,14 +81,27 @@ class _Walker:
                 self.statement(cast("n.Stmt", part), inner, jumps)
 
     def expression(self, node: n.Node, under: bool) -> None:
-        for item in walk(node):
-            if isinstance(item, n.Call) and item.name in self.table.functions:
-                self.function(item.name, under)
-            elif isinstance(item, n.Call) and needs_derivative(item, self.table):
-                if under or self.gone:
-                    self.found.append(print_node(item))
-            elif isinstance(item, n.Jump) and item.word == "discard":
-                self.gone = self.gone or under
+        """The parts of an expression in the order in which they are evaluated."""
+        for part, apart in self.operands(node):
+            self.expression(part, under or apart)
+        if isinstance(node, n.Call) and node.name in self.table.functions:
+            self.function(node.name, under)
+        elif isinstance(node, n.Call) and needs_derivative(node, self.table):
+            if under or self.gone:
+                self.found.append(print_node(node))
+        elif isinstance(node, n.Jump) and node.word == "discard":
+            self.gone = self.gone or under
+
+    def operands(self, node: n.Node) -> Iterator[tuple[n.Node, bool]]:
+        """Each with whether some fragments may leave it out."""
+        match node:
+            case n.Conditional(condition=head, then=then, other=other):
+                chosen = self.differs(head)
+                yield from ((head, False), (then, chosen), (other, chosen))
+            case n.Binary(op="&&" | "||", left=left, right=right):
+                yield from ((left, False), (right, self.differs(left)))
+            case _:
+                yield from ((part, False) for part in children(node))
 
     def differs(self, node: n.Node) -> bool:
         return any(
