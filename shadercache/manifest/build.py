@@ -291,4 +291,5 @@ def _pass(item: Pass) -> dict[str, Any]:
         "uniforms": item.uniforms,
         "attributes": item.attributes,
         "on_reset": item.on_reset,
+        "draws": item.draws,
     }

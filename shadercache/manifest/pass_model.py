@@ -99,7 +99,7 @@ class DepthEntry(ManifestPart, frozen=True, kw_only=True):
 
 
 class PassEntry(ManifestPart, frozen=True, kw_only=True):
-    """One draw of all objects.
+    """One draw of all objects, or of the screen.
 
     What it declares is told by name; each name has one entry in 'inputs' or 'uniforms'.
     """
@@ -144,6 +144,13 @@ class PassEntry(ManifestPart, frozen=True, kw_only=True):
         ),
     ]
     on_reset: Annotated[bool, Meta(description="whether the pass is drawn on a reset frame")]
+    draws: Annotated[
+        Literal["objects", "screen"],
+        Meta(
+            description="screen: one triangle over the whole target, of three vertices without "
+            "attributes or index, once for all objects of this manifest"
+        ),
+    ] = "objects"
 
 
 class DebugEntry(PassEntry, frozen=True, kw_only=True):

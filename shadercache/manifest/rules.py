@@ -61,6 +61,8 @@ def _pass(path: str, entry: PassEntry, manifest: Manifest) -> Iterator[Problem]:
     for key in ("targets", "reads", "uniforms", "attributes"):
         yield from _twice(f"{path}.{key}", getattr(entry, key))
     yield from _unknown(f"{path}.targets", entry.targets, manifest.targets)
+    if entry.draws == "screen" and entry.attributes:
+        yield f"{path}.attributes", "a pass over the screen has none"
     sampled = {"previous-cache-2", "current-cache-2"}.intersection(entry.reads)
     if sampled and manifest.cache.second is UNSET:
         yield f"{path}.reads", f"{min(sampled)} is in no manifest without cache.second"

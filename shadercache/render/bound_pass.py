@@ -81,6 +81,7 @@ class BoundPass:
                 known, SC602 the driver refuses.
         """
         self.name = spec.name
+        self.over_screen = spec.over_screen
         self._world = world
         self._drawable = drawable
         self._spec = spec
@@ -97,7 +98,7 @@ class BoundPass:
             spec.vertex, spec.fragment, blocks_of(spec.inputs), captured
         )
         try:
-            self._array = drawable.vertex_array(self._program)
+            self._array = drawable.vertex_array(self._program, self.over_screen)
             self._bind(naming)
         except InputError:
             self.release()
@@ -121,7 +122,7 @@ class BoundPass:
         self._world.gpu.ctx.depth_func = test
         self._world.set_culling(self._drawable)
         self._load(inputs, caches)
-        self._array.render(moderngl.TRIANGLES)
+        self._array.render(moderngl.TRIANGLES, 3 if self.over_screen else -1)
 
     def release(self) -> None:
         """Give the program back."""

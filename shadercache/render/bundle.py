@@ -31,7 +31,9 @@ _VERSION_LINE = re.compile(r"^\s*#\s*version\b.*$", re.MULTILINE)
 
 @dataclass(frozen=True, eq=False)
 class PassSpec:
-    """One draw of all objects. ``depth_test`` is ``<`` or ``<=``; targets stand at their index.
+    """One draw of all objects, or of one triangle ``over_screen`` for all of them.
+
+    ``depth_test`` is ``<`` or ``<=``; targets stand at their index.
 
     ``looks``: does it look up what the last frame stored? ``inputs``: what it declares of the
     user's, and the twins.
@@ -45,6 +47,7 @@ class PassSpec:
     depth_write: bool
     on_reset: bool
     looks: bool = False
+    over_screen: bool = False
     inputs: tuple[InputEntry, ...] = ()
 
 
@@ -267,6 +270,7 @@ class Bundle:
             depth_write=entry.depth.write,
             on_reset=entry.on_reset,
             looks="previous-cache" in entry.reads,
+            over_screen=entry.draws == "screen",
             inputs=tuple(item for item in self.manifest.inputs if item.name in declared),
         )
 

@@ -102,17 +102,18 @@ class Drawable:
             )
         return found
 
-    def vertex_array(self, program: Program) -> moderngl.VertexArray:
-        """The mesh as the program's input.
+    def vertex_array(self, program: Program, over_screen: bool = False) -> moderngl.VertexArray:
+        """The mesh as the program's input; nothing, for one that draws ``over_screen``.
 
         Raises:
             InputError: SC521, an attribute that the scene does not map to an array.
         """
         content = [self._attribute(program, name) for name in program.attributes]
-        key = (self._mesh.index.glo, *(buffer.glo for buffer, _, _ in content))
+        index = None if over_screen else self._mesh.index
+        key = (index.glo if index else 0, *(buffer.glo for buffer, _, _ in content))
         found = program.arrays.get(key)
         if found is None:
-            found = self._gpu.ctx.vertex_array(program.gl, content, self._mesh.index)
+            found = self._gpu.ctx.vertex_array(program.gl, content, index)
             program.arrays[key] = found
         return found
 

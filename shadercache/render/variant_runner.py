@@ -72,7 +72,7 @@ class DrawItem:
     linked: LinkedObject
     naming: Naming
     passes: tuple[BoundPass, ...]
-    on_reset: tuple[BoundPass, ...]
+    on_reset: tuple[BoundPass | None, ...]
     debug_spec: PassSpec
     caches: CachePair | None
     before: int | None = None
@@ -84,8 +84,8 @@ class DrawItem:
         return self.linked.bundle
 
     @property
-    def due(self) -> tuple[BoundPass, ...]:
-        """The passes of the coming frame."""
+    def due(self) -> tuple[BoundPass | None, ...]:
+        """The passes of the coming frame, each at its place in the order; None: it is left out."""
         return self.on_reset if self.before is None else self.passes
 
 
@@ -269,7 +269,9 @@ class VariantRunner(Runner):
         naming = Naming(bundle.roles, bundle.twins)
         specs = bundle.passes(chosen.algorithm)
         passes = tuple(self._bind(drawable, spec, naming) for spec in specs)
-        on_reset = tuple(bound for bound, spec in zip(passes, specs, strict=True) if spec.on_reset)
+        on_reset: tuple[BoundPass | None, ...] = tuple(
+            bound if spec.on_reset else None for bound, spec in zip(passes, specs, strict=True)
+        )
         whole = bundle.reset_pass if self._short_reset else None
         if whole is not None and whole.fragment.name not in {spec.fragment.name for spec in specs}:
             on_reset = (self._bind(drawable, whole, naming),)
@@ -299,10 +301,15 @@ class VariantRunner(Runner):
     def _turns(self, frame: int) -> Iterator[tuple[BoundPass, FrameInputs, CachePair | None]]:
         """Every draw of a frame: all objects finish a pass before the next begins."""
         drawn = [(role, self.inputs(role, frame)) for role in self._drawn(frame)]
+        over_screen: set[tuple[Bundle, str]] = set()
         for number in range(max((len(role.due) for role, _ in drawn), default=0)):
             for role, inputs in drawn:
-                if number < len(role.due):
-                    yield role.due[number], inputs, role.caches
+                bound = role.due[number] if number < len(role.due) else None
+                if bound is None or (role.bundle, bound.name) in over_screen:
+                    continue
+                if bound.over_screen:
+                    over_screen.add((role.bundle, bound.name))
+                yield bound, inputs, role.caches
 
     def note_hits(self, frame: int, rate: float) -> None:
         """Tell the run the share of hits of the frame that is about to be drawn: where it falls

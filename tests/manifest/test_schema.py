@@ -52,6 +52,10 @@ BETWEEN: dict[str, tuple[Change, str]] = {
         lambda m: m["payload"]["attributes"].append("u_modelViewProjection"),
         "payload.attributes: nothing else tells of u_modelViewProjection",
     ),
+    "attributes on the screen": (
+        lambda m: m["original"].update(draws="screen"),
+        "original.attributes: a pass over the screen has none",
+    ),
     "an unknown target": (
         lambda m: m["targets"].pop("cache"),
         "variants[0].passes[0].targets: nothing else tells of cache",

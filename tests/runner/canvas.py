@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import moderngl
@@ -34,6 +35,7 @@ class Canvas:
         self.color = ctx.texture(size, 4, dtype="f4")
         self.depth = ctx.depth_renderbuffer(size)
         self.framebuffers: dict[tuple[int, ...], moderngl.Framebuffer] = {}
+        self.over_screen: set[tuple[Path, str]] = set()
 
     def _textures(self, size: tuple[int, int], precision: str | None) -> list[moderngl.Texture]:
         """The textures of one cache; ``precision`` (a format) replaces that of floats."""
@@ -47,11 +49,22 @@ class Canvas:
 
     def begin(self, forgets: bool) -> None:
         """Clear what a frame begins with, and what the last one stored if it ``forgets`` that."""
+        self.over_screen.clear()
         previous, current = self.caches
         if forgets:
             self._clear(previous)
         self._clear(current)
-        self.framebuffer(self.color).clear(0.0, 0.0, 0.0, 0.0, depth=1.0)
+        framebuffer = self.framebuffer(self.color)
+        framebuffer.depth_mask = True  # A pass may have left it off, and then nothing is cleared.
+        framebuffer.clear(0.0, 0.0, 0.0, 0.0, depth=1.0)
+
+    def holds(self, folder: Path, item: Mapping[str, Any]) -> bool:
+        """Has this frame a pass over the screen already, since another object has drawn it?"""
+        key = (folder, item["name"])
+        if not over_screen(item) or key in self.over_screen:
+            return over_screen(item)
+        self.over_screen.add(key)
+        return False
 
     def end(self) -> np.ndarray:
         """Swap the caches; the colours, (h, w, 4) float32 with row 0 at the bottom."""
@@ -74,3 +87,8 @@ class Canvas:
             made = self.ctx.framebuffer(textures, self.depth if depth else None)
             self.framebuffers[key] = made
         return self.framebuffers[key]
+
+
+def over_screen(item: Mapping[str, Any]) -> bool:
+    """Does a pass draw one triangle over the screen in place of the objects?"""
+    return item.get("draws") == "screen"

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import moderngl
 import numpy as np
-from runner.canvas import Canvas
+from runner.canvas import Canvas, over_screen
 from runner.inputs import Given, Inputs
 
 DEPTH_TESTS = {"less": "<", "lequal": "<="}
@@ -70,7 +70,8 @@ class IndependentRunner:
             fragment_shader=(self.folder / item["fragment"]).read_text(),
         )
         content = [(*self.buffers[n], n) for n in item["attributes"] if n in program]
-        return program, self.ctx.vertex_array(program, content, self.index)
+        index = None if over_screen(item) else self.index
+        return program, self.ctx.vertex_array(program, content, index)
 
     def reset(self) -> None:
         """The next frame is the first one again."""
@@ -93,7 +94,7 @@ class IndependentRunner:
         """Draw one pass, if the frame has it."""
         item, (program, array) = self.passes[number]
         on_reset = self.last_values is None
-        if on_reset and not item["on_reset"]:
+        if (on_reset and not item["on_reset"]) or self.canvas.holds(self.folder, item):
             return
         uniforms = self.manifest["uniforms"]
         numbers = {item["role"]: item["default"] for item in uniforms}
@@ -112,7 +113,7 @@ class IndependentRunner:
         last = values if on_reset else self.last_values
         given = Given(values, last, numbers, caches)
         self.inputs.give(program, item["uniforms"], given)
-        array.render(vertices=self.vertices)
+        array.render(vertices=3 if over_screen(item) else self.vertices)
 
 
 class Turn(NamedTuple):
