@@ -18,7 +18,6 @@ from tempfile import TemporaryDirectory
 
 from shadercache.diagnostics import Diagnostic, InputError, Severity
 from shadercache.front.parse import preprocessed
-from shadercache.front.preprocess import Preprocessed
 from shadercache.front.read_options import ReadOptions
 from shadercache.sema.facts import Stage
 from shadercache.source import Source, Span
@@ -31,7 +30,6 @@ _LACKS = re.compile(
     r"extension not supported|not supported (?:for|with|in) this|syntax error|undeclared identifier"
     r"|no matching overloaded function|starting with \"gl_\" are reserved|gl_Max\w+|is too large"
 )
-_SUFFIXES = {"fragment": "frag", "vertex": "vert"}
 _SECONDS = 20
 _MAX_LEXEMES = 100_000
 
@@ -59,26 +57,22 @@ def ask_compiler(
     Nothing where it cannot be asked: the shader is broken for the preprocessor or very long, or the
     compiler crashes or lacks an extension.
     """
-    texts: list[tuple[str, list[Span]] | None] = [
-        _readable(question.source, options) for question in questions
-    ]
+    texts = [_readable(question.source, options) for question in questions]
     with TemporaryDirectory(prefix="shadercache-") as folder:
         files = {}
-        for number, (question, text) in enumerate(zip(questions, texts, strict=True)):
-            if text is not None:
-                files[number] = Path(folder, f"{number}.{_SUFFIXES[question.stage]}")
-                files[number].write_text(text[0], encoding="utf-8")
-        outputs = _run(tool, files)
+        for number, (question, (text, _)) in enumerate(zip(questions, texts, strict=True)):
+            if text:
+                files[number] = Path(folder, f"{number}.{question.stage[:4]}")
+                files[number].write_text(text, encoding="utf-8")
+        outputs = _run(tool, files) if files else {}
     return [
-        () if text is None else _findings(question, text[1], outputs.get(number, ""))
-        for number, (question, text) in enumerate(zip(questions, texts, strict=True))
+        _findings(question, places, outputs.get(number, ""))
+        for number, (question, (_, places)) in enumerate(zip(questions, texts, strict=True))
     ]
 
 
 def _run(tool: str, files: dict[int, Path]) -> dict[int, str]:
     """What the compiler says of each file; all at once, for it starts slowly."""
-    if not files:
-        return {}
     command = [tool, "-C", *map(str, files.values())]
     try:
         done = subprocess.run(
@@ -102,7 +96,7 @@ def _run(tool: str, files: dict[int, Path]) -> dict[int, str]:
 def _findings(question: Question, places: list[Span], said: str) -> tuple[Diagnostic, ...]:
     if _LACKS.search(said):
         return ()
-    source, found = question.source, []
+    source, findings = question.source, []
     errors = [item.span for item in question.told if item.severity is Severity.ERROR]
     seen = {_line(source, span.start) for span in errors if span is not None}
     for match in _ERROR.finditer(said):
@@ -110,28 +104,24 @@ def _findings(question: Question, places: list[Span], said: str) -> tuple[Diagno
         if _line(source, span.start) not in seen:
             seen.add(_line(source, span.start))
             message = f"glslang: {' '.join(match[2].split())}"
-            found.append(Diagnostic("SC240", message, source, span))
-    return tuple(found)
+            findings.append(Diagnostic("SC240", message, source, span))
+    return tuple(findings)
 
 
-def _readable(source: Source, options: ReadOptions) -> tuple[str, list[Span]] | None:
-    """The shader for the compiler, with the place of each line."""
+def _readable(source: Source, options: ReadOptions) -> tuple[str, list[Span]]:
+    """The shader for the compiler, without directives of the preprocessor, and the place of each
+    line; an empty text where it cannot be asked."""
     try:
         prepared = preprocessed(source, options)
     except InputError:
-        return None
-    return _text(prepared, source) if 0 < len(prepared.lexemes.texts) <= _MAX_LEXEMES else None
-
-
-def _text(prepared: Preprocessed, source: Source) -> tuple[str, list[Span]]:
-    """The shader without directives of the preprocessor, and the place of each line."""
+        return "", []
+    lexemes = prepared.lexemes
+    if not 0 < len(lexemes.texts) <= _MAX_LEXEMES:
+        return "", []
     profile = prepared.profile if prepared.version != 100 else None
     lines = [f"#version {prepared.version} {profile or ''}".rstrip()]
-    places = [Span(0, 0)]
-    for directive in prepared.directives:
-        lines.append(directive.text)
-        places.append(directive.span)
-    lexemes = prepared.lexemes
+    lines += [directive.text for directive in prepared.directives]
+    places = [Span(0, 0), *(directive.span for directive in prepared.directives)]
     numbers = [_line(source, start) for start in lexemes.starts]
     breaks = [at for at, (one, two) in enumerate(pairwise(numbers), 1) if one != two]
     for first, behind in pairwise((0, *breaks, len(numbers))):

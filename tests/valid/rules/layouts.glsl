@@ -79,9 +79,6 @@ void main() { }
 //// 4.60 4.4.1 early tests are not for vertex shaders | SC223 [450 vertex]
 layout(early_fragment_tests) in;
 void main() { }
-//// 4.60 4.4.2 feedback is of outputs of vertex shaders | SC223 [450]
-layout(xfb_stride = 16) out;
-void main() { }
 //// 4.60 4.4.3 uniforms do not share locations | SC223 [450]
 layout(location = 1) uniform float x[2];
 layout(location = 2) uniform float y;

@@ -77,3 +77,6 @@ layout(binding = 0, offset = 8) uniform atomic_uint;
 layout(binding = 0) uniform atomic_uint y;
 layout(binding = 0, offset = 8) uniform atomic_uint z;
 void main() { }
+//// 4.60 4.4.2 feedback is of outputs of vertex shaders | ok [450, glslang refuses]
+layout(xfb_stride = 16) out;
+void main() { }
