@@ -1,4 +1,9 @@
-"""``./dev corpus``: measure acceptance on public shaders; see the package's description."""
+"""``./dev corpus``: how many shaders that nobody here wrote the front end gets right.
+
+glslangValidator is the judge. Some shaders come from packages, which ``fetch.sh`` fetches by name
+into ``out/public/``; others from folders (``--shaders``). ``docs/use/acceptance.md`` says what is
+measured.
+"""
 
 from __future__ import annotations
 
@@ -8,41 +13,38 @@ import os
 import shutil
 import subprocess
 import sys
-import time
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from functools import partial
+from multiprocessing import Pool
 from pathlib import Path
 
-from bench.public_shaders.drawing import ROOT, draw_all
-from bench.public_shaders.judge import TOOL, judge
-from bench.public_shaders.reading import read_all
-from bench.public_shaders.report import Row, figures, table, to_json
+from bench.public_shaders.drawing import draw_all
+from bench.public_shaders.reading import TOOL, Row, examine, table, to_json
 from bench.public_shaders.shaders import Shader, evenly, evenly_by_folder, folder_shaders
-from bench.public_shaders.typing import compare_types
+from shadercache.ast.large import allow_deep_trees
 
 COLLECTIONS = ("three", "gl-transitions", "piglit")
-FAMILY_LIMIT = 40
-"""Shaders taken from one folder of piglit, whose generated families have thousands alike."""
+FAMILY_LIMIT = 40  # of one folder of piglit, whose generated families have thousands alike
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run; the exit status is 3 where packages or tools cannot be had."""
     options = _options(arguments)
     if shutil.which(TOOL) is None:
-        _say(f"{TOOL} is the judge, and it is not installed (glslang-tools)")
+        print(f"corpus: {TOOL} is not installed (glslang-tools)", file=sys.stderr)
         return 3
     rows: dict[str, list[Row]] = {}
     try:
         for name, shaders in _collections(options):
-            begin = time.monotonic()
             rows[name] = _measure(evenly(shaders, options.limit), options)
-            _say(f"{name}: {len(rows[name])} shaders in {time.monotonic() - begin:.0f} s")
+            print(f"corpus: {name}: {len(rows[name])} shaders", file=sys.stderr)
     except subprocess.CalledProcessError as error:
-        _say(f"{error.cmd[-1]} cannot be fetched: its tool's words are above")
+        print(f"corpus: {error.cmd[-1]} cannot be fetched", file=sys.stderr)
         return 3
-    print(table({name: figures(found) for name, found in rows.items()}))
+    print(table(rows))
     result = options.folder / "result.json"
-    result.write_text(json.dumps({name: to_json(f) for name, f in rows.items()}, indent=1) + "\n")
+    figures = {name: to_json(measured) for name, measured in rows.items()}
+    result.write_text(json.dumps(figures, indent=1) + "\n")
     print(f"\nfigures and failures: {result}\nthe shaders: {options.folder / 'shaders'}")
     return 0
 
@@ -57,9 +59,10 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     add("--all", action="store_true", help="every shader of piglit's families")
     add("--no-render", dest="render", action="store_false", help="draw nothing")
     add("-j", "--jobs", type=int, default=os.cpu_count() or 1, metavar="N")
-    add("--folder", type=Path, default=ROOT / "out" / "public", metavar="DIR")
+    add("--folder", type=Path, default=Path("out/public"), metavar="DIR")
     options = parser.parse_args(arguments)
     options.folder = options.folder.resolve()
+    # argparse checks choices of an empty list too, so that "*" and `choices` do not go together.
     for name in options.collections:
         if name not in COLLECTIONS:
             parser.error(f"no collection '{name}'; there are {', '.join(COLLECTIONS)}")
@@ -75,42 +78,23 @@ def _collections(options: argparse.Namespace) -> Iterator[tuple[str, list[Shader
     for name in options.collections or (() if options.shaders else COLLECTIONS):
         fetch = [Path(__file__).parent / "fetch.sh", packages, name]
         subprocess.run(fetch, check=True, stdout=sys.stderr)
-        found = folder_shaders(packages / name)
-        limited = name == "piglit" and not options.all
-        yield name, evenly_by_folder(found, FAMILY_LIMIT if limited else None)
+        limit = FAMILY_LIMIT if name == "piglit" and not options.all else None
+        yield name, evenly_by_folder(folder_shaders(packages / name), limit)
     for folder in options.shaders:
         yield folder.resolve().name, folder_shaders(folder, options.include)
 
 
 def _measure(shaders: list[Shader], options: argparse.Namespace) -> list[Row]:
-    folder = options.folder / "shaders"
-    verdicts = judge(shaders, folder)
-    outcomes = read_all(shaders, options.jobs)
-    taken = {
-        shader: Shader(f"printed/{shader.name}", shader.stage, outcome.printed)
-        for shader, outcome, verdict in zip(shaders, outcomes, verdicts, strict=True)
-        if verdict.accepted and outcome.printed is not None
-    }
-    reread = dict(zip(taken, judge(list(taken.values()), folder), strict=True))
-    typing = dict(zip(taken, compare_types(list(taken), folder, options.jobs), strict=True))
-    drawn = [shader for shader in taken if shader.stage == "fragment" and options.render]
-    pairs = [(shader, taken[shader].text) for shader in drawn]
-    pictures = dict(zip(drawn, draw_all(pairs, options.jobs), strict=True))
-    return [
-        Row(
-            shader,
-            verdict,
-            replace(outcome, printed=None),
-            typing.get(shader, ""),
-            reread.get(shader),
-            pictures.get(shader),
-        )
-        for shader, verdict, outcome in zip(shaders, verdicts, outcomes, strict=True)
-    ]
-
-
-def _say(message: str) -> None:
-    print(f"corpus: {message}", file=sys.stderr, flush=True)
+    with Pool(options.jobs, allow_deep_trees) as pool:
+        rows = pool.map(partial(examine, options.folder / "shaders"), shaders, chunksize=8)
+    if options.render:
+        drawn = [row for row in rows if row.printed is not None and row.shader.stage == "fragment"]
+        pictures = draw_all([(row.shader, row.printed or "") for row in drawn], options.jobs)
+        for row, picture in zip(drawn, pictures, strict=True):
+            row.picture = picture
+            if picture.same is not None:
+                row.problems["same image"] = picture.why
+    return rows
 
 
 if __name__ == "__main__":

@@ -1,52 +1,69 @@
 """Law 1 on shaders of others: the text as it was and our print of it render the same bits.
 
-Each valid fragment shader is linked with a plain vertex shader and drawn once from either text, by
-a child process (``painter.py``). One that hangs or crashes with the driver costs one shader.
+Each valid fragment shader is drawn once from either text, with a plain vertex shader and the values
+that a scene is made with for a shader without one (:mod:`shadercache.linking.made_scene`). It is
+done in a child process: one that hangs or crashes with the driver costs one shader.
 """
 
 from __future__ import annotations
 
-import json
 import os
 import re
-import subprocess
-import sys
-from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
-from multiprocessing import Pool
+import signal
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from dataclasses import replace
+from functools import cache
+from itertools import count
+from multiprocessing import get_context
 from pathlib import Path
-from typing import Any
+from types import SimpleNamespace
+from typing import NamedTuple, cast
 
-from bench.public_shaders.plain_vertex import plain_vertex
+import numpy as np
+from numpy.typing import NDArray
+
 from bench.public_shaders.shaders import Shader
 from shadercache.ast import nodes as n
 from shadercache.ast.large import allow_deep_trees
-from shadercache.ast.walk import walk
+from shadercache.compiler import Analysis
+from shadercache.diagnostics import InputError
+from shadercache.emit.printer import print_node
+from shadercache.emit.program_set import Pass, ProgramSet
+from shadercache.emit.reflection import inputs_of
+from shadercache.gpu.context import Gpu, open_context
+from shadercache.lang.types import Type
+from shadercache.linking.made_scene import made_scene
+from shadercache.manifest.shader_inputs import described_inputs
+from shadercache.render.bundle import PassSpec
+from shadercache.render.pass_runners import PassRunner
+from shadercache.render.render_scene import RenderScene
 from shadercache.sema.facts import Facts
 from shadercache.source import Source
 from shadercache.valid.read import read
 
-ROOT = Path(__file__).resolve().parent.parent.parent
+SECONDS = 20  # A shader that takes longer hangs, and its process ends.
+BATCH = 50  # Shaders that one child draws.
 
-# Mesa runs the oldest shaders in a compatibility profile only; others take no notice of these.
-ENVIRONMENT = {
+# Mesa runs the oldest shaders in a compatibility profile only; other drivers ignore all of these.
+_ENVIRONMENT = {
     "MESA_GL_VERSION_OVERRIDE": "4.6COMPAT",
     "MESA_GLSL_VERSION_OVERRIDE": "460",
     "MESA_SHADER_CACHE_DISABLE": "true",
     "LP_NUM_THREADS": "1",
 }
-BATCH = 50
 
+
+POSITION = "sc_corner"
+"""The vertex attribute: the corners of a triangle over the image, which is -1 to 1."""
+
+_IN = re.compile(r"\bin\b")
 _FIXED_FUNCTION = re.compile(r"\bgl_(?:TexCoord|Color|SecondaryColor)\b")
-_INTEGERS = re.compile(r"\b(?:int|uint|bool|[iub]vec[234])\b")
-_TARGETS = 8
-
-Job = dict[str, Any]
+_FIXED_OUTPUTS = (*(f"gl_TexCoord[{unit}]" for unit in range(8)), "gl_FrontColor", "gl_BackColor")
 
 
-@dataclass(frozen=True, slots=True)
-class Picture:
+class Picture(NamedTuple):
     """What became of drawing a shader: ``same`` is ``None`` where it cannot be drawn at all.
 
     ``varied``: the image has more than one colour.
@@ -57,80 +74,145 @@ class Picture:
     why: str = ""
 
 
-def draw_all(pairs: Sequence[tuple[Shader, str]], processes: int) -> list[Picture]:
+def draw_all(
+    pairs: Sequence[tuple[Shader, str]],
+    processes: int,
+    draw: Callable[[tuple[Shader, str]], Picture] | None = None,
+) -> list[Picture]:
     """A picture for each shader with our print of it."""
-    with Pool(processes, allow_deep_trees) as pool:
-        jobs = pool.map(_job, pairs, chunksize=8)
-    batches = [jobs[at : at + BATCH] for at in range(0, len(jobs), BATCH)]
+
+    def drawn(batch: Sequence[tuple[Shader, str]]) -> list[Picture]:
+        pictures: list[Picture] = []
+        while len(pictures) < len(batch):
+            # A forked child would share the driver's state with its parent.
+            with ProcessPoolExecutor(1, get_context("spawn"), allow_deep_trees) as child:
+                try:
+                    for picture in child.map(draw or compare, batch[len(pictures) :]):
+                        pictures.append(picture)
+                except BrokenProcessPool:  # They come in order: it was at the next.
+                    pictures.append(Picture(None, why="the driver hangs or crashes"))
+        return pictures
+
+    batches = [pairs[at : at + BATCH] for at in range(0, len(pairs), BATCH)]
     with ThreadPoolExecutor(processes) as threads:
-        return [picture for found in threads.map(_draw, batches) for picture in found]
+        return [picture for pictures in threads.map(drawn, batches) for picture in pictures]
 
 
-def _draw(jobs: Sequence[Job]) -> list[Picture]:
-    """Where the child ends early, the job it was at is lost, and a new one goes on behind it."""
-    pictures: list[Picture] = []
-    while len(pictures) < len(jobs):
-        done = subprocess.run(
-            [sys.executable, "-m", "bench.public_shaders.painter"],
-            input="".join(json.dumps(job) + "\n" for job in jobs[len(pictures) :]),
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-            text=True,
-            cwd=ROOT,
-            env=os.environ | ENVIRONMENT,
-            check=False,
-        )
-        pictures += [Picture(**json.loads(line)) for line in done.stdout.splitlines()]
-        if len(pictures) < len(jobs):
-            pictures.append(Picture(None, why="the driver hangs or crashes"))
-    return pictures
-
-
-def _job(pair: tuple[Shader, str]) -> Job:
-    """What a child is asked; with ``why`` alone where there is nothing to ask."""
+def compare(pair: tuple[Shader, str]) -> Picture:
+    """Draw a shader and our print of it; whatever is raised becomes the reason."""
     shader, printed = pair
+    signal.alarm(SECONDS)  # Its default action ends the process, in whatever the driver is.
     try:
-        module, facts = read(Source(shader.file, shader.text), "fragment")
-        vertex = plain_vertex(module, facts, bool(_FIXED_FUNCTION.search(shader.text)))
+        images = _draw(Source(shader.file, shader.text), Source("our print", printed))
+        one = next(images)
+        try:
+            other = next(images)
+        except InputError as error:
+            return Picture(False, why=f"our print: {error.diagnostics[0].message}")
+    except InputError as error:
+        return Picture(None, why=error.diagnostics[0].message)
     except Exception as error:
-        return {"why": f"no vertex shader: {type(error).__name__}: {error}"}
-    return {
-        "vertex": vertex,
-        "fragments": [shader.text, printed],
-        "formats": output_formats(module, facts),
-        "integers": any(_has_integers(node) for node in walk(module)),
-    }
+        return Picture(None, why=f"{type(error).__name__}: {error}")
+    finally:
+        signal.alarm(0)
+    # Any NaN is as good as another.
+    wrong = (one.view("u4") != other.view("u4")) & ~(np.isnan(one) & np.isnan(other))
+    pixels = int(wrong.any(axis=-1).sum())
+    why = f"{pixels} pixels differ" if pixels else ""
+    return Picture(not pixels, bool((one != one[0, 0]).any()), why)
 
 
-def output_formats(module: n.Module, facts: Facts) -> str:
-    """The kind of each target: ``f``, ``i`` or ``u`` for floats, signed and unsigned integers."""
-    kinds = ["f"] * _TARGETS
-    free = 0
-    for decl in module.decls:
-        if isinstance(decl, n.VarDecl) and decl.qualifiers.has("out"):
-            for declarator in decl.declarators:
-                kind = facts.declared[declarator].type
-                location = _location(decl.qualifiers, facts)
-                first = free if location is None else location
-                free = first + (kind.dims[0] or 1 if kind.is_array else 1)
-                for at in range(first, min(free, _TARGETS)):
-                    kinds[at] = {"int": "i", "uint": "u"}.get(kind.base or "", "f")
-    return "".join(kinds)
-
-
-def _location(qualifiers: n.Qualifiers, facts: Facts) -> int | None:
-    for item in qualifiers.layout or ():
-        if item.name == "location" and item.value is not None:
-            value = facts.constants.get(item.value)
-            return None if value is None else int(value)
-    return None
-
-
-def _has_integers(node: n.Node) -> bool:
-    if not isinstance(node, n.BlockDecl | n.StructDef):
-        return False
-    return any(
-        _INTEGERS.search(field.type.name)
-        or (isinstance(node, n.BlockDecl) and field.type.struct is not None)
-        for field in node.fields
+def _draw(original: Source, printed: Source) -> Iterator[NDArray[np.float32]]:
+    """Both images, (32, 32, 4) each."""
+    module, facts = read(original)
+    vertex = Source("plain.vert", plain_vertex(module, facts, original.text))
+    # An analysis refuses what cannot be cached; all of it that counts here is what is declared.
+    known = SimpleNamespace(
+        raised=[SimpleNamespace(module=module, facts=facts)], renamed={}, mapping="screen"
     )
+    scene = made_scene(Path(original.name), cast(Analysis, known), Path(vertex.name))
+    scene = replace(scene, attributes={POSITION: "position"})
+    inputs = inputs_of([(module, facts, "fragment")])
+    names = tuple(item.name for item in inputs)
+    described = described_inputs(inputs, ProgramSet(original=Pass("", "", (), uniforms=names)))
+    with RenderScene(_gpu(), scene, (32, 32), "rgba32f") as world:
+        for text in (original, printed):
+            spec = PassSpec(text.name, vertex, text, ("color",), "<=", True, True, inputs=described)
+            yield PassRunner(world, spec).image(0)
+
+
+@cache
+def _gpu() -> Gpu:
+    os.environ.update(_ENVIRONMENT)
+    return open_context()
+
+
+def plain_vertex(module: n.Module, facts: Facts, text: str) -> str:
+    """A vertex shader that gives each input a value of a fixed rule, in the same version.
+
+    For ``in vec3 v_normal; flat in ivec2 v_cell;`` it declares both as outputs, and writes ::
+
+        v_normal = vec3(<three different slopes over the image>);
+        v_cell = ivec2(1, 2);
+
+    Structs, constants and extensions that the declarations may need are taken over.
+    """
+    profile = f" {module.profile}" if module.profile and module.version != 100 else ""
+    old = module.version < (300 if module.profile == "es" else 130)
+    lines = [f"#version {module.version}{profile}"]
+    extensions = [line.text for line in module.directives if line.text.startswith("#extension")]
+    # Some are of fragment shaders alone.
+    lines += [extension.replace("require", "enable") for extension in extensions]
+    if module.profile == "es":
+        lines += ["precision highp float;", "precision highp int;"]
+    lines.append(f"{'attribute' if old else 'in'} vec3 {POSITION};")
+    statements = [f"gl_Position = vec4({POSITION}, 1.0);"]
+    number = count()
+    for decl in module.decls:
+        if not isinstance(decl, n.VarDecl | n.BlockDecl):
+            continue
+        nodes = _declared(decl)
+        if decl.qualifiers.has("in", "varying"):
+            if not any(node.name.startswith("gl_") for node in nodes):
+                lines.append(_IN.sub("out", print_node(decl)))
+                for symbol in (facts.declared[node] for node in nodes):
+                    statements += _assignments(symbol.name, symbol.type, number)
+        elif isinstance(decl, n.VarDecl) and decl.qualifiers.has("const"):
+            lines.append(print_node(decl))
+        elif isinstance(decl, n.VarDecl) and decl.type.struct is not None and decl.type.name:
+            lines.append(print_node(replace(decl, qualifiers=n.NO_QUALIFIERS, declarators=())))
+    if _FIXED_FUNCTION.search(text):
+        for place in _FIXED_OUTPUTS:
+            statements.append(f"{place} = vec4({', '.join(_slope(next(number)) for _ in 'xyzw')});")
+    body = "".join(f"    {statement}\n" for statement in statements)
+    return "\n".join((*lines, f"void main()\n{{\n{body}}}\n"))
+
+
+def _declared(decl: n.VarDecl | n.BlockDecl) -> Sequence[n.Declarator | n.BlockDecl]:
+    """What a declaration gives names to; a block without an instance does so to its members."""
+    if isinstance(decl, n.VarDecl):
+        return decl.declarators
+    if decl.instance is not None:
+        return (decl,)
+    return [node for field in decl.fields for node in field.declarators]
+
+
+def _assignments(place: str, kind: Type, number: Iterator[int]) -> Iterator[str]:
+    if kind.is_array:
+        for index in range(kind.dims[0] or 1):
+            yield from _assignments(f"{place}[{index}]", kind.element, number)
+    elif kind.struct is not None:
+        for name, member in kind.struct.fields.items():
+            yield from _assignments(f"{place}.{name}", member, number)
+    elif kind.base is not None:
+        real = kind.base in ("float", "double")
+        numbers = [next(number) for _ in range(kind.rows * kind.cols)]
+        values = [_slope(at) if real else str(1 + at % 3) for at in numbers]
+        yield f"{place} = {kind.name}({', '.join(values)});"
+
+
+def _slope(number: int) -> str:
+    """A number between 0 and 1 that changes over the image, each time in another direction."""
+    across, up = 0.05 * (1 + number % 4), 0.05 * (1 + number // 4 % 4)
+    sign = "-" if number % 2 else "+"
+    return f"0.5 + {across:.2f} * {POSITION}.x {sign} {up:.2f} * {POSITION}.y"

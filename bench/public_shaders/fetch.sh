@@ -28,9 +28,14 @@ for name; do
     piglit)
         apt-get download piglit
         dpkg-deb -x piglit_*.deb package.piglit
-        (cd "$(dirname "$(find package.piglit -name generated_tests -print -quit)")" && find . -type f \
-            \( -name '*.vert' -o -name '*.frag' -o -name '*.shader_test' \) \
-            -exec cp --parents {} "$OLDPWD/$name.new" \;)
+        tests=$(dirname "$(find package.piglit -name generated_tests -print -quit)")
+        target=$PWD/$name.new
+        (cd "$tests" && find . -type f \( -name '*.vert' -o -name '*.frag' -o -name '*.shader_test' \) \
+            -exec cp --parents -t "$target" {} +)
+        # A shader that includes another by ARB_shading_language_include is not whole.
+        grep -rl --include='*.shader_test' '^\[shader include\]' "$target" | xargs -r rm
+        find "$target" -name '*.shader_test' -exec awk -f "$here/sections.awk" {} +
+        find "$target" -name '*.shader_test' -delete
         ;;
     esac
     mv "$name.new" "$name"
