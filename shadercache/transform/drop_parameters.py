@@ -25,7 +25,7 @@ from shadercache.ast.memo import Memo
 from shadercache.ast.walk import walk
 from shadercache.transform.move_arguments import fixed_places, move_arguments
 from shadercache.transform.reachable import kept_names
-from shadercache.transform.replace import replace_expressions
+from shadercache.transform.trees import change_declarations, replace_expressions
 
 _T = TypeVar("_T")
 
@@ -33,58 +33,50 @@ Dropped: TypeAlias = Mapping[str, set[int]]
 """Places of the parameters that go, by function."""
 
 
-def drop_parameters(
-    module: n.Module, functions: Collection[str], memo: Memo | None = None
-) -> n.Module:
-    """The module without unread parameters of the given functions (the same one if none).
-
-    Functions are taken in order of definition, callees first, so that a parameter which was only
-    handed down goes together with the one it was handed to.
-    """
-    memo = Memo() if memo is None else memo
+def drop_parameters(module: n.Module, functions: Collection[str], memo: Memo) -> n.Module:
+    """The module without unread parameters of the given functions (the same one if none)."""
     table = EffectTable(module, memo)
     impure, bound = _impure_arguments(module, functions, table, memo)
     fixed = fixed_places(module, impure, table)
     dropped: dict[str, set[int]] = {}
-    decls: list[tuple[n.Decl, int]] = []
-    for decl in module.decls:
-        known = len(dropped)
-        if isinstance(decl, n.FunctionDef):
-            decl = _without_arguments(decl, dropped, memo)
-            places = _unread(decl, memo) - bound.get(decl.name, set())
-            places -= fixed.get(decl.name, set())
-            if places and decl.name in functions:
-                dropped[decl.name] = places
-                decl = replace(decl, proto=_without_params(decl.proto, places))
-        decls.append((decl, known))
-    if not dropped:
-        return module
+    # Callees are defined first: what was only handed down goes with what it was handed to.
+    for name, function in table.functions.items():
+        if name in functions:
+            unread = _unread(_without(function, dropped, memo), memo)
+            places = unread - bound.get(name, set()) - fixed.get(name, set())
+            if places:
+                dropped[name] = places
     moved = {name: impure[name] & places for name, places in dropped.items() if name in impure}
     if any(moved.values()):
         return drop_parameters(move_arguments(module, moved, table), functions, memo)
-    finished = (_finished(decl, dropped, known, memo) for decl, known in decls)
-    return replace(module, decls=tuple(finished))
+    return change_declarations(module, lambda decl: _without(decl, dropped, memo))
 
 
-def _finished(decl: n.Decl, dropped: Dropped, known: int, memo: Memo) -> n.Decl:
-    """Prototypes, and calls before the definition: only the first ``known`` are done yet."""
-    if isinstance(decl, n.FunctionProto) and decl.name in dropped:
-        return _without_params(decl, dropped[decl.name])
-    if isinstance(decl, n.FunctionDef):
-        return _without_arguments(decl, dict(list(dropped.items())[known:]), memo)
+_D = TypeVar("_D", bound=n.Decl)
+
+
+def _without(decl: _D, dropped: Dropped, memo: Memo) -> _D:
+    """A declaration without the parameters that go, and without their arguments."""
+    match decl:
+        case n.FunctionProto(name=name) if name in dropped:
+            return replace(decl, params=_keep(decl.params, dropped[name]))
+        case n.FunctionDef():
+            proto, body = _without(decl.proto, dropped, memo), decl.body
+            if not dropped.keys().isdisjoint(kept_names(body, memo)):
+                body = replace_expressions(body, lambda _, node: _without_arguments(node, dropped))
+            if proto is not decl.proto or body is not decl.body:
+                return replace(decl, proto=proto, body=body)
     return decl
 
 
-def _without_arguments(function: n.FunctionDef, dropped: Dropped, memo: Memo) -> n.FunctionDef:
-    if dropped.keys().isdisjoint(kept_names(function.body, memo)):
-        return function
+def _without_arguments(expr: n.Expr, dropped: Dropped) -> n.Expr:
+    if isinstance(expr, n.Call) and expr.name in dropped:
+        return replace(expr, args=_keep(expr.args, dropped[expr.name]))
+    return expr
 
-    def without(original: n.Expr, rebuilt: n.Expr) -> n.Expr:
-        if isinstance(rebuilt, n.Call) and rebuilt.name in dropped:
-            return replace(rebuilt, args=_keep(rebuilt.args, dropped[rebuilt.name]))
-        return rebuilt
 
-    return replace(function, body=replace_expressions(function.body, without))
+def _keep(items: tuple[_T, ...], dropped: set[int]) -> tuple[_T, ...]:
+    return tuple(item for place, item in enumerate(items) if place not in dropped)
 
 
 def _unread(function: n.FunctionDef, memo: Memo) -> set[int]:
@@ -110,14 +102,13 @@ def _impure_arguments(
     impure: dict[str, set[int]] = {}
     bound: dict[str, set[int]] = {}
     callers = (decl for decl in module.decls if not kept_names(decl, memo).isdisjoint(functions))
-    for item in (item for decl in callers for item in walk(decl)):
-        if isinstance(item, n.Call) and item.name in functions:
-            params = table.functions[item.name].proto.params
-            acting = {i for i, arg in enumerate(item.args) if table.of(arg).writes}
-            back = {i for i in acting if params[i].writes_back}
-            impure.setdefault(item.name, set()).update(acting - back)
-            back |= _given_back(item, table.functions[item.name], shared)
-            bound.setdefault(item.name, set()).update(back)
+    for node in (node for decl in callers for node in walk(decl)):
+        if isinstance(node, n.Call) and node.name in functions:
+            function = table.functions[node.name]
+            acting = {place for place, arg in enumerate(node.args) if table.of(arg).writes}
+            back = {place for place in acting if function.proto.params[place].writes_back}
+            impure.setdefault(node.name, set()).update(acting - back)
+            bound.setdefault(node.name, set()).update(back | _given_back(node, function, shared))
     return impure, bound
 
 
@@ -131,11 +122,3 @@ def _given_back(call: n.Call, function: n.FunctionDef, shared: Collection[str]) 
     }
     names = list(roots.values())
     return {at for at, name in roots.items() if name in shared or names.count(name) > 1}
-
-
-def _keep(items: tuple[_T, ...], dropped: set[int]) -> tuple[_T, ...]:
-    return tuple(item for place, item in enumerate(items) if place not in dropped)
-
-
-def _without_params(proto: n.FunctionProto, dropped: set[int]) -> n.FunctionProto:
-    return replace(proto, params=_keep(proto.params, dropped))

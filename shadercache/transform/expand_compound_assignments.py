@@ -25,10 +25,10 @@ from shadercache.ast.rewriter import Rewriter
 from shadercache.ast.walk import children, walk
 from shadercache.sema.facts import Facts
 from shadercache.source import NOWHERE, Span
-from shadercache.transform.strip_spans import without_places
+from shadercache.transform.trees import change_functions, copied
 
 _FIELDS = ("name", "op", "text")
-_HOLDERS = (n.Module, n.FunctionDef, n.Block, n.If, n.Switch)
+_VISITED = (n.Module, n.FunctionDef, n.Block, n.If, n.Switch, n.ExprStmt)
 
 
 def expand_compound_assignments(module: n.Module, facts: Facts) -> n.Module:
@@ -42,20 +42,14 @@ def expand_compound_assignments(module: n.Module, facts: Facts) -> n.Module:
 
 def contract(module: n.Module, memo: Memo) -> n.Module:
     """The module with compound assignments again, where they are whole."""
-    kept: dict[n.Decl, n.Decl] = memo.table("contracted")
-    for decl in module.decls:
-        if decl not in kept:
-            kept[decl] = _Contracter().rewrite(decl) if isinstance(decl, n.FunctionDef) else decl
-    decls = tuple(kept[decl] for decl in module.decls)
-    same = all(new is old for new, old in zip(decls, module.decls, strict=True))
-    return module if same else replace(module, decls=decls)
+    return change_functions(module, _Contracter().rewrite, memo.table("contracted"))
 
 
 class _StatementRewriter(Rewriter):
     """Visits statements outside of loops, and nothing else."""
 
     def enter(self, node: n.Node) -> n.Node | None:
-        return None if isinstance(node, (*_HOLDERS, n.ExprStmt)) else node
+        return None if isinstance(node, _VISITED) else node
 
 
 class _CompoundExpander(_StatementRewriter):
@@ -64,24 +58,25 @@ class _CompoundExpander(_StatementRewriter):
         self._costs = CostTable(facts)
 
     def statement(self, node: n.Stmt, original: n.Stmt) -> n.Stmt | Sequence[n.Stmt]:
-        if not isinstance(node, n.ExprStmt) or node.expr is None:
-            return node
-        if isinstance(node.expr, n.Comma):
-            return [self._spelled(part) for part in _parts(node, node.expr)]
-        return self._spelled(node)
+        match node:
+            case n.ExprStmt(expr=n.Comma() as comma):
+                return [self._spelled(part) for part in _parts(node, comma)]
+            case n.ExprStmt():
+                return self._spelled(node)
+        return node
 
     def _spelled(self, stmt: n.ExprStmt) -> n.ExprStmt:
         match stmt.expr:
             case n.Assign(span=span, op=op, target=target, value=value) if op != "=":
                 if self._may_part(target) and not self._table.of(value).writes:
                     whole = n.Binary(span, op[:-1], target, value)
-                    assign = n.Assign(NOWHERE, "=", without_places(target), whole)
+                    assign = n.Assign(NOWHERE, "=", copied(target, span=NOWHERE), whole)
                     return replace(stmt, expr=assign)
         return stmt
 
     def _may_part(self, target: n.Expr) -> bool:
         """May the target be evaluated twice?"""
-        calls = (item.name for item in walk(target) if isinstance(item, n.Call))
+        calls = (node.name for node in walk(target) if isinstance(node, n.Call))
         if self._table.of(target).writes or any(name in self._table.functions for name in calls):
             return False
         return self._costs.of(target) < FETCH
@@ -98,10 +93,9 @@ def _parts(stmt: n.ExprStmt, comma: n.Comma) -> Iterator[n.ExprStmt]:
         else:
             operands.append(part)
     # Comments stand before the beginning and behind the end of the whole statement.
-    first, last = operands[0], operands[-1]
-    for part in operands:
-        start = stmt.span.start if part is first else part.span.start
-        end = stmt.span.end if part is last else part.span.end
+    starts = [stmt.span.start, *(part.span.start for part in operands[1:])]
+    ends = [*(part.span.end for part in operands[:-1]), stmt.span.end]
+    for part, start, end in zip(operands, starts, ends, strict=True):
         yield n.ExprStmt(Span(start, end), part)
 
 

@@ -13,27 +13,22 @@ from __future__ import annotations
 
 from collections.abc import Set
 from dataclasses import replace
+from typing import Any
 
-from shadercache.analysis.loops import LOOPS
 from shadercache.ast import nodes as n
-from shadercache.ast.rewriter import Rewriter
 from shadercache.source import NOWHERE
+from shadercache.transform.trees import block_of, replace_nodes
 
 
 def guard_loops(module: n.Module, loops: Set[n.Node], flag: str) -> n.Module:
     """The module with ``if (flag) { break; }`` at the head of each of the loops."""
-    return _Guard(loops, flag).rewrite(module) if loops else module
+    leave = n.Block(NOWHERE, (n.Jump(NOWHERE, "break"),))
 
-
-class _Guard(Rewriter):
-    def __init__(self, loops: Set[n.Node], flag: str) -> None:
-        self._loops, self._flag = loops, flag
-
-    def statement(self, node: n.Stmt, original: n.Stmt) -> n.Stmt:
-        if original not in self._loops:
+    def guarded(original: n.Node, node: Any) -> Any:
+        if original not in loops:
             return node
-        assert isinstance(node, LOOPS)
-        leave = n.Block(NOWHERE, (n.Jump(NOWHERE, "break"),))
-        first = n.If(NOWHERE, n.Name(NOWHERE, self._flag), leave, None)
-        body = node.body.body if isinstance(node.body, n.Block) else (node.body,)
-        return replace(node, body=n.Block(node.body.span, (first, *body)))
+        first = n.If(NOWHERE, n.Name(NOWHERE, flag), leave, None)
+        body = block_of(node.body)
+        return replace(node, body=replace(body, body=(first, *body.body)))
+
+    return replace_nodes(module, guarded)

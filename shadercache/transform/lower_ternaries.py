@@ -16,19 +16,28 @@ values are not cached; and statements with side effects, out of which nothing ma
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
+from typing import TypeAlias
 
 from shadercache.analysis.costs.cost import FETCH, CostTable
 from shadercache.analysis.effect_table import EffectTable
+from shadercache.analysis.loops import LOOPS
 from shadercache.analysis.precision import PrecisionTable
 from shadercache.analysis.reaching_definitions import order_matters
 from shadercache.ast import nodes as n
-from shadercache.ast.walk import EXPRESSIONS, children, walk
 from shadercache.sema.facts import Facts
-from shadercache.source import NOWHERE
-from shadercache.transform.names import FreshNames
-from shadercache.transform.replace import replace_expressions
+from shadercache.source import NOWHERE, Span
+from shadercache.transform.names import FreshNames, all_names
+from shadercache.transform.trees import (
+    assigned,
+    change_functions,
+    declared,
+    replace_expressions,
+    unconditional,
+)
+
+Choice: TypeAlias = n.Conditional | n.Binary
 
 
 def lower_ternaries(module: n.Module, facts: Facts) -> n.Module:
@@ -37,11 +46,8 @@ def lower_ternaries(module: n.Module, facts: Facts) -> n.Module:
     ``facts`` are those of ``module``, which has unique names and one declarator to a declaration.
     """
     lowerer = _Lowerer(module, facts)
-    decls = tuple(
-        replace(decl, body=lowerer.block(decl.body)) if isinstance(decl, n.FunctionDef) else decl
-        for decl in module.decls
-    )
-    return replace(module, decls=decls) if lowerer.changed else module
+    lowered = change_functions(module, lowerer.function)
+    return lowered if lowerer.changed else module
 
 
 class _Lowerer:
@@ -52,111 +58,72 @@ class _Lowerer:
         self._table = EffectTable(module)
         self._costs = CostTable(facts)
         self._precisions = PrecisionTable(module, facts)
-        self._names = FreshNames(
-            {name for node in walk(module) if (name := getattr(node, "name", None))}
-        )
+        self._names = FreshNames(all_names(module))
         self.changed = False
 
-    def block(self, block: n.Block) -> n.Block:
-        return replace(block, body=tuple(self._list(block.body)))
+    def function(self, function: n.FunctionDef) -> n.FunctionDef:
+        return replace(function, body=self._block(function.body.span, *function.body.body))
 
-    def _list(self, stmts: Iterable[n.Stmt]) -> Iterator[n.Stmt]:
-        for stmt in stmts:
-            yield from self._statement(stmt)
+    def _block(self, span: Span, *stmts: n.Stmt) -> n.Block:
+        return n.Block(span, tuple(new for stmt in stmts for new in self._statement(stmt)))
 
     def _alone(self, stmt: n.Stmt) -> n.Stmt:
-        made = list(self._statement(stmt))
-        return made[0] if len(made) == 1 else n.Block(stmt.span, tuple(made))
+        block = self._block(stmt.span, stmt)
+        return block.body[0] if len(block.body) == 1 else block
 
     def _statement(self, stmt: n.Stmt) -> Iterator[n.Stmt]:
-        match stmt:
-            case n.For() | n.While() | n.DoWhile():
-                yield stmt
-                return
-            case n.Block():
-                yield self.block(stmt)
-                return
-        found = None if order_matters(stmt, self._table) else self._first_choice(stmt)
-        if found is not None:
+        choice = self._first_choice(stmt)
+        if choice is not None:
             self.changed = True
-            choice, name = found, self._names.make("choice")
+            name = self._names.make("choice")
             yield from self._chosen(choice, name)
             used = n.Name(choice.span, name)
-            yield from self._statement(
-                replace_expressions(stmt, lambda old, new: used if old is choice else new)
-            )
+            rest = replace_expressions(stmt, lambda old, new: used if old is choice else new)
+            yield from self._statement(rest)
             return
         match stmt:
+            case n.Block() | n.Switch():
+                yield replace(stmt, body=self._block(stmt.span, *stmt.body).body)
             case n.If():
                 other = None if stmt.other is None else self._alone(stmt.other)
                 yield replace(stmt, then=self._alone(stmt.then), other=other)
-            case n.Switch():
-                yield replace(stmt, body=tuple(self._list(stmt.body)))
             case _:
                 yield stmt
 
-    def _chosen(self, choice: n.Expr, name: str) -> Iterator[n.Stmt]:
+    def _chosen(self, choice: Choice, name: str) -> Iterator[n.Stmt]:
         """The declaration of a choice's value, and the statements that make it."""
         precision = self._precisions.of(choice)
         words = n.Qualifiers(NOWHERE, (precision,)) if precision else n.NO_QUALIFIERS
         kind = n.TypeSpec(NOWHERE, self._facts.types[choice].name)
-        match choice:
-            case n.Conditional():
-                yield _declared(words, kind, name, None)
-                then, other = (
-                    n.Block(NOWHERE, tuple(self._statement(_assigned(name, part))))
-                    for part in (choice.then, choice.other)
-                )
-                yield from self._statement(n.If(choice.span, choice.condition, then, other))
-            case n.Binary(op=op):
-                yield from self._statement(_declared(words, kind, name, choice.left))
-                known: n.Expr = n.Name(NOWHERE, name)
-                open_ = known if op == "&&" else n.Unary(NOWHERE, "!", known)
-                then = n.Block(NOWHERE, tuple(self._statement(_assigned(name, choice.right))))
-                yield n.If(NOWHERE, open_, then, None)
+        if isinstance(choice, n.Conditional):
+            yield declared(words, kind, n.Declarator(NOWHERE, name))
+            then, other = (
+                self._block(NOWHERE, assigned(name, part)) for part in (choice.then, choice.other)
+            )
+            yield from self._statement(n.If(choice.span, choice.condition, then, other))
+            return
+        yield from self._statement(
+            declared(words, kind, n.Declarator(NOWHERE, name, (), choice.left))
+        )
+        known: n.Expr = n.Name(NOWHERE, name)
+        still_open = known if choice.op == "&&" else n.Unary(NOWHERE, "!", known)
+        then = self._block(NOWHERE, assigned(name, choice.right))
+        yield n.If(NOWHERE, still_open, then, None)
 
-    def _first_choice(self, stmt: n.Stmt) -> n.Expr | None:
+    def _first_choice(self, stmt: n.Stmt) -> Choice | None:
         """The first costly choice among what the statement itself evaluates, whatever happens."""
-        stack = list(reversed(_evaluated(stmt)))
-        while stack:
-            node = stack.pop()
-            if isinstance(node, n.Conditional):
-                if self._is_costly(node, (node.then, node.other)):
+        if isinstance(stmt, (n.Block, *LOOPS)) or order_matters(stmt, self._table):
+            return None
+        for node in unconditional(stmt):
+            match node:
+                case n.Conditional(then=then, other=other) if self._is_costly(node, then, other):
                     return node
-                stack.append(node.condition)
-            elif isinstance(node, n.Binary) and node.op in ("&&", "||"):
-                if self._is_costly(node, (node.right,)):
+                case n.Binary(op="&&" | "||", right=right) if self._is_costly(node, right):
                     return node
-                stack.append(node.left)
-            else:
-                stack.extend(reversed(children(node)))
         return None
 
-    def _is_costly(self, choice: n.Expr, skipped: Iterable[n.Expr]) -> bool:
+    def _is_costly(self, choice: Choice, *skipped: n.Expr) -> bool:
         kind = self._facts.types.get(choice)
         if kind is None or kind.base is None or kind.is_array or self._facts.is_constant(choice):
             return False
         return any(self._costs.of(part) >= FETCH for part in skipped)
-
-
-def _evaluated(stmt: n.Stmt) -> list[n.Node]:
-    """The expressions of a statement, without those of statements inside it."""
-    match stmt:
-        case n.If(condition=first) | n.Switch(selector=first):
-            return [first]
-        case n.ExprStmt() | n.DeclStmt() | n.Return():
-            return [child for child in children(stmt) if _may_choose(child)]
-    return []
-
-
-def _may_choose(node: n.Node) -> bool:
-    return isinstance(node, (*EXPRESSIONS, n.VarDecl))
-
-
-def _declared(words: n.Qualifiers, kind: n.TypeSpec, name: str, init: n.Expr | None) -> n.DeclStmt:
-    item = n.Declarator(NOWHERE, name, (), init)
-    return n.DeclStmt(NOWHERE, n.VarDecl(NOWHERE, words, kind, (item,)))
-
-
-def _assigned(name: str, value: n.Expr) -> n.ExprStmt:
-    return n.ExprStmt(NOWHERE, n.Assign(NOWHERE, "=", n.Name(NOWHERE, name), value))

@@ -12,14 +12,14 @@ The zero is a stand-in of no type: whoever calls this drops parameter and argume
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
-from typing import TypeAlias, cast
+from dataclasses import replace
+from typing import Any, NamedTuple, TypeAlias
 
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.effects import NO_EFFECTS, Does, Effects, union
 from shadercache.ast import nodes as n
-from shadercache.ast.rewriter import Rewriter
-from shadercache.ast.walk import children, walk
+from shadercache.ast.walk import walk
+from shadercache.transform.trees import evaluated_first, replace_nodes
 
 _Movers = n.ExprStmt | n.DeclStmt | n.Return | n.If | n.Switch
 
@@ -27,84 +27,85 @@ Places: TypeAlias = Mapping[str, Collection[int]]
 """Places of arguments, by function."""
 
 
-@dataclass(frozen=True, slots=True)
-class _Argument:
+class _Argument(NamedTuple):
     """An argument with a side effect, and the statement that it may be moved ahead of, if any."""
 
     call: n.Call
     place: int
     stmt: n.Stmt | None
 
-    @property
-    def expr(self) -> n.Expr:
-        return self.call.args[self.place]
-
 
 def fixed_places(module: n.Module, places: Places, table: EffectTable) -> dict[str, set[int]]:
     """The places of which some argument has a side effect and cannot be moved."""
-    found: dict[str, set[int]] = {}
+    fixed: dict[str, set[int]] = {}
     for argument in _arguments(module, places, table):
         if argument.stmt is None:
-            found.setdefault(argument.call.name, set()).add(argument.place)
-    return found
+            fixed.setdefault(argument.call.name, set()).add(argument.place)
+    return fixed
 
 
 def move_arguments(module: n.Module, places: Places, table: EffectTable) -> n.Module:
     """The module with the arguments at these places moved where they have a side effect."""
-    moved = [item for item in _arguments(module, places, table) if item.stmt is not None]
-    return _Mover(moved).rewrite(module) if moved else module
+    moved: dict[n.Node, set[int]] = {}
+    ahead: dict[n.Node, list[n.Expr]] = {}
+    for call, place, stmt in _arguments(module, places, table):
+        if stmt is not None:
+            moved.setdefault(call, set()).add(place)
+            ahead.setdefault(stmt, []).append(call.args[place])
+    expressions = {expr for exprs in ahead.values() for expr in exprs}
+    rebuilt: dict[n.Expr, n.Expr] = {}
+
+    def changed(original: Any, node: Any) -> n.Node | Sequence[n.Node]:
+        if isinstance(node, n.Call) and original in moved:
+            places = moved[original]
+            stand_ins = (
+                n.Literal(arg.span, "0") if place in places else arg
+                for place, arg in enumerate(node.args)
+            )
+            node = replace(node, args=tuple(stand_ins))
+        if original in expressions:
+            rebuilt[original] = node
+        before = [rebuilt[expr] for expr in ahead.get(original, ())]
+        return (*(n.ExprStmt(expr.span, expr) for expr in before), node) if before else node
+
+    return replace_nodes(module, changed) if moved else module
 
 
 def _arguments(module: n.Module, places: Places, table: EffectTable) -> Iterator[_Argument]:
     """The arguments at these places that have a side effect, operands before what holds them."""
     for decl in module.decls:
-        calls = [
-            item
-            for item in walk(decl)
-            if isinstance(item, n.Call)
-            and any(table.of(item.args[place]).writes for place in places.get(item.name, ()))
+        acting = [
+            (node, place)
+            for node in walk(decl)
+            if isinstance(node, n.Call)
+            for place in sorted(places.get(node.name, ()), reverse=True)
+            if table.of(node.args[place]).writes
         ]
-        if not calls:
-            continue
-        free = _free(decl, table)
-        for call in reversed(calls):
-            for place in sorted(places[call.name]):
-                if table.of(call.args[place]).writes:
-                    yield _Argument(call, place, free.get(call.args[place]))
+        free = _free(decl, table) if acting else {}
+        for call, place in reversed(acting):
+            yield _Argument(call, place, free.get(call.args[place]))
 
 
 def _free(decl: n.Decl, table: EffectTable) -> dict[n.Node, n.Stmt]:
     """Expressions that may as well be evaluated ahead of the statement in which they stand."""
     headers = {item.init for item in walk(decl) if isinstance(item, n.For)}
-    found: dict[n.Node, n.Stmt] = {}
+    free: dict[n.Node, n.Stmt] = {}
     for stmt in walk(decl):
         if isinstance(stmt, _Movers) and stmt not in headers:
-            found.update(dict.fromkeys(_free_in(stmt, table), cast("n.Stmt", stmt)))
-    return found
+            free.update(dict.fromkeys(_free_in(stmt, table), stmt))
+    return free
 
 
 def _free_in(stmt: _Movers, table: EffectTable) -> Iterator[n.Node]:
-    stack = [(part, NO_EFFECTS) for part in _evaluated_first(stmt)]
+    stack = [(part, NO_EFFECTS) for part in evaluated_first(stmt)]
     while stack:
         node, beside = stack.pop()
         if not _collide(table.of(node), beside):
             yield node
-        parts = _evaluated_first(node)
+        parts = evaluated_first(node)
         effects = [table.of(part) for part in parts]
         for at, part in enumerate(parts):
             stack.append((part, union((beside, *effects[:at], *effects[at + 1 :]))))
-
-
-def _evaluated_first(node: n.Node) -> Sequence[n.Node]:
-    """What is evaluated in every case when a node is, ahead of what the node itself does."""
-    match node:
-        case n.If(condition=first) | n.Switch(selector=first) | n.Conditional(condition=first):
-            return (first,)
-        case n.Binary(op="&&" | "||", left=first):
-            return (first,)
-        case n.Assign(op="=", target=n.Name(), value=value):
-            return (value,)
-    return children(node)
 
 
 def _collide(one: Effects, other: Effects) -> bool:
@@ -114,31 +115,3 @@ def _collide(one: Effects, other: Effects) -> bool:
         or one.reads & other.writes
         or (one.does | other.does) & Does.DISCARD
     )
-
-
-class _Mover(Rewriter):
-    def __init__(self, moved: Sequence[_Argument]) -> None:
-        self._places: dict[n.Expr, set[int]] = {}
-        self._by_stmt: dict[n.Stmt, list[n.Expr]] = {}
-        self._rebuilt: dict[n.Expr, n.Expr] = {}
-        for item in moved:
-            assert item.stmt is not None
-            self._places.setdefault(item.call, set()).add(item.place)
-            self._by_stmt.setdefault(item.stmt, []).append(item.expr)
-
-    def expression(self, node: n.Expr, original: n.Expr) -> n.Expr:
-        self._rebuilt[original] = node
-        places = self._places.get(original)
-        if places is None or not isinstance(node, n.Call):
-            return node
-        stand_ins = (
-            n.Literal(arg.span, "0") if place in places else arg
-            for place, arg in enumerate(node.args)
-        )
-        return replace(node, args=tuple(stand_ins))
-
-    def statement(self, node: n.Stmt, original: n.Stmt) -> n.Stmt | Sequence[n.Stmt]:
-        ahead = [self._rebuilt[expr] for expr in self._by_stmt.get(original, ())]
-        if not ahead:
-            return node
-        return (*(n.ExprStmt(expr.span, expr) for expr in ahead), node)

@@ -9,6 +9,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
+from shadercache.ast import nodes as n
+from shadercache.ast.walk import walk
+
 PREFIX = "sc_"
 
 
@@ -25,6 +28,11 @@ def fresh_prefix(*texts: str, stem: str = "sc") -> str:
         number += 1
         prefix = f"{stem}{number}_"
     return prefix
+
+
+def all_names(module: n.Module) -> set[str]:
+    """Every name that anything in a module has."""
+    return {name for node in walk(module) if (name := getattr(node, "name", None))}
 
 
 class FreshNames:

@@ -6,34 +6,31 @@ An output that is not wanted but is still read becomes a plain global variable.
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Set
 from dataclasses import replace
 
+from shadercache.analysis.dataflow import reached
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.walk import walk
 from shadercache.lang.words import PRECISIONS
+from shadercache.transform.trees import change_declarations
 
 
 def names_in(node: n.Node) -> set[str]:
     """Every variable, function and type that the piece of program uses."""
-    names: set[str] = set()
-    for item in walk(node):
-        if isinstance(item, n.Name | n.Call | n.TypeSpec):
-            names.add(item.name)
-    return names
+    return {item.name for item in walk(node) if isinstance(item, n.Name | n.Call | n.TypeSpec)}
 
 
 def kept_names(node: n.Node, memo: Memo) -> frozenset[str]:
     """:func:`names_in` for nodes that other programs have as well: functions and their bodies."""
     table: dict[n.Node, frozenset[str]] = memo.table("names")
-    found = table.get(node)
-    if found is None:
+    if node not in table:
         if isinstance(node, n.FunctionDef):
-            found = kept_names(node.body, memo) | names_in(node.proto)
+            table[node] = kept_names(node.body, memo) | names_in(node.proto)
         else:
-            found = frozenset(names_in(node))
-        table[node] = found
-    return found
+            table[node] = frozenset(names_in(node))
+    return table[node]
 
 
 def declared_names(decl: n.Decl) -> tuple[str, ...]:
@@ -49,61 +46,37 @@ def declared_names(decl: n.Decl) -> tuple[str, ...]:
             if decl.instance is not None:
                 return (decl.instance,)
             return tuple(item.name for field in decl.fields for item in field.declarators)
-        case _:
-            return ()
+    return ()
 
 
 def keep_reachable(module: n.Module, wanted: frozenset[str], memo: Memo) -> n.Module:
     """The module without the declarations that neither ``main`` nor ``wanted`` needs."""
-    needed = _needed_names(module, wanted | {"main"}, memo)
-    decls: list[n.Decl] = []
-    for decl in module.decls:
-        kept = _keep(decl, needed, wanted)
-        if kept is not None:
-            decls.append(kept)
-    if len(decls) == len(module.decls) and all(
-        new is old for new, old in zip(decls, module.decls, strict=True)
-    ):
-        return module
-    return replace(module, decls=tuple(decls))
-
-
-def _needed_names(module: n.Module, roots: frozenset[str], memo: Memo) -> set[str]:
     declared: dict[str, list[n.Decl]] = {}
     for decl in module.decls:
         for name in declared_names(decl):
             declared.setdefault(name, []).append(decl)
-    needed: set[str] = set()
-    todo = list(roots)
-    seen: set[n.Decl] = set()
-    while todo:
-        name = todo.pop()
-        if name in needed:
-            continue
-        needed.add(name)
-        for decl in declared.get(name, ()):
-            if decl not in seen:
-                seen.add(decl)
-                todo.extend(kept_names(decl, memo))
-    return needed
+
+    def named_by(name: str) -> Iterable[str]:
+        return (used for decl in declared.get(name, ()) for used in kept_names(decl, memo))
+
+    needed = reached(("main", *wanted), named_by).keys()
+    return change_declarations(module, lambda decl: _kept(decl, needed, wanted))
 
 
-def _keep(decl: n.Decl, needed: set[str], wanted: frozenset[str]) -> n.Decl | None:
+def _kept(decl: n.Decl, needed: Set[str], wanted: frozenset[str]) -> n.Decl | tuple[()]:
     match decl:
-        case n.PrecisionDecl():
+        case n.PrecisionDecl() | n.QualifierDecl(names=()):
             return decl
-        case n.QualifierDecl():
-            names = tuple(name for name in decl.names if name in needed or name.startswith("gl_"))
-            if decl.names and not names:
-                return None
-            return decl if names == decl.names else replace(decl, names=names)
-        case n.VarDecl() if decl.declarators and decl.qualifiers.has("out"):
-            (item,) = decl.declarators
+        case n.QualifierDecl(names=names):
+            kept = tuple(name for name in names if name in needed or name.startswith("gl_"))
+            if not kept:
+                return ()
+            return decl if kept == names else replace(decl, names=kept)
+        case n.VarDecl(declarators=(item,)) if decl.qualifiers.has("out"):
             if item.name in wanted:
                 return decl
-            return _as_global(decl) if item.name in needed else None
-        case _:
-            return decl if needed.intersection(declared_names(decl)) else None
+            return _as_global(decl) if item.name in needed else ()
+    return () if needed.isdisjoint(declared_names(decl)) else decl
 
 
 def _as_global(decl: n.VarDecl) -> n.VarDecl:

@@ -17,10 +17,11 @@ Works by name, on a module in which every identifier means one thing
 
 from __future__ import annotations
 
-import operator
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from typing import cast
+from graphlib import TopologicalSorter
+from operator import is_
+from typing import TypeAlias, TypeVar, cast
 
 from shadercache.analysis.dataflow import NAMES, before_cases, before_loop
 from shadercache.analysis.effect_table import EffectTable, out_arguments
@@ -30,16 +31,16 @@ from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.walk import EXPRESSIONS, children, walk
 from shadercache.source import NOWHERE
-from shadercache.transform.jumps import (
-    NO_JUMPS,
-    Jumps,
-    Live,
-    ends_here,
-    is_break,
-    is_empty,
-    returns_nothing,
-)
-from shadercache.transform.reachable import keep_reachable, kept_names, names_in
+from shadercache.transform.reachable import keep_reachable, names_in
+from shadercache.transform.trees import change_functions
+
+S = TypeVar("S", n.Block, n.Switch)
+
+Live: TypeAlias = frozenset[str]
+"""Variables whose value is still wanted."""
+
+Left: TypeAlias = tuple[n.Stmt | None, Live]
+"""What is left of a statement (``None``: it is dead), and what is live before it."""
 
 
 def remove_dead(module: n.Module, wanted: Iterable[str], memo: Memo | None = None) -> n.Module:
@@ -57,61 +58,53 @@ def remove_dead(module: n.Module, wanted: Iterable[str], memo: Memo | None = Non
 
 
 def _prune_functions(module: n.Module, outputs: Live, memo: Memo) -> n.Module:
-    """Callers come first: what is live after their calls is live where the callee returns."""
     table = EffectTable(module, memo)
     live: dict[str, Live] = {"main": outputs}
-    pruned: dict[n.Decl, n.FunctionDef] = {}
-    for function in _callers_first(table.functions, memo):
+    pruned: dict[n.FunctionDef, n.FunctionDef] = {}
+    callees = {name: table.callees(name) for name in table.functions}
+    # Callers come first: what is live behind their calls is live where the callee returns.
+    for name in reversed([*TopologicalSorter(callees).static_order()]):
         # What no call leads to is never executed; it goes with the declarations.
-        at_exit = live.get(function.name, frozenset())
-        linked = table.linked(function.name)
-        found = _pruned(table, linked, at_exit & linked.names, memo)
-        if found.function is not function:
-            pruned[function] = found.function
-        # What it has no say in is live throughout.
+        at_exit = live.get(name, frozenset())
+        linked = table.linked(name)
+        function, after_calls = _prune_function(table, linked, at_exit & linked.names, memo)
+        pruned[linked.function] = function
+        # Names that the function neither declares nor writes are live throughout.
         through = at_exit - linked.names
-        for name, after in found.after_calls.items():
-            live[name] = live.get(name, frozenset()) | after | through
-    if not pruned:
-        return module
-    return replace(module, decls=tuple(pruned.get(decl, decl) for decl in module.decls))
+        for callee, after in after_calls.items():
+            live[callee] = live.get(callee, frozenset()) | after | through
+    return change_functions(module, pruned.__getitem__)
 
 
-@dataclass(frozen=True, slots=True)
-class _Pruned:
-    """A function without what is dead in it, and what is live behind its calls."""
-
-    function: n.FunctionDef
-    after_calls: dict[str, Live]
-
-
-def _pruned(table: EffectTable, linked: Linked, at_exit: Live, memo: Memo) -> _Pruned:
-    """One function pruned, where ``at_exit`` is live when it returns: of its own names."""
-    kept: dict[tuple[Linked, Live], _Pruned] = memo.table("pruned functions")
-    found = kept.get((linked, at_exit))
-    if found is None:
+def _prune_function(
+    table: EffectTable, linked: Linked, at_exit: Live, memo: Memo
+) -> tuple[n.FunctionDef, dict[str, Live]]:
+    """One function pruned, where ``at_exit`` is live when it returns; what is live behind its
+    calls, by function."""
+    known: dict[tuple[Linked, Live], tuple[n.FunctionDef, dict[str, Live]]]
+    known = memo.table("pruned functions")
+    if (linked, at_exit) not in known:
         function, after_calls = linked.function, dict[str, Live]()
         body, _ = _Pruner(table, at_exit, after_calls).block(function.body, at_exit)
         if body is not function.body:
             function = replace(function, body=body)
-        found = kept[linked, at_exit] = _Pruned(function, after_calls)
-    return found
+        known[linked, at_exit] = function, after_calls
+    return known[linked, at_exit]
 
 
-def _callers_first(functions: dict[str, n.FunctionDef], memo: Memo) -> list[n.FunctionDef]:
-    order: dict[str, n.FunctionDef] = {}
-    stack = [*functions.values()]
-    open_: set[str] = set()
-    while stack:
-        function = stack[-1]
-        if function.name not in open_:
-            open_.add(function.name)
-            called = kept_names(function.body, memo) & functions.keys()
-            stack += [functions[name] for name in called if name not in open_]
-            continue
-        stack.pop()
-        order.setdefault(function.name, function)
-    return [*order.values()][::-1]
+@dataclass(frozen=True, slots=True)
+class _Jumps:
+    """What is live where ``break`` and ``continue`` lead.
+
+    ``ends``: is nothing executed behind a ``break``?
+    """
+
+    after_break: Live = frozenset()
+    after_continue: Live = frozenset()
+    ends: bool = False
+
+
+_NO_JUMPS = _Jumps()
 
 
 class _Pruner:
@@ -129,37 +122,28 @@ class _Pruner:
         self.at_end = True
         """Is nothing executed behind the statement at hand?"""
 
-    # --- statement lists ---
-
-    def block(self, block: n.Block, live: Live, jumps: Jumps = NO_JUMPS) -> tuple[n.Block, Live]:
+    def block(self, block: n.Block, live: Live, jumps: _Jumps = _NO_JUMPS) -> tuple[n.Block, Live]:
         """The pruned block and what is live before it."""
         kept: list[n.Stmt] = []
-        same = True
         for stmt in reversed(block.body):
             new, live = self.statement(stmt, live, jumps)
-            same = same and new is stmt
             if new is not None:
                 kept.append(new)
-                self.mentioned |= names_in(new)
-                self.at_end = ends_here(new, jumps)
-        if same:
-            return block, live
-        return replace(block, body=tuple(reversed(kept))), live
+                self.at_end = _ends_here(new, jumps)
+        return _with_body(block, kept), live
 
-    def nested(self, stmt: n.Stmt, live: Live, jumps: Jumps) -> tuple[n.Stmt | None, Live]:
-        """A statement under ``if`` or a loop: ``None`` where nothing of it is left."""
-        new, before = self.statement(stmt, live, jumps)
+    def statement(self, stmt: n.Stmt, live: Live, jumps: _Jumps) -> Left:
+        new, before = self._left_of(stmt, live, jumps)
         if new is not None:
             self.mentioned |= names_in(new)
         return new, before
 
-    def statement(self, stmt: n.Stmt, live: Live, jumps: Jumps) -> tuple[n.Stmt | None, Live]:
-        """The pruned statement (``None``: dead) and what is live before it."""
+    def _left_of(self, stmt: n.Stmt, live: Live, jumps: _Jumps) -> Left:
         match stmt:
             case n.ExprStmt():
                 return self.expression(stmt, live)
-            case n.DeclStmt(decl=n.VarDecl()):
-                return self.declaration(stmt, live)
+            case n.DeclStmt(decl=n.VarDecl() as decl):
+                return self.declaration(stmt, decl, live)
             case n.Block():
                 block, live = self.block(stmt, live, jumps)
                 return (block if block.body else None), live
@@ -177,23 +161,18 @@ class _Pruner:
                 return stmt, jumps.after_break
             case n.Jump(word="continue"):
                 return stmt, jumps.after_continue
-            case _:
-                return stmt, live
+        return stmt, live
 
-    # --- statements ---
-
-    def expression(self, stmt: n.ExprStmt, live: Live) -> tuple[n.Stmt | None, Live]:
-        if stmt.expr is None:
-            return None, live
-        parts = list(self._needed(stmt.expr, live))
+    def expression(self, stmt: n.ExprStmt, live: Live) -> Left:
+        parts = [] if stmt.expr is None else list(self._needed(stmt.expr, live))
         if not parts:
             return None, live
         if parts == [stmt.expr]:
             self._note_calls(stmt, live)
             return stmt, (live - overwritten_by(stmt, self.table)) | reads_of(stmt, self.table)
         kept = [n.ExprStmt(part.span, part) for part in parts]
-        for item in kept:
-            live = self.evaluated(item, live)
+        for part in kept:
+            live = self.evaluated(part, live)
         return kept[0] if len(kept) == 1 else n.Block(stmt.span, tuple(kept)), live
 
     def evaluated(self, node: n.Node, live: Live) -> Live:
@@ -226,26 +205,25 @@ class _Pruner:
         """
         if not self._matters(expr, live):
             return
+        parts: Iterable[n.Node] = ()
         match expr:
             case n.Assign(target=target, value=value) if self._is_dead(target, live):
-                yield from self._needed(value, live)
+                parts = (value,)
             case n.Binary(op="&&" | "||") | n.Conditional():
                 first, *others = cast("tuple[n.Expr, ...]", children(expr))
-                if any(self._matters(other, live) for other in others):
-                    yield expr
-                else:
-                    yield from self._needed(first, live)
+                # What is evaluated only under a condition cannot stand alone.
+                parts = () if any(self._matters(other, live) for other in others) else (first,)
             case n.Call(args=args) if not self._acts(expr, live):
-                for arg in args:
-                    yield from self._needed(arg, live)
+                parts = args
             case n.Binary() | n.Unary(op="+" | "-" | "!" | "~") | n.Construct() | n.Comma():
-                for part in children(expr):
-                    if isinstance(part, EXPRESSIONS):
-                        yield from self._needed(cast("n.Expr", part), live)
+                parts = children(expr)
             case n.Member(object=inner):
-                yield from self._needed(inner, live)
-            case _:
-                yield expr
+                parts = (inner,)
+        if not parts:
+            yield expr
+        for part in parts:
+            if isinstance(part, EXPRESSIONS):
+                yield from self._needed(cast("n.Expr", part), live)
 
     def _acts(self, call: n.Call, live: Live) -> bool:
         """Does the called function do something which matters?"""
@@ -256,35 +234,29 @@ class _Pruner:
         outs = zip(call.args, out_arguments(call, self.table), strict=True)
         return any(out and not self._is_dead(arg, live) for arg, out in outs)
 
-    def declaration(self, stmt: n.DeclStmt, live: Live) -> tuple[n.Stmt | None, Live]:
+    def declaration(self, stmt: n.DeclStmt, decl: n.VarDecl, live: Live) -> Left:
         """Declarators are one to a statement (:mod:`shadercache.transform.split`)."""
-        decl = stmt.decl
-        assert isinstance(decl, n.VarDecl)
         if len(decl.declarators) != 1:  # a struct alone, or variables of an anonymous struct
             return stmt, self.evaluated(decl, live)
         (item,) = decl.declarators
-        if item.name in live or decl.qualifiers.has("const"):
-            if item.name not in live and item.name not in self.mentioned:
-                return None, live
+        mentioned = item.name in self.mentioned
+        acts = item.init is not None and self._matters(item.init, live)
+        if item.name in live or (mentioned and (acts or decl.qualifiers.has("const"))):
             return stmt, self.evaluated(decl, live - {item.name})
-        if item.init is not None and self._matters(item.init, live):
-            if item.name in self.mentioned:
-                return stmt, self.evaluated(decl, live - {item.name})
+        if not mentioned:
             return self.expression(n.ExprStmt(stmt.span, item.init), live)
-        if item.name not in self.mentioned:
-            return None, live
         if item.init is None:
             return stmt, live
         bare = replace(decl, declarators=(replace(item, init=None),))
         return replace(stmt, decl=bare), live
 
-    def branch(self, stmt: n.If, live: Live, jumps: Jumps) -> tuple[n.Stmt | None, Live]:
+    def branch(self, stmt: n.If, live: Live, jumps: _Jumps) -> Left:
         at_end = self.at_end
-        then, live_then = self.nested(stmt.then, live, jumps)
+        then, live_then = self.statement(stmt.then, live, jumps)
         self.at_end = at_end
         other, live_other = (None, live)
         if stmt.other is not None:
-            other, live_other = self.nested(stmt.other, live, jumps)
+            other, live_other = self.statement(stmt.other, live, jumps)
         if then is None and other is None:
             return self.expression(n.ExprStmt(stmt.span, stmt.condition), live)
         before = self.evaluated(stmt.condition, live_then | live_other)
@@ -296,7 +268,7 @@ class _Pruner:
         condition = n.Unary(stmt.condition.span, "!", stmt.condition)
         return replace(stmt, condition=condition, then=other, other=None), before
 
-    def loop(self, stmt: n.For | n.While | n.DoWhile, live: Live) -> tuple[n.Stmt | None, Live]:
+    def loop(self, stmt: n.For | n.While | n.DoWhile, live: Live) -> Left:
         """A loop goes as a whole where nothing live comes out of it; else its body is pruned.
 
         Its header stays: it decides how often the body runs.
@@ -308,50 +280,45 @@ class _Pruner:
         around = live.union(*(self.table.of(part).reads for part in header))
 
         def round_(head: Live) -> Live:
-            jumps = Jumps(after_break=live, after_continue=head)
             trial = _Pruner(self.table, self.at_exit, self.after_calls)
             trial.mentioned, trial.at_end = set(self.mentioned), False
-            return trial.nested(stmt.body, head, jumps)[1]
+            return trial.statement(stmt.body, head, _Jumps(live, head))[1]
 
         around = before_loop(NAMES, around, round_)
         for part in header:
             self.evaluated(part, around)
             self.mentioned |= names_in(part)
-        body, _ = self.nested(stmt.body, around, Jumps(live, around))
-        if body is stmt.body or (body is None and is_empty(stmt.body)):
+        body, _ = self.statement(stmt.body, around, _Jumps(live, around))
+        if body is stmt.body or (body is None and _is_empty(stmt.body)):
             return stmt, around
         return replace(stmt, body=body or n.Block(stmt.body.span, ())), around
 
     def is_idle(self, stmt: n.Stmt, live: Live) -> bool:
         """Does nothing live come out of it, and does it end nothing that would go on?"""
         effects = self.table.of(stmt)
-        left = effects.does & Does.RETURN and not (self.at_end and returns_nothing(stmt))
+        left = effects.does & Does.RETURN and not (self.at_end and _returns_nothing(stmt))
         return not (effects.writes & live or effects.does & Does.DISCARD or left)
 
-    def switch(self, stmt: n.Switch, live: Live, jumps: Jumps) -> tuple[n.Stmt | None, Live]:
+    def switch(self, stmt: n.Switch, live: Live, jumps: _Jumps) -> Left:
         """Statement by statement; a group of cases falls through to the next."""
-        inside = Jumps(live, jumps.after_continue, self.at_end)
+        inside = _Jumps(live, jumps.after_continue, self.at_end)
         kept: list[n.Stmt] = []
 
         def before(item: n.Stmt, after: Live) -> Live:
-            if isinstance(item, n.Case):
-                kept.append(item)
-                return after
-            new, at = self.nested(item, after, inside)
+            new, at = self.statement(item, after, inside)
             if new is not None:
                 kept.append(new)
-                self.at_end = ends_here(new, inside)
+                if not isinstance(new, n.Case):
+                    self.at_end = _ends_here(new, inside)
             return at
 
         head = before_cases(NAMES, stmt.body, live, before)
-        if all(isinstance(item, n.Case) or is_break(item) for item in kept):
+        if all(isinstance(item, n.Case) or _is_break(item) for item in kept):
             return self.expression(n.ExprStmt(stmt.span, stmt.selector), live)
         at_selector = self.evaluated(stmt.selector, head)
         if isinstance(kept[0], n.Case):  # Something has to follow the last label.
             kept.insert(0, n.Jump(NOWHERE, "break"))
-        body = tuple(reversed(kept))
-        same = len(body) == len(stmt.body) and all(map(operator.is_, body, stmt.body))
-        return (stmt if same else replace(stmt, body=body)), at_selector
+        return _with_body(stmt, kept), at_selector
 
     def _is_dead(self, target: n.Expr, live: Live) -> bool:
         """Is nothing of what is assigned there wanted, and does nothing else happen there?"""
@@ -361,6 +328,12 @@ class _Pruner:
     def _matters(self, expr: n.Expr, live: Live) -> bool:
         effects = self.table.of(expr)
         return bool(effects.writes & live) or bool(effects.does & Does.DISCARD)
+
+
+def _with_body(stmt: S, backward: list[n.Stmt]) -> S:
+    body = tuple(reversed(backward))
+    same = len(body) == len(stmt.body) and all(map(is_, body, stmt.body))
+    return stmt if same else replace(stmt, body=body)
 
 
 def _last_call(node: n.Node) -> n.Call | None:
@@ -373,3 +346,23 @@ def _last_call(node: n.Node) -> n.Call | None:
         case n.VarDecl(declarators=(n.Declarator(init=n.Call() as call),)):
             return call
     return None
+
+
+def _ends_here(stmt: n.Stmt, jumps: _Jumps) -> bool:
+    """Is nothing executed behind a statement for sure, and nothing returned by it?"""
+    return (isinstance(stmt, n.Return) and stmt.value is None) or (_is_break(stmt) and jumps.ends)
+
+
+def _returns_nothing(stmt: n.Stmt) -> bool:
+    return all(item.value is None for item in walk(stmt) if isinstance(item, n.Return))
+
+
+def _is_break(stmt: n.Stmt) -> bool:
+    return isinstance(stmt, n.Jump) and stmt.word == "break"
+
+
+def _is_empty(stmt: n.Stmt) -> bool:
+    match stmt:
+        case n.Block(body=()) | n.ExprStmt(expr=None):
+            return True
+    return False

@@ -29,16 +29,18 @@ And where not every fragment comes by the expression:
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Literal, TypeAlias
+from typing import Literal, NamedTuple, TypeAlias, cast
 
 from shadercache.ast import nodes as n
-from shadercache.ast.walk import walk
+from shadercache.ast.rewriter import Rewriter
+from shadercache.ast.walk import children, walk
 from shadercache.source import NOWHERE
+from shadercache.transform.drop_results import returning_nothing
 from shadercache.transform.hoist_fetches import FetchForm, hoisted_part, remaining_part
 from shadercache.transform.names import FreshNames
-from shadercache.transform.replace import replace_expressions
+from shadercache.transform.trees import assigned, block_of, change_declarations
 
 CutKind: TypeAlias = Literal["use", "store", "goal", "keep", "fill", "need", "lack"]
 
@@ -98,14 +100,16 @@ def insert_clones(module: n.Module, *clones: Clones) -> n.Module:
     for group in clones:
         for original, clone in group.made:
             by_original.setdefault(original.name, []).append(clone)
-    decls: list[n.Decl] = []
-    for decl in module.decls:
-        decls.append(decl)
-        if isinstance(decl, n.FunctionDef):
-            decls.extend(by_original.get(decl.name, ()))
-        elif isinstance(decl, n.FunctionProto):
-            decls.extend(clone.proto for clone in by_original.get(decl.name, ()))
-    return replace(module, decls=tuple(decls))
+
+    def with_clones(decl: n.Decl) -> tuple[n.Decl, ...]:
+        match decl:
+            case n.FunctionDef(name=name):
+                return (decl, *by_original.get(name, ()))
+            case n.FunctionProto(name=name):
+                return (decl, *(clone.proto for clone in by_original.get(name, ())))
+        return (decl,)
+
+    return change_declarations(module, with_clones)
 
 
 def _sort(cuts: tuple[Cut, ...]) -> _Tree:
@@ -118,6 +122,16 @@ def _sort(cuts: tuple[Cut, ...]) -> _Tree:
             at.has_goal = at.has_goal or cut.kind == "goal"
         at.cuts.append(cut)
     return root
+
+
+class _Moved(NamedTuple):
+    """An expression that gets statements of its own before the one it stands in.
+
+    Without a ``cut`` it is a call on the way to the last goals, which returns nothing any more.
+    """
+
+    expr: n.Expr
+    cut: Cut | None
 
 
 class _Maker:
@@ -134,47 +148,35 @@ class _Maker:
 
         ``ends``: is a clone with goals left at the last of them?
         """
-        end = _find_end(function, tree) if ends and tree.has_goal else None
-        body = _CloneBody(self.prefix, end.stmt if end else None)
+        last, leading = _find_end(function, tree) if ends and tree.has_goal else (None, [])
+        body = _CloneBody(self.prefix, tree.cuts, last)
         for call, below in tree.below.items():
-            left = end is not None and call in end.calls
-            body.renamed[call] = self.clone(self.functions[call.name], below, ends=left)
-            if left:
-                body.moved.append(_Moved(call, None))
-        for cut in tree.cuts:
-            body.used[cut.expr] = cut
-            if cut.kind == "use":
-                body.given[cut.expr] = cut
-            else:
-                body.moved.append(_Moved(cut.expr, cut))
+            body.renamed[call] = self.clone(self.functions[call.name], below, ends=call in leading)
+        moved = [_Moved(call, None) for call in tree.below if call in leading]
+        moved += [_Moved(cut.expr, cut) for cut in tree.cuts if cut.kind != "use"]
+        body.place(function.body.body, moved)
         name = name or self.names.make(self.prefix + function.name)
         proto = replace(function.proto, name=name)
-        if end is not None:
-            void = n.TypeSpec(NOWHERE, "void")
-            proto = replace(proto, type=void, qualifiers=n.NO_QUALIFIERS)
-        clone = replace(function, proto=proto, body=body.block(function.body)[0])
+        if last is not None:
+            proto = returning_nothing(proto)
+        clone = replace(function, proto=proto, body=body.rewrite(function.body))
         self.made.append((function, clone))
         return name
 
 
-@dataclass(frozen=True, slots=True)
-class _End:
+def _find_end(function: n.FunctionDef, tree: _Tree) -> tuple[n.Stmt, list[n.Expr]]:
     """The statement of a function with the last goal, and the calls in it that lead to goals.
 
     A call whose value another goal of that statement needs is not among them.
     """
-
-    stmt: n.Stmt
-    calls: frozenset[n.Expr]
-
-
-def _find_end(function: n.FunctionDef, tree: _Tree) -> _End:
     goals: list[n.Expr] = [cut.expr for cut in tree.cuts if cut.kind == "goal"]
     goals += [call for call, below in tree.below.items() if below.has_goal]
-    stmt = next(item for item in _last_first(function.body) if any(_holds(item, g) for g in goals))
-    inside = [goal for goal in goals if _holds(stmt, goal)]
-    free = [g for g in inside if not any(_holds(o, g) for o in inside if o is not g)]
-    return _End(stmt, frozenset(g for g in free if g in tree.below))
+    last = next(
+        stmt for stmt in _last_first(function.body) if any(_holds(stmt, goal) for goal in goals)
+    )
+    inside = [goal for goal in goals if _holds(last, goal)]
+    free = (g for g in inside if not any(_holds(o, g) for o in inside if o is not g))
+    return last, [goal for goal in free if goal in tree.below]
 
 
 def _last_first(block: n.Block) -> Iterator[n.Stmt]:
@@ -186,120 +188,97 @@ def _last_first(block: n.Block) -> Iterator[n.Stmt]:
             yield stmt
 
 
-@dataclass(frozen=True, slots=True)
-class _Moved:
-    """An expression that gets statements of its own before the one it stands in.
-
-    Without a ``cut`` it is a call on the way to the last goals, which returns nothing any more.
-    """
-
-    expr: n.Expr
-    cut: Cut | None
+_GONE = n.Block(NOWHERE, ())
+"""Stands for what comes behind the last goal."""
 
 
-@dataclass(slots=True)
-class _CloneBody:
+class _CloneBody(Rewriter):
     """Rewrites the statements of one function, up to the own statements of ``last``."""
 
-    prefix: str
-    last: n.Stmt | None
-    renamed: dict[n.Expr, str] = field(default_factory=dict)
-    used: dict[n.Expr, Cut] = field(default_factory=dict)
-    given: dict[n.Expr, Cut] = field(default_factory=dict)
-    moved: list[_Moved] = field(default_factory=list)
+    def __init__(self, prefix: str, cuts: Sequence[Cut], last: n.Stmt | None) -> None:
+        self.renamed: dict[n.Expr, str] = {}
+        self._prefix, self._last = prefix, last
+        self._used = {cut.expr: cut for cut in cuts}
+        self._given = {cut.expr: cut for cut in cuts if cut.kind == "use"}
+        self._ahead: dict[n.Stmt, list[_Moved]] = {}
+        self._parted: set[n.Stmt] = set()
+        self._values: dict[n.Expr, n.Expr] = {}
+        self._ended = False
 
-    def block(self, block: n.Block) -> tuple[n.Block, bool]:
-        """The rewritten block, and whether it ends in the last goal."""
-        body: list[n.Stmt] = []
-        for stmt in block.body:
-            if isinstance(stmt, n.Block):
-                new, ended = self.block(stmt)
-                body.append(new)
-            else:
-                ended = self.statement(stmt, body)
-            if ended:
-                return replace(block, body=tuple(body)), True
-        return replace(block, body=tuple(body)), False
-
-    def statement(self, stmt: n.Stmt, body: list[n.Stmt]) -> bool:
-        """Append the rewritten statement; tell whether the last goal is reached with it."""
-        inside = [item for item in self.moved if _holds(stmt, item.expr)]
-        parts = _head(stmt)
-        ahead = [item for item in inside if any(_holds(part, item.expr) for part in parts)]
-        for item in _operands_first(ahead):
-            body += self._own_statements(item)
-        if stmt is self.last:
-            return True
-        deeper = len(ahead) < len(inside)
-        body.append(self._control(stmt) if deeper else replace_expressions(stmt, self._rewritten))
-        return False
-
-    def _control(self, stmt: n.Stmt) -> n.Stmt:
-        """A conditional under which there are expressions to move."""
-        match stmt:
-            case n.If():
-                condition = replace_expressions(stmt.condition, self._rewritten)
-                other = None if stmt.other is None else self._alone(stmt.other)
-                return replace(stmt, condition=condition, then=self._alone(stmt.then), other=other)
-            case n.Switch():
-                selector = replace_expressions(stmt.selector, self._rewritten)
-                return replace(stmt, selector=selector, body=tuple(self._list(stmt.body)))
-        raise AssertionError(f"nothing is moved within {type(stmt).__name__}")
-
-    def _alone(self, stmt: n.Stmt) -> n.Block:
-        """A statement under a conditional, as a block that has room for others."""
-        stmts = stmt.body if isinstance(stmt, n.Block) else (stmt,)
-        return n.Block(stmt.span, tuple(self._list(stmts)))
-
-    def _list(self, stmts: Iterable[n.Stmt]) -> list[n.Stmt]:
-        body: list[n.Stmt] = []
+    def place(self, stmts: Sequence[n.Stmt], moved: list[_Moved]) -> None:
+        """Find the statements that ``moved`` expressions come before."""
         for stmt in stmts:
-            if isinstance(stmt, n.Block):
-                body.append(self._alone(stmt))
-            else:
-                self.statement(stmt, body)
-        return body
+            inside = [item for item in moved if _holds(stmt, item.expr)]
+            match stmt:
+                case n.Block():
+                    self.place(stmt.body, inside)
+                case n.If(condition=head) | n.Switch(selector=head):
+                    ahead = [item for item in inside if _holds(head, item.expr)]
+                    self._ahead[stmt] = _operands_first(ahead)
+                    if len(ahead) < len(inside):
+                        self._parted.add(stmt)
+                        self.place(cast("tuple[n.Stmt, ...]", children(stmt)[1:]), inside)
+                case _:
+                    self._ahead[stmt] = _operands_first(inside)
 
-    def _rewritten(self, original: n.Expr, rebuilt: n.Expr) -> n.Expr:
-        cut = self.used.get(original)
-        if cut is not None:
-            return remaining_part(rebuilt, cut.form, cut.variable)
-        return self._to_clone(original, rebuilt)
+    def enter(self, node: n.Node) -> n.Node | None:
+        return _GONE if self._ended else None
 
-    def _to_clone(self, original: n.Expr, rebuilt: n.Expr) -> n.Expr:
-        if original in self.renamed and isinstance(rebuilt, n.Call):
-            return replace(rebuilt, name=self.renamed[original])
-        return rebuilt
+    def expression(self, node: n.Expr, original: n.Expr) -> n.Expr:
+        if original in self.renamed and isinstance(node, n.Call):
+            node = replace(node, name=self.renamed[original])
+        self._values[original] = node
+        cut = self._used.get(original)
+        return node if cut is None else remaining_part(node, cut.form, cut.variable)
+
+    def statement(self, node: n.Stmt, original: n.Stmt) -> n.Stmt | Sequence[n.Stmt]:
+        match node, original:
+            case n.Block(), _ if self._ended:
+                return replace(node, body=tuple(stmt for stmt in node.body if stmt is not _GONE))
+            case n.If(), n.If() if original in self._parted:
+                if node.other is not None and original.other is not None:
+                    node = replace(node, other=_block(node.other, original.other))
+                node = replace(node, then=_block(node.then, original.then))
+        ahead = [
+            new for item in self._ahead.get(original, ()) for new in self._own_statements(item)
+        ]
+        self._ended = original is self._last
+        if self._ended:
+            return ahead
+        return (*ahead, node) if ahead else node
 
     def _own_statements(self, item: _Moved) -> list[n.Stmt]:
         """``variable = expression;`` and the like, or the call that leads to the last goals."""
-        span = item.expr.span
-        if item.cut is None:
-            return [n.ExprStmt(span, replace_expressions(item.expr, self._rewritten))]
-        match item.cut.kind:
+        span, cut = item.expr.span, item.cut
+        if cut is None:
+            return [n.ExprStmt(span, self._values[item.expr])]
+        match cut.kind:
             case "need":
                 return [self._unless_reused(n.Jump(span, "discard"))]
             case "lack":
-                return [self._unless_reused(_set(self.prefix + "lacks"))]
+                return [self._unless_reused(_set(self._prefix + "lacks"))]
             case "fill":
-                return [self._unless_reused(*self._computed(item.cut)), _set(item.cut.flag)]
+                return [self._unless_reused(self._computed(cut)), _set(cut.flag)]
             case "keep":
-                return [*self._computed(item.cut), _set(item.cut.flag)]
-        return self._computed(item.cut)
+                return [self._computed(cut), _set(cut.flag)]
+        return [self._computed(cut)]
 
-    def _computed(self, cut: Cut) -> list[n.Stmt]:
-        value = replace_expressions(
-            cut.expr,
-            lambda old, new: (self._to_clone if old is cut.expr else self._rewritten)(old, new),
-        )
-        given = self.given.get(cut.expr)
+    def _computed(self, cut: Cut) -> n.Stmt:
+        value = self._values[cut.expr]
+        given = self._given.get(cut.expr)
         if given is not None:  # a fetch that was made ahead, in whole or in part
             value = remaining_part(value, given.form, given.variable)
-        return [_assign(cut.variable, hoisted_part(value, cut.form))]
+        value = hoisted_part(value, cut.form)
+        return assigned(cut.variable, value, value.span)
 
-    def _unless_reused(self, *stmts: n.Stmt) -> n.Stmt:
-        reuse = n.Name(NOWHERE, self.prefix + "reuse")
-        return n.If(NOWHERE, n.Unary(NOWHERE, "!", reuse), n.Block(NOWHERE, stmts), None)
+    def _unless_reused(self, stmt: n.Stmt) -> n.Stmt:
+        reuse = n.Name(NOWHERE, self._prefix + "reuse")
+        return n.If(NOWHERE, n.Unary(NOWHERE, "!", reuse), n.Block(NOWHERE, (stmt,)), None)
+
+
+def _block(new: n.Stmt, old: n.Stmt) -> n.Block:
+    """What stands under a conditional, as a block in the place of what stood there."""
+    return n.Block(old.span, block_of(new).body)
 
 
 def _operands_first(items: list[_Moved]) -> list[_Moved]:
@@ -312,21 +291,8 @@ def _operands_first(items: list[_Moved]) -> list[_Moved]:
 
 
 def _set(flag: str) -> n.Stmt:
-    return _assign(flag, n.Literal(NOWHERE, "true"))
-
-
-def _assign(name: str, value: n.Expr) -> n.Stmt:
-    span = value.span
-    return n.ExprStmt(span, n.Assign(span, "=", n.Name(span, name), value))
+    return assigned(flag, n.Literal(NOWHERE, "true"))
 
 
 def _holds(root: n.Node, expr: n.Expr) -> bool:
     return any(part is expr for part in walk(root))
-
-
-def _head(stmt: n.Stmt) -> tuple[n.Node, ...]:
-    """What of a statement is evaluated before any statement inside it."""
-    match stmt:
-        case n.If(condition=first) | n.Switch(selector=first):
-            return (first,)
-    return (stmt,)

@@ -14,11 +14,10 @@ from __future__ import annotations
 from collections import Counter
 
 from shadercache.ast import nodes as n
-from shadercache.ast.rewriter import Rewriter
 from shadercache.ast.walk import walk
-from shadercache.lang.types import Type
 from shadercache.sema.facts import Facts
 from shadercache.source import NOWHERE
+from shadercache.transform.trees import replace_expressions
 
 
 def spell_lists(module: n.Module, facts: Facts) -> n.Module:
@@ -28,25 +27,15 @@ def spell_lists(module: n.Module, facts: Facts) -> n.Module:
     """
     if not any(isinstance(node, n.InitList) for node in facts.types):
         return module
-    return _ListSpeller(module, facts).rewrite(module)
+    structs = Counter(node.name for node in walk(module) if isinstance(node, n.StructDef))
 
-
-class _ListSpeller(Rewriter):
-    def __init__(self, module: n.Module, facts: Facts) -> None:
-        self._types = facts.types
-        structs = (node for node in walk(module) if isinstance(node, n.StructDef))
-        counts = Counter(node.name for node in structs if node.name)
-        self._structs = {name for name, count in counts.items() if count == 1}
-
-    def expression(self, node: n.Expr, original: n.Expr) -> n.Expr:
+    def spelled(original: n.Expr, node: n.Expr) -> n.Expr:
         if not isinstance(node, n.InitList):
             return node
-        kind = self._types[original]
-        if kind.struct is not None and kind.struct.name not in self._structs:
+        kind = facts.types[original]
+        if kind.struct is not None and (not kind.struct.name or structs[kind.struct.name] != 1):
             return node
-        return n.Construct(node.span, _spec(kind), node.items)
+        dims = tuple(n.Literal(NOWHERE, str(size)) if size else None for size in kind.dims)
+        return n.Construct(node.span, n.TypeSpec(NOWHERE, kind.name, dims), node.items)
 
-
-def _spec(kind: Type) -> n.TypeSpec:
-    dims = tuple(n.Literal(NOWHERE, str(size)) if size else None for size in kind.dims)
-    return n.TypeSpec(NOWHERE, kind.name, dims)
+    return replace_expressions(module, spelled)

@@ -16,30 +16,25 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from shadercache.ast import nodes as n
-from shadercache.ast.rewriter import Rewriter
 from shadercache.ast.walk import walk
+from shadercache.transform.trees import change_declarations, replace_nodes
 
 
 def split_declarations(module: n.Module) -> n.Module:
     """The module with its declarations split (the same module if there is nothing to split)."""
-    return _Splitter(module).rewrite(module)
+    headers = {node.init for node in walk(module) if isinstance(node, n.For)}
 
+    def split(original: n.Node, node: n.Node) -> n.Node | Sequence[n.Node]:
+        match node:
+            case n.DeclStmt(decl=n.VarDecl() as decl) if original not in headers:
+                parts = _split(decl)
+                return node if len(parts) == 1 else [n.DeclStmt(part.span, part) for part in parts]
+        return node
 
-class _Splitter(Rewriter):
-    def __init__(self, module: n.Module) -> None:
-        self._headers = {item.init for item in walk(module) if isinstance(item, n.For)}
-
-    def statement(self, node: n.Stmt, original: n.Stmt) -> n.Stmt | Sequence[n.Stmt]:
-        if original in self._headers or not isinstance(node, n.DeclStmt):
-            return node
-        if not isinstance(node.decl, n.VarDecl):
-            return node
-        parts = _split(node.decl)
-        return node if len(parts) == 1 else [n.DeclStmt(part.span, part) for part in parts]
-
-    def declaration(self, node: n.Decl, original: n.Decl) -> n.Decl | Sequence[n.Decl]:
-        parts = _split(node) if isinstance(node, n.VarDecl) else ()
-        return node if len(parts) <= 1 else parts
+    return change_declarations(
+        replace_nodes(module, split),
+        lambda decl: _split(decl) if isinstance(decl, n.VarDecl) else decl,
+    )
 
 
 def _split(decl: n.VarDecl) -> list[n.VarDecl]:
@@ -48,9 +43,10 @@ def _split(decl: n.VarDecl) -> list[n.VarDecl]:
     parts: list[n.VarDecl] = []
     kind = decl.type
     if kind.struct is not None and kind.name:
-        bare = replace(kind, dims=())
-        parts.append(n.VarDecl(kind.span, n.NO_QUALIFIERS, bare, ()))
+        parts.append(n.VarDecl(kind.span, n.NO_QUALIFIERS, replace(kind, dims=()), ()))
         kind = replace(kind, struct=None)
+    elif len(decl.declarators) == 1:
+        return [decl]
     for item in decl.declarators:
         parts.append(replace(decl, span=item.span, type=kind, declarators=(item,)))
     return parts

@@ -34,15 +34,12 @@ class TripCounter:
         self._conversions = Conversions(module.version, module.profile == "es")
 
     def decision(self, condition: n.Expr, known: Counters) -> bool | None:
-        """Does a condition hold in a trip? ``None`` where that is not known before.
-
-        Not for floats, which a driver may calculate with more bits.
-        """
-        for part in expressions(condition):
-            if self._facts.types[part].is_float:
-                return None
-        found = self.value(condition, known)
-        return None if found is None else bool(found)
+        """Does a condition hold in a trip? ``None`` where that is not known before."""
+        # A driver may calculate floats with more bits.
+        if any(self._facts.types[part].is_float for part in expressions(condition)):
+            return None
+        value = self.value(condition, known)
+        return None if value is None else bool(value)
 
     def trips(self, loop: n.For, around: Counters, limit: int) -> list[Counters]:
         """The values of the loop's own counters in each trip.
@@ -53,7 +50,7 @@ class TripCounter:
         if not isinstance(loop.condition, n.Expr):
             raise UncountableError("it has no condition that ends it")
         own = self._first(loop, around)
-        found: list[Counters] = []
+        trips: list[Counters] = []
         while True:
             goes_on = self.value(loop.condition, {**around, **own})
             if goes_on is None:
@@ -61,11 +58,12 @@ class TripCounter:
                     "its condition does not hang on its counters and constants alone"
                 )
             if not goes_on:
-                return found
-            found.append(own)
-            if len(found) > limit:
+                return trips
+            trips.append(own)
+            if len(trips) > limit:
                 raise UncountableError(f"it makes more than {limit} trips")
-            own = own if loop.step is None else self._stepped(loop.step, around, own)
+            if loop.step is not None:
+                own = self._stepped(loop.step, around, own)
 
     def _first(self, loop: n.For, around: Counters) -> Counters:
         match loop.init:
@@ -83,65 +81,59 @@ class TripCounter:
         return own
 
     def _stepped(self, step: n.Expr, around: Counters, own: Counters) -> Counters:
+        value: Scalar | None = None
         match step:
             case n.Comma(left=left, right=right):
                 return self._stepped(right, around, self._stepped(left, around, own))
             case (
-                n.Unary(op="++" | "--" as op, operand=n.Name(name=name) as target)
-                | n.Postfix(op=op, operand=n.Name(name=name) as target)
+                n.Unary(op="++" | "--" as op, operand=n.Name(name=name))
+                | n.Postfix(op=op, operand=n.Name(name=name))
             ) if name in own:
-                value: Scalar | None = own[name] + (1 if op == "++" else -1)
-            case n.Assign(op=op, target=n.Name(name=name) as target) if name in own:
-                value = self._assigned(step, {**around, **own})
-            case _:
-                raise UncountableError("its step does more than count by constants")
+                value = own[name] + (1 if op == "++" else -1)
+            case n.Assign(op="=", target=n.Name(name=name), value=new) if name in own:
+                value = self.value(new, {**around, **own})
+            case n.Assign(op=op, target=n.Name(name=name) as old, value=new) if name in own:
+                value = self._binary(step, op[:-1], (old, new), {**around, **own})
         if value is None:
             raise UncountableError("its step does more than count by constants")
-        return {**own, name: _fitting(value, self._facts.types[target].base)}
-
-    def _assigned(self, step: n.Assign, known: Counters) -> Scalar | None:
-        if step.op == "=":
-            return self.value(step.value, known)
-        return self._binary(step.op[:-1], step.target, step.value, None, known)
+        return {**own, name: _fitting(value, self._facts.types[step].base)}
 
     def value(self, expr: n.Expr, known: Counters) -> Scalar | None:
         """The value of an expression, ``None`` where it is not known."""
         if expr in self._facts.constants:
             return self._facts.constants[expr]
         kind = self._facts.types[expr]
-        found: fold.Value | None = None
         match expr:
             case n.Name(name=name):
-                found = known.get(name)
+                return known.get(name)
             case n.Unary(op="+" | "-" | "~" | "!" as op, operand=operand):
                 value = self.value(operand, known)
-                found = None if value is None else fold.fold_unary(op, value, kind)
+                return None if value is None else _scalar(fold.fold_unary(op, value, kind))
             case n.Binary(op=op, left=left, right=right):
-                found = self._binary(op, left, right, expr, known)
+                return self._binary(expr, op, (left, right), known)
             case n.Construct(args=(part,)) if kind.is_scalar:
                 value = self.value(part, known)
-                found = None if value is None else fold.convert(value, kind.base)
-        return None if isinstance(found, tuple) else found
+                return None if value is None else fold.convert(value, kind.base)
+        return None
 
     def _binary(
-        self, op: str, left: n.Expr, right: n.Expr, whole: n.Expr | None, known: Counters
+        self, whole: n.Expr, op: str, operands: tuple[n.Expr, n.Expr], known: Counters
     ) -> Scalar | None:
-        """``left op right``; ``whole`` is that expression, or it is that of an assignment."""
-        one, two = self.value(left, known), self.value(right, known)
-        operands = self._facts.types[left], self._facts.types[right]
-        if one is None or two is None or not all(kind.is_scalar for kind in operands):
+        left, right = (self.value(operand, known) for operand in operands)
+        one, two = (self._facts.types[operand] for operand in operands)
+        if left is None or right is None or not (one.is_scalar and two.is_scalar):
             return None
-        bases = operands[0].base or "", operands[1].base or ""
-        base = self._conversions.common_base(*bases)
-        kind = operands[bases.index(base) if base in bases else 0]
-        if whole is not None:
-            kind = self._facts.types[whole]
-        found = fold.fold_binary(op, (one, two), operands, base, kind)
-        return None if isinstance(found, tuple) else found
+        base = self._conversions.common_base(one.base or "", two.base or "")
+        kind = self._facts.types[whole]
+        return _scalar(fold.fold_binary(op, (left, right), (one, two), base, kind))
+
+
+def _scalar(value: fold.Value | None) -> Scalar | None:
+    return None if isinstance(value, tuple) else value
 
 
 def _fitting(value: Scalar, base: str | None) -> Scalar:
-    found = fold.convert(value, base)
-    if found is None or not isfinite(found):
+    fitting = fold.convert(value, base)
+    if fitting is None or not isfinite(fitting):
         raise UncountableError("a counter leaves the numbers of its type")
-    return found
+    return fitting

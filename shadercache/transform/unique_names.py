@@ -13,17 +13,17 @@ varyings, outputs, blocks) keeps its name::
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Set
 
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 from shadercache.lang.builtins import overloads
 from shadercache.lang.words import keywords, reserved_words
 from shadercache.sema.facts import Facts
-from shadercache.transform.names import FreshNames
+from shadercache.transform.names import FreshNames, all_names
 from shadercache.transform.proof.make_precise import precise_version
 from shadercache.transform.reachable import declared_names
-from shadercache.transform.rename import Renamer
+from shadercache.transform.rename import rename_nodes
 
 
 def make_names_unique(module: n.Module, facts: Facts) -> n.Module:
@@ -31,9 +31,15 @@ def make_names_unique(module: n.Module, facts: Facts) -> n.Module:
 
     ``facts`` are those of ``module`` as it is given.
     """
-    finder = _Finder(module, facts)
-    finder.find()
-    return Renamer(finder.new.get).rewrite(module) if finder.new else module
+    fresh = FreshNames(all_names(module))
+    later = later_keywords(module)
+    new = _functions(module, facts, later, fresh)
+    taken = {name for decl in module.decls for name in declared_names(decl)} | later
+    taken |= {node.name for node in walk(module) if isinstance(node, n.Call)}
+    for decl in module.decls:
+        if isinstance(decl, n.FunctionDef):
+            new |= _locals(decl, facts, taken, fresh)
+    return rename_nodes(module, new.get) if new else module
 
 
 def later_keywords(module: n.Module) -> frozenset[str]:
@@ -44,69 +50,50 @@ def later_keywords(module: n.Module) -> frozenset[str]:
     return keywords(version, es) | reserved_words(version, es)
 
 
-class _Finder:
-    """Finds out which nodes get which new name."""
+def _functions(
+    module: n.Module, facts: Facts, later: Set[str], fresh: FreshNames
+) -> dict[n.Node, str]:
+    """New names of all overloads of a function but the first, and of overloads of built-ins."""
+    seen = set(later)
+    renamed: dict[object, str] = {}
+    new: dict[n.Node, str] = {}
+    for function in facts.functions:
+        name = function.name
+        if name in seen or overloads(name):
+            renamed[function] = fresh.make(name)
+            heads = (function.proto, *_prototypes(module, function))
+            new |= dict.fromkeys(heads, renamed[function])
+        seen.add(name)
+    for call, callee in facts.calls.items():
+        if isinstance(callee, n.FunctionDef) and callee in renamed:
+            new[call] = renamed[callee]
+    return new
 
-    def __init__(self, module: n.Module, facts: Facts) -> None:
-        self.module, self.facts = module, facts
-        everything = {name for node in walk(module) if (name := getattr(node, "name", None))}
-        self.names = FreshNames(everything)
-        self.new: dict[n.Node, str] = {}
-        self.later = later_keywords(module)
 
-    def find(self) -> None:
-        self._functions()
-        taken = {name for decl in self.module.decls for name in declared_names(decl)} | self.later
-        taken |= {c.name for c in walk(self.module) if isinstance(c, n.Call)}
-        for decl in self.module.decls:
-            if isinstance(decl, n.FunctionDef):
-                self._locals(decl, taken)
+def _prototypes(module: n.Module, function: n.FunctionDef) -> list[n.FunctionProto]:
+    wanted = _signature(function.proto)
+    protos = (decl for decl in module.decls if isinstance(decl, n.FunctionProto))
+    return [item for item in protos if item.name == function.name and _signature(item) == wanted]
 
-    def _functions(self) -> None:
-        """Rename all overloads of a function but the first, and overloads of built-ins."""
-        seen = set(self.later)
-        renamed: dict[n.FunctionDef, str] = {}
-        for function in self.facts.functions:
-            name = function.name
-            if name in seen or overloads(name):
-                renamed[function] = self.names.make(name)
-            seen.add(name)
-        if not renamed:
-            return
-        for call, callee in self.facts.calls.items():
-            if isinstance(callee, n.FunctionDef) and callee in renamed:
-                self.new[call] = renamed[callee]
-        for function, name in renamed.items():
-            self.new[function.proto] = name
-            for proto in self._prototypes(function):
-                self.new[proto] = name
 
-    def _prototypes(self, function: n.FunctionDef) -> Iterator[n.FunctionProto]:
-        wanted = self._signature(function.proto)
-        for decl in self.module.decls:
-            if not isinstance(decl, n.FunctionProto) or decl.name != function.name:
-                continue
-            if self._signature(decl) == wanted:
-                yield decl
+def _signature(proto: n.FunctionProto) -> tuple[object, ...]:
+    """Parameter types as written; sizes of arrays count by their number only."""
+    return tuple((p.type.name, len(p.type.dims) + len(p.dims)) for p in proto.params)
 
-    def _signature(self, proto: n.FunctionProto) -> tuple[object, ...]:
-        """Parameter types as written; sizes of arrays count by their number only."""
-        return tuple((p.type.name, len(p.type.dims) + len(p.dims)) for p in proto.params)
 
-    def _locals(self, function: n.FunctionDef, taken: set[str]) -> None:
-        seen: set[str] = set()
-        renamed: dict[object, str] = {}
-        for node in walk(function):
-            if isinstance(node, n.Param | n.Declarator) and node.name:
-                symbol = self.facts.declared.get(node)
-                if symbol is None:  # a field of a struct
-                    continue
-                if node.name in seen or node.name in taken:
-                    renamed[symbol] = self.new[node] = self.names.make(node.name)
-                seen.add(node.name)
-        if renamed:
-            for node in walk(function):
-                if isinstance(node, n.Name):
-                    name = renamed.get(self.facts.symbols[node])
-                    if name is not None:
-                        self.new[node] = name
+def _locals(
+    function: n.FunctionDef, facts: Facts, taken: Set[str], fresh: FreshNames
+) -> dict[n.Node, str]:
+    seen = set(taken)
+    renamed: dict[object, str] = {}
+    new: dict[n.Node, str] = {}
+    for node in walk(function):
+        # Of the declarators only fields of structs are not known.
+        if isinstance(node, n.Param | n.Declarator) and node.name and node in facts.declared:
+            if node.name in seen:
+                renamed[facts.declared[node]] = new[node] = fresh.make(node.name)
+            seen.add(node.name)
+    for node in walk(function) if renamed else ():
+        if isinstance(node, n.Name) and facts.symbols[node] in renamed:
+            new[node] = renamed[facts.symbols[node]]
+    return new

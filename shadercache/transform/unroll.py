@@ -19,9 +19,8 @@ that never gets there would be an error. Loops that cannot be taken apart stay, 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TypeVar
 
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.ast import nodes as n
@@ -31,6 +30,7 @@ from shadercache.diagnostics import Diagnostic, Severity
 from shadercache.sema.facts import Facts, Scalar
 from shadercache.sema.fold import convert
 from shadercache.source import NOWHERE, Source, Span
+from shadercache.transform.trees import block_of, change_functions, copied
 from shadercache.transform.trip_count import Counters, TripCounter, UncountableError
 
 MAX_TRIPS = 64
@@ -55,12 +55,12 @@ def unroll_loops(module: n.Module, facts: Facts, source: Source) -> Unrolled:
     In what comes out names are not unique.
     """
     unroller = _Unroller(module, facts)
-    made = unroller.module()
-    if made is not module and unroller.sizes.of_call("main") > MAX_EXPRESSIONS:
+    flat = change_functions(module, unroller.function)
+    if flat is not module and unroller.size_of_call("main") > MAX_EXPRESSIONS:
         message = f"no loop is unrolled: the shader would have over {MAX_EXPRESSIONS} expressions"
         return Unrolled(module, (Diagnostic("SC414", message, source, severity=Severity.NOTE),))
     notes = (_note(loop, reason, source) for loop, reason in unroller.kept.items())
-    return Unrolled(made, tuple(notes))
+    return Unrolled(flat, tuple(notes))
 
 
 def _note(loop: n.For, reason: str, source: Source) -> Diagnostic:
@@ -73,50 +73,37 @@ class _TooMuchError(Exception):
     """A loop would be too long, with those inside it; says why."""
 
 
-class _Sizes:
-    """How many expressions a piece of program has on all its call paths."""
+class _Unroller:
+    """Unrolls the loops of a module; ``kept`` are those that stay, and why."""
 
-    def __init__(self, functions: Mapping[str, n.FunctionDef]) -> None:
-        self._functions = dict(functions)
-        self._calls: dict[str, int] = {}
+    def __init__(self, module: n.Module, facts: Facts) -> None:
+        self._facts = facts
+        self._table = EffectTable(module)
+        self._functions = dict(self._table.functions)
+        self._sizes: dict[str, int] = {}
+        self.counter = TripCounter(module, facts)
+        self.kept: dict[n.For, str] = {}
 
-    def replace(self, function: n.FunctionDef) -> None:
-        self._functions[function.name] = function
-        self._calls.clear()
+    def function(self, function: n.FunctionDef) -> n.FunctionDef:
+        flat = _LoopRewriter(self, {}).rewrite(function)
+        if flat is not function:
+            self._functions[flat.name] = flat
+            self._sizes.clear()
+        return flat
 
-    def of_call(self, name: str) -> int:
-        if name not in self._calls:
-            self._calls[name] = self.of(self._functions[name].body)
-        return self._calls[name]
+    def size_of_call(self, name: str) -> int:
+        """How many expressions a function has on all its call paths."""
+        if name not in self._sizes:
+            self._sizes[name] = self._size(self._functions[name].body)
+        return self._sizes[name]
 
-    def of(self, node: n.Node) -> int:
+    def _size(self, node: n.Node) -> int:
         total = 0
         for item in walk(node):
             total += isinstance(item, EXPRESSIONS)
             if isinstance(item, n.Call) and item.name in self._functions:
-                total += self.of_call(item.name)
+                total += self.size_of_call(item.name)
         return total
-
-
-class _Unroller:
-    def __init__(self, module: n.Module, facts: Facts) -> None:
-        self._module, self._facts = module, facts
-        self.counter = TripCounter(module, facts)
-        self._table = EffectTable(module)
-        self.sizes = _Sizes(self._table.functions)
-        self.kept: dict[n.For, str] = {}
-
-    def module(self) -> n.Module:
-        decls: list[n.Decl] = []
-        for decl in self._module.decls:
-            made = decl
-            if isinstance(decl, n.FunctionDef):
-                made = _LoopRewriter(self, {}).rewrite(decl)
-                if made is not decl:
-                    self.sizes.replace(made)
-            decls.append(made)
-        same = all(new is old for new, old in zip(decls, self._module.decls, strict=True))
-        return self._module if same else replace(self._module, decls=tuple(decls))
 
     def outermost(self, loop: n.For) -> list[n.Block] | None:
         """The trips of a loop that stands in no other; ``None`` if it stays."""
@@ -140,19 +127,19 @@ class _Unroller:
         counted = self.counter.trips(loop, around, MAX_TRIPS)
         if not counted and not around:
             raise UncountableError("it makes no trip")
-        made: list[n.Block] = []
+        trips: list[n.Block] = []
         count = size = 0
         for own in counted:
             inside = _LoopRewriter(self, {**around, **own}, deep)
-            body = inside.rewrite(loop.body)
-            stmts, leaves = _up_to_jump(body.body if isinstance(body, n.Block) else (body,))
+            stmts, leaves = _up_to_jump(block_of(inside.rewrite(loop.body)).body)
             if any(map(_jumps, stmts)):
                 raise UncountableError("there is a break or continue in it")
-            start = loop.body.span if made else loop.span  # A comment before the loop stays there.
-            span = Span(start.start, loop.body.span.end)
-            made.append(n.Block(span, (*self._counters(loop, own), *map(_copy, stmts))))
+            # A comment before the loop stays there.
+            start = (loop.body if trips else loop).span.start
+            body = (*self._counters(loop, own), *map(copied, stmts))
+            trips.append(n.Block(Span(start, loop.body.span.end), body))
             count += max(1, inside.trips)
-            size += self.sizes.of(made[-1])
+            size += self._size(trips[-1])
             if count > MAX_TRIPS:
                 raise _TooMuchError(
                     f"with the loops inside it it makes more than {MAX_TRIPS} trips"
@@ -161,7 +148,7 @@ class _Unroller:
                 raise _TooMuchError(f"it would have over {MAX_EXPRESSIONS} expressions")
             if leaves == "break":
                 break
-        return made, count
+        return trips, count
 
     def _check(self, loop: n.For) -> None:
         if any(isinstance(item, n.StructDef) for item in walk(loop.body)):
@@ -175,9 +162,8 @@ class _Unroller:
         decl = loop.init.decl
         for item in decl.declarators:
             kind = self._facts.declared[item].type
-            value = _literal(own[item.name], kind.base or "")
-            made = replace(item, init=value)
-            yield n.DeclStmt(NOWHERE, replace(_copy(decl), declarators=(made,)))
+            counter = replace(item, init=_literal(own[item.name], kind.base or ""))
+            yield n.DeclStmt(NOWHERE, replace(copied(decl), declarators=(counter,)))
 
 
 class _LoopRewriter(Rewriter):
@@ -191,38 +177,34 @@ class _LoopRewriter(Rewriter):
     def enter(self, node: n.Node) -> n.Node | None:
         match node:
             case n.For():
-                made = self._trips(node)
-                if made is None:
-                    return node
-                block = n.Block(node.span, tuple(made))
-                self._unrolled.add(block)
-                return block
-            case n.If() if self._around:
-                holds = self._unroller.counter.decision(node.condition, self._around)
-                return None if holds is None else self._chosen(node.then if holds else node.other)
+                trips = self._trips(node)
+                return node if trips is None else self._spliceable(node.span, trips)
+            case n.If(condition=condition, then=then, other=other) if self._around:
+                holds = self._unroller.counter.decision(condition, self._around)
+                if holds is None:
+                    return None
+                # The branch that a trip takes; what it never comes by is not there.
+                branch = then if holds else other
+                return self._spliceable(NOWHERE, ()) if branch is None else self.rewrite(branch)
             case n.FunctionDef() | n.Block() | n.If() | n.Switch():
                 return None
         return node
 
     def statement(self, node: n.Stmt, original: n.Stmt) -> n.Stmt:
         if isinstance(node, n.Block | n.Switch) and not self._unrolled.isdisjoint(node.body):
-            return replace(node, body=tuple(self._spliced(node.body)))
+            spliced = (
+                part
+                for stmt in node.body
+                for part in (block_of(stmt).body if stmt in self._unrolled else (stmt,))
+            )
+            return replace(node, body=tuple(spliced))
         return node
 
-    def _chosen(self, branch: n.Stmt | None) -> n.Stmt:
-        """The branch that a trip takes; what it never comes by is not there."""
-        if branch is not None:
-            return self.rewrite(branch)
-        nothing = n.Block(NOWHERE, ())
-        self._unrolled.add(nothing)
-        return nothing
-
-    def _spliced(self, stmts: Sequence[n.Stmt]) -> Iterator[n.Stmt]:
-        for stmt in stmts:
-            if isinstance(stmt, n.Block) and stmt in self._unrolled:
-                yield from stmt.body
-            else:
-                yield stmt
+    def _spliceable(self, span: Span, stmts: Sequence[n.Stmt]) -> n.Block:
+        """A block that its statements take the place of where several may stand."""
+        block = n.Block(span, tuple(stmts))
+        self._unrolled.add(block)
+        return block
 
     def _trips(self, loop: n.For) -> list[n.Block] | None:
         if not self._around:
@@ -232,35 +214,16 @@ class _LoopRewriter(Rewriter):
             self._unroller.kept[loop] = reason
             return None
         try:
-            made, count = self._unroller.trips(loop, self._around, True)
+            trips, count = self._unroller.trips(loop, self._around, True)
         except UncountableError as error:
             self._unroller.kept[loop] = str(error)
             return None
         self.trips += count
-        return made
-
-
-class _Copier(Rewriter):
-    def expression(self, node: n.Expr, original: n.Expr) -> n.Expr:
-        return replace(node)
-
-    def statement(self, node: n.Stmt, original: n.Stmt) -> n.Stmt:
-        return replace(node)
-
-    def other(self, node: n.Node, original: n.Node) -> n.Node:
-        return node if node is n.NO_QUALIFIERS else replace(node)
-
-
-_N = TypeVar("_N", bound=n.Node)
-
-
-def _copy(node: _N) -> _N:
-    """The same tree, of other nodes: each trip has its own."""
-    return _Copier().rewrite(node)
+        return trips
 
 
 def _up_to_jump(stmts: Sequence[n.Stmt]) -> tuple[list[n.Stmt], str]:
-    """The statements before a ``break`` or ``continue`` that is always come by, and which it is."""
+    """The statements before a ``break`` or ``continue`` that is always reached, and which it is."""
     kept: list[n.Stmt] = []
     for stmt in stmts:
         match stmt:
@@ -276,17 +239,14 @@ def _up_to_jump(stmts: Sequence[n.Stmt]) -> tuple[list[n.Stmt], str]:
     return kept, ""
 
 
-def _jumps(body: n.Stmt) -> bool:
+def _jumps(node: n.Node, in_switch: bool = False) -> bool:
     """Does a ``break`` or ``continue`` in a loop's body belong to the loop?"""
-    stack: list[tuple[n.Node, bool]] = [(body, False)]
-    while stack:
-        node, in_switch = stack.pop()
-        if isinstance(node, n.Jump):
-            if node.word == "continue" or (node.word == "break" and not in_switch):
-                return True
-        elif not isinstance(node, n.For | n.While | n.DoWhile):
+    match node:
+        case n.Jump(word=word):
+            return word == "continue" or (word == "break" and not in_switch)
+        case n.Block() | n.If() | n.Switch():
             inner = in_switch or isinstance(node, n.Switch)
-            stack += ((child, inner) for child in children(node))
+            return any(_jumps(child, inner) for child in children(node))
     return False
 
 
@@ -299,8 +259,5 @@ def _literal(value: Scalar, base: str) -> n.Expr:
 
 def _shortest(value: float) -> str:
     """As few digits as tell a float of 32 bits from all others; nine always do."""
-    for digits in range(1, 10):
-        text = f"{value:.{digits}g}"
-        if convert(float(text), "float") == value:
-            break
-    return repr(float(text))
+    texts = (f"{value:.{digits}g}" for digits in range(1, 10))
+    return repr(float(next(text for text in texts if convert(float(text), "float") == value)))

@@ -13,6 +13,7 @@ from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.costs.cost import FETCH, CostTable
 from shadercache.analysis.value_numbering import one_of_each
 from shadercache.ast import nodes as n
+from shadercache.ast.memo import Memo
 from shadercache.caching.algorithms import algorithm
 from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import InputError
@@ -140,7 +141,7 @@ def compare(analysis: Analysis, *nodes: Candidate) -> None:
 
 def _cost(shader: Shader, prefix: str) -> float:
     """The static cost of an emitted shader, the look-up in the cache of the last frame apart."""
-    text = print_module(with_precisions(shader.module))
+    text = print_module(with_precisions(shader.module, Memo()))
     module = parse(Source("pass.frag", text))
     costs = CostTable(validate(module, Source("pass.frag", text), "fragment"))
     functions = {item.name: item for item in module.decls if isinstance(item, n.FunctionDef)}

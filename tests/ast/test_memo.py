@@ -95,7 +95,8 @@ def test_precise_functions_with_matrices_need_the_types_of_the_new_ones_alone() 
 
 
 def _proven(module: n.Module, memo: Memo) -> n.Module:
-    return make_precise(write_out_matrices(module, "sc_", memo=memo), "sc_", memo=memo)
+    written_out = write_out_matrices(module, "sc_", "fragment", memo)
+    return make_precise(written_out, "sc_", "fragment", memo)
 
 
 @pytest.mark.parametrize("mode", ["plain", "proof"])

@@ -16,6 +16,7 @@ from shadercache.analysis.costs.cost import UNKNOWN_TRIPS, CostTable
 from shadercache.analysis.precision import PrecisionTable
 from shadercache.analysis.refusals import Code
 from shadercache.ast import nodes as n
+from shadercache.ast.memo import Memo
 from shadercache.ast.walk import children, walk
 from shadercache.compiler import Analysis
 from shadercache.emit.assemble import Shader, interface, merge, with_locations, without_main
@@ -24,12 +25,12 @@ from shadercache.emit.runtime import runtime_names
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.front.parse import parse
 from shadercache.lang.types import Type
-from shadercache.source import Source
+from shadercache.source import NOWHERE, Source
 from shadercache.transform.drop_parameters import drop_parameters
 from shadercache.transform.names import FreshNames
 from shadercache.transform.remove_dead import remove_dead
 from shadercache.transform.specialise import Cut, insert_clones, specialise
-from shadercache.transform.strip_spans import without_places
+from shadercache.transform.trees import copied
 from shadercache.transform.versions.state_precisions import with_precisions
 
 NEEDLESS = frozenset((Code.CONSTANT, Code.UNIFORM, Code.CHEAP))
@@ -138,7 +139,7 @@ def offers_of(analysis: Analysis) -> Shader:
     user = without_main(insert_clones(program.module, clones))
     module = merge(program.module, user, _glue(analysis, nodes, names, value))
     made = {clone.name for _, clone in clones.made}
-    while (smaller := drop_parameters(remove_dead(module, [value]), made)) is not module:
+    while (smaller := drop_parameters(remove_dead(module, [value]), made, Memo())) is not module:
         module = smaller
     return interface(with_locations(module, {value: 0}))
 
@@ -213,7 +214,7 @@ def _glue(
     end = f"{value} = {total} * vec4(1.0, 0.5, 0.3, 0.7) + vec4(0.1, 0.2, 0.3, 0.0);"
     lines += ["void main() {", *zeros, start, *sums, end, "}"]
     decls = parse(Source("offers.glsl", "\n".join(lines))).decls[len(structs) :]
-    return tuple(without_places(decl) for decl in decls)
+    return tuple(copied(decl, span=NOWHERE) for decl in decls)
 
 
 def _highp(analysis: Analysis) -> str:
@@ -252,7 +253,7 @@ def _structs(kind: Type) -> Iterator[str]:
 
 
 def _text(shader: Shader) -> str:
-    return print_module(with_precisions(shader.module))
+    return print_module(with_precisions(shader.module, Memo()))
 
 
 def _trips(analysis: Analysis) -> dict[Operation, float]:

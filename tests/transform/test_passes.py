@@ -5,6 +5,7 @@ from __future__ import annotations
 from verify_tree import verify_module
 
 from shadercache.ast import nodes as n
+from shadercache.ast.memo import Memo
 from shadercache.ast.walk import walk
 from shadercache.emit.printer import print_module, print_node
 from shadercache.front.parse import parse
@@ -149,7 +150,7 @@ def test_an_inout_parameter_that_gives_a_written_variable_back_stays() -> None:
             color = vec4(a, b);
         }"""
     )
-    text = print_module(drop_parameters(module, {"f", "h", "k"}))
+    text = print_module(drop_parameters(module, {"f", "h", "k"}, Memo()))
     assert "f(g);" in text and "h(a, a);" in text and "h(a, b);" in text
     assert "k(b);" in text, "nothing else writes to what it is given"
 
@@ -160,10 +161,10 @@ def test_drop_parameters() -> None:
         float g(float x) { return 1.0; }
         void main() { float z = 1.0; color = vec4(f(u_a, z) + g(z++) + f(2.0, 3.0)); }"""
     )
-    text = print_module(drop_parameters(module, {"f", "g"}))
+    text = print_module(drop_parameters(module, {"f", "g"}, Memo()))
     assert "float f(float y)" in text and "f(z)" in text and "f(3.0)" in text
     assert "g(z++)" in text  # its argument has a side effect
-    assert drop_parameters(module, ()) is module
+    assert drop_parameters(module, (), Memo()) is module
 
 
 def test_drop_parameters_that_are_only_handed_down() -> None:
@@ -174,7 +175,7 @@ def test_drop_parameters_that_are_only_handed_down() -> None:
         float g(float x, float y) { return f(x) + y; }
         void main() { color = vec4(g(u_a, 3.0) + early(u_a)); }"""
     )
-    text = print_module(drop_parameters(module, {"f", "g"}))
+    text = print_module(drop_parameters(module, {"f", "g"}, Memo()))
     assert "float g(float y);" in text and "return f() + y;" in text
     assert "g(3.0)" in text and "return g(2.0);" in text
 
@@ -184,7 +185,7 @@ def test_drop_parameters_that_only_pass_through() -> None:
         """void f(inout float x, out float y) {}
         void main() { float a = u_a; float b; f(a, b); color = vec4(a + b); }"""
     )
-    text = print_module(drop_parameters(module, {"f"}))
+    text = print_module(drop_parameters(module, {"f"}, Memo()))
     assert "void f(out float y)" in text and "f(b);" in text
 
 
@@ -196,12 +197,12 @@ def test_drop_results() -> None:
         float kept(float x) { g = x; return x; }
         void main() { f(u_a); f(2.0); float y = used(u_a).x; kept(y); color = vec4(g); }"""
     )
-    text = print_module(drop_results(module, {"f", "used"}))
+    text = print_module(drop_results(module, {"f", "used"}, Memo()))
     assert "void f(float x)" in text and "x * 2.0" not in text
     assert "    }\n    g++;\n}" in text
     assert "        return;\n" in text and "vec3 used(float x)" in text
     assert "float kept(float x)" in text  # not one of those that were asked for
-    assert drop_results(module, {"used"}) is module
+    assert drop_results(module, {"used"}, Memo()) is module
 
 
 def test_make_precise() -> None:
@@ -212,6 +213,8 @@ def test_make_precise() -> None:
                           color = vec4(a + b + float(i)); }"""
         ),
         "sc_",
+        "fragment",
+        Memo(),
     )
     text = lines(module)
     assert text[0] == "#version 400"
@@ -226,7 +229,7 @@ def test_make_precise() -> None:
 
 def test_glsl_4_20_section_4_8_1_make_precise_leaves_inputs_alone() -> None:
     text = HEAD.replace("330", "420") + "void main() { color = vec4(v_a, 1.0); }"
-    made = make_precise(parse(Source("test.frag", text)), "sc_")
+    made = make_precise(parse(Source("test.frag", text)), "sc_", "fragment", Memo())
     assert lines(made)[0] == "#version 420"
     assert "in vec3 v_a;" in lines(made)
 
@@ -240,6 +243,8 @@ def test_make_precise_does_not_take_the_stored_payload_for_a_side_effect() -> No
             void main() { color = vec4(f(sc_f(u_a * 2.0) * 3.0)); }"""
         ),
         "sc_",
+        "fragment",
+        Memo(),
     )
     text = lines(module)
     assert "precise float sc_exact_1 = u_a * 2.0;" in text
@@ -252,7 +257,11 @@ def test_arithmetic_on_matrices_is_written_out_before_it_is_made_precise() -> No
         void main() { mat3 m = u_m * 2.0; vec3 a = m * (v_a * 2.0) + 3.0 * v_a;
                       a *= inverse(m + u_m); color = vec4(a, 1.0); }"""
     )
-    text = lines(make_precise(write_out_matrices(module, "sc_"), "sc_"))
+    text = lines(
+        make_precise(
+            write_out_matrices(module, "sc_", "fragment", Memo()), "sc_", "fragment", Memo()
+        )
+    )
     assert "precise vec3 sc_exact_1 = v_a * 2.0;" in text
     assert "precise vec3 a = sc_mat3_times_vec3(m, sc_exact_1) + 3.0 * v_a;" in text
     assert "precise mat3 sc_exact_2 = sc_mat3_plus_mat3(m, u_m);" in text
@@ -267,6 +276,8 @@ def test_make_precise_leaves_conditional_arguments_where_they_are() -> None:
             void main() { float a = u_a > 0.0 ? f(1.0 / u_a) : 0.0; color = vec4(a); }"""
         ),
         "sc_",
+        "fragment",
+        Memo(),
     )
     assert "f(1.0 / u_a)" in print_module(module)
 

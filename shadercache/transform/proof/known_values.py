@@ -6,11 +6,12 @@ whether it is floating-point, and whether one of its components may be zero.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
 from shadercache.ast import nodes as n
-from shadercache.ast.walk import walk
+from shadercache.ast.walk import postorder
 from shadercache.lang.types import builtin_type
 
 _FOLDED = frozenset(
@@ -22,16 +23,13 @@ _FOLDED = frozenset(
 )
 """Built-in functions with one right result, which a compiler evaluates where it can."""
 
-_ARITHMETIC = ("+", "-", "*", "/")
-
 
 @dataclass(frozen=True, slots=True)
 class Known:
-    """What is known of a value."""
+    """What is known of a value. ``zero``: may it, or one of its components, be zero?"""
 
     floating: bool
     zero: bool
-    """May it, or one of its components, be zero?"""
     array: bool = False
 
 
@@ -41,46 +39,47 @@ Constants: TypeAlias = dict[str, Known]
 
 def known_values(root: n.Node, constants: Constants) -> dict[n.Node, Known]:
     """All expressions below ``root`` that have known values."""
-    found: dict[n.Node, Known] = {}
-    for node in reversed(list(walk(root))):
-        known = _known(node, found, constants)
+    values: dict[n.Node, Known] = {}
+    for node in postorder(root):
+        known = _known(node, values, constants)
         if known is not None:
-            found[node] = known
-    return found
+            values[node] = known
+    return values
 
 
 def is_floating(kind: n.TypeSpec) -> bool:
     """A scalar, vector or matrix of floating-point numbers, or an array of them."""
-    found = builtin_type(kind.name)
-    return found is not None and found.base in ("float", "double")
+    built_in = builtin_type(kind.name)
+    return built_in is not None and built_in.base in ("float", "double")
 
 
 def is_matrix(kind: n.TypeSpec) -> bool:
     """A matrix, or an array of them."""
-    found = builtin_type(kind.name)
-    return found is not None and found.is_matrix
+    built_in = builtin_type(kind.name)
+    return built_in is not None and built_in.is_matrix
 
 
-def _known(node: n.Node, found: dict[n.Node, Known], constants: Constants) -> Known | None:
+def _known(node: n.Node, values: dict[n.Node, Known], constants: Constants) -> Known | None:
     match node:
         case n.Literal(text=text):
             return _literal(text)
         case n.Name(name=name):
             return constants.get(name)
-        case n.Unary(op="+" | "-", operand=operand):
-            return found.get(operand)
-        case n.Binary(op=op, left=left, right=right) if op in _ARITHMETIC:
-            return _computed((left, right), found)
+        case n.Unary(op="+" | "-", operand=part) | n.Member(object=part):
+            return values.get(part)
+        case n.Binary(op="+" | "-" | "*" | "/", left=left, right=right):
+            return _computed((left, right), values)
         case n.Call(name=name, args=args) if name in _FOLDED:
-            return _computed(args, found)
-        case n.Conditional(condition=condition, then=then, other=other):
-            return _computed((then, other), found) if condition in found else None
-        case n.Construct(type=kind, args=args) if not kind.dims:
-            return _constructed(kind, args, found)
-        case n.Member(object=item):
-            return found.get(item)
-        case n.Index(object=item, index=index) if item in found and index in found:
-            return Known(found[item].floating, found[item].zero)
+            return _computed(args, values)
+        case n.Conditional(condition=condition, then=then, other=other) if condition in values:
+            return _computed((then, other), values)
+        case n.Construct(type=kind, args=args) if not kind.dims and builtin_type(kind.name):
+            parts = _all(args, values)
+            if parts is not None:
+                zero = is_matrix(kind) or any(part.zero for part in parts)
+                return Known(is_floating(kind), zero)
+        case n.Index(object=part, index=index) if part in values and index in values:
+            return Known(values[part].floating, values[part].zero)
     return None
 
 
@@ -95,19 +94,13 @@ def _literal(text: str) -> Known:
     return Known(floating, not mantissa.strip("0."))
 
 
-def _computed(parts: tuple[n.Expr, ...], found: dict[n.Node, Known]) -> Known | None:
-    known = [found.get(part) for part in parts]
-    if None in known or any(item is not None and item.array for item in known):
-        return None
-    return Known(any(item is not None and item.floating for item in known), True)
+def _all(exprs: Sequence[n.Expr], values: dict[n.Node, Known]) -> list[Known] | None:
+    known = [values[expr] for expr in exprs if expr in values]
+    return known if len(known) == len(exprs) else None
 
 
-def _constructed(
-    kind: n.TypeSpec, args: tuple[n.Expr, ...], found: dict[n.Node, Known]
-) -> Known | None:
-    made = builtin_type(kind.name)
-    known = [found.get(arg) for arg in args]
-    if made is None or None in known:
+def _computed(exprs: Sequence[n.Expr], values: dict[n.Node, Known]) -> Known | None:
+    parts = _all(exprs, values)
+    if parts is None or any(part.array for part in parts):
         return None
-    zero = made.is_matrix or any(item is not None and item.zero for item in known)
-    return Known(is_floating(kind), zero)
+    return Known(any(part.floating for part in parts), zero=True)

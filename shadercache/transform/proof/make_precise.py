@@ -19,19 +19,26 @@ the driver as well.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import cast
 
 from shadercache.analysis.effect_table import EffectTable
-from shadercache.analysis.effects import Linked
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
+from shadercache.ast.rewriter import Rewriter
 from shadercache.ast.walk import children
 from shadercache.lang.types import builtin_type
 from shadercache.sema.facts import Stage
 from shadercache.source import NOWHERE
-from shadercache.transform.proof.write_out_matrices import Types, types_for_matrices
-from shadercache.transform.replace import replace_expressions
+from shadercache.transform.proof.write_out_matrices import Types, rewrite_linked
+from shadercache.transform.trees import (
+    block_of,
+    change_declarations,
+    declared,
+    replace_expressions,
+    unconditional,
+)
 from shadercache.transform.versions.state_precisions import all_highp
 
 _DESKTOP, _ES = 400, 320
@@ -43,51 +50,35 @@ def precise_version(module: n.Module) -> int:
     return max(module.version, _ES if module.profile == "es" else _DESKTOP)
 
 
-def make_precise(
-    module: n.Module, prefix: str, stage: Stage = "fragment", memo: Memo | None = None
-) -> n.Module:
+def make_precise(module: n.Module, prefix: str, stage: Stage, memo: Memo) -> n.Module:
     """The module at :func:`precise_version` with precise values and invariant varyings."""
-    memo = Memo() if memo is None else memo
-    functions = _functions(module, prefix, stage, memo)
-    decls = tuple(
-        functions[decl.name] if isinstance(decl, n.FunctionDef) else _decl(decl)
-        for decl in module.decls
-    )
+
+    def precise(function: n.FunctionDef, table: EffectTable, types: Types) -> n.FunctionDef:
+        body = _PreciseBody(function.proto.type, prefix, table, types).rewrite(function.body)
+        return replace(function, proto=_proto(function.proto), body=body)
+
     version = precise_version(module)
     # GLSL ES has no invariant inputs (3.20 section 4.8.1), nor has GLSL from 4.20 on.
-    if stage == "vertex" or (module.profile != "es" and version < _OUTPUTS_ONLY):
-        decls = tuple(_varying(decl, "out" if stage == "vertex" else "in") for decl in decls)
-    made = replace(module, version=version, decls=decls)
-    return all_highp(made, memo) if module.profile == "es" else made
+    exact_inputs = module.profile != "es" and version < _OUTPUTS_ONLY
+    varyings = ("out",) if stage == "vertex" else ("in",) * exact_inputs
 
+    def declaration(decl: n.Decl) -> n.Decl:
+        match decl:
+            case n.FunctionProto():
+                return _proto(decl)
+            case n.VarDecl():
+                decl = _variable(decl)
+                return _varying(decl) if decl.qualifiers.has(*varyings) else decl
+        return decl
 
-def _functions(module: n.Module, prefix: str, stage: Stage, memo: Memo) -> dict[str, n.FunctionDef]:
-    """The functions of a module with precise values, by name."""
-    table = EffectTable(module, memo)
-    kept: dict[Linked, n.FunctionDef] = memo.table("precise functions")
-    linked = {name: table.linked(name) for name in table.functions}
-    new = {name for name, item in linked.items() if item not in kept}
-    types = types_for_matrices(module, new, stage, memo) if new else {}
-    for name in new:
-        function = table.functions[name]
-        body = _Function(function, prefix, table.functions, table, types).block(function.body)
-        kept[linked[name]] = replace(function, proto=_proto(function.proto), body=body)
-    return {name: kept[item] for name, item in linked.items()}
-
-
-def _decl(decl: n.Decl) -> n.Decl:
-    match decl:
-        case n.FunctionProto():
-            return _proto(decl)
-        case n.VarDecl():
-            return _variable(decl)
-        case _:
-            return decl
+    module = rewrite_linked(module, stage, memo.table("precise functions"), precise, memo)
+    module = replace(change_declarations(module, declaration), version=version)
+    return all_highp(module, memo) if module.profile == "es" else module
 
 
 def _proto(proto: n.FunctionProto) -> n.FunctionProto:
     params = tuple(
-        replace(item, qualifiers=_with(item.qualifiers, "precise"))
+        replace(item, qualifiers=_with_precise(item.qualifiers))
         if item.writes_back and _is_float(item.type)
         else item
         for item in proto.params
@@ -99,25 +90,23 @@ def _variable(decl: n.VarDecl) -> n.VarDecl:
     words = decl.qualifiers
     if not _is_float(decl.type) or not decl.declarators or words.has("const", "uniform", "in"):
         return decl
-    return replace(decl, qualifiers=_with(words, "precise"))
+    return replace(decl, qualifiers=_with_precise(words))
 
 
-def _varying(decl: n.Decl, word: str) -> n.Decl:
+def _varying(decl: n.VarDecl) -> n.VarDecl:
     """Each pass has a vertex shader of its own, and all must compute the same varyings.
 
     Before GLSL 4.20 both stages must say so. ``precise`` comes first where both are there.
     """
-    if not isinstance(decl, n.VarDecl) or not decl.qualifiers.has(word):
-        return decl
-    rest = tuple(item for item in decl.qualifiers.words if item not in ("precise", "invariant"))
+    rest = tuple(word for word in decl.qualifiers.words if word not in ("precise", "invariant"))
     first = ("precise",) if decl.qualifiers.has("precise") else ()
     return replace(decl, qualifiers=replace(decl.qualifiers, words=(*first, "invariant", *rest)))
 
 
-def _with(qualifiers: n.Qualifiers, word: str) -> n.Qualifiers:
-    if qualifiers.has(word):
+def _with_precise(qualifiers: n.Qualifiers) -> n.Qualifiers:
+    if qualifiers.has("precise"):
         return qualifiers
-    return replace(qualifiers, words=(word, *qualifiers.words))
+    return replace(qualifiers, words=("precise", *qualifiers.words))
 
 
 def _is_float(spec: n.TypeSpec) -> bool:
@@ -126,132 +115,100 @@ def _is_float(spec: n.TypeSpec) -> bool:
     return kind is None or kind.base in ("float", "double")
 
 
-@dataclass(slots=True)
-class _Function:
-    """Rewrites the body of one function of a module."""
+class _PreciseBody(Rewriter):
+    """Rewrites the statements of one function that returns a ``result``.
 
-    function: n.FunctionDef
-    prefix: str
-    functions: dict[str, n.FunctionDef]
-    table: EffectTable
-    types: Types
-    """Of all expressions, or empty where there are no matrices."""
-    count: int = 0
-    ahead: list[n.Stmt] = field(default_factory=list)
-    """Statements that must come before the one at hand."""
+    ``types`` are those of all expressions, or empty where there are no matrices.
+    """
 
-    def block(self, block: n.Block) -> n.Block:
-        body: list[n.Stmt] = []
-        for stmt in block.body:
-            new = self.statement(stmt)
-            body += [*self.ahead, new]
-            self.ahead = []
-        return replace(block, body=tuple(body))
+    def __init__(self, result: n.TypeSpec, prefix: str, table: EffectTable, types: Types) -> None:
+        self._result, self._prefix, self._table, self._types = result, prefix, table, types
+        self._count = 0
+        self._ahead: list[n.Stmt] = []
+        """Statements that must come before the one at hand."""
 
-    def alone(self, stmt: n.Stmt) -> n.Stmt:
-        """A statement that is the whole body of a conditional or loop."""
-        return self.block(stmt if isinstance(stmt, n.Block) else n.Block(stmt.span, (stmt,)))
-
-    def statement(self, stmt: n.Stmt) -> n.Stmt:
-        match stmt:
-            case n.Block():
-                return self.block(stmt)
+    def enter(self, node: n.Node) -> n.Node | None:
+        match node:
             case n.If():
-                other = self.alone(stmt.other) if stmt.other else None
-                return replace(stmt, then=self.alone(stmt.then), other=other)
+                other = None if node.other is None else self._block(node.other)
+                return replace(node, then=self._block(node.then), other=other)
             case n.For(init=n.DeclStmt(decl=n.VarDecl() as decl) as init):
                 head = replace(init, decl=_variable(decl))
-                return replace(stmt, init=head, body=self.alone(stmt.body))
+                return replace(node, init=head, body=self._block(node.body))
             case n.For() | n.While() | n.DoWhile():
-                return replace(stmt, body=self.alone(stmt.body))
-            case n.Return(value=value) if value is not None:
-                return self.returned(replace(stmt, value=self.expression(value)))
-            case n.ExprStmt(expr=expr) if expr is not None:
-                return replace(stmt, expr=self.expression(expr))
-            case n.DeclStmt(decl=n.VarDecl() as decl):
-                return replace(stmt, decl=self.declaration(decl))
-            case _:
-                return stmt
+                return replace(node, body=self._block(node.body))
+            case n.Block() | n.Return() | n.ExprStmt() | n.DeclStmt():
+                return None
+        return node
 
-    def declaration(self, decl: n.VarDecl) -> n.VarDecl:
-        items = tuple(
-            replace(item, init=self.expression(item.init)) if item.init is not None else item
+    def _block(self, stmt: n.Stmt) -> n.Block:
+        """The whole body of a conditional or loop, with room for what comes ahead."""
+        return self.rewrite(block_of(stmt))
+
+    def statement(self, node: n.Stmt, original: n.Stmt) -> n.Stmt | Sequence[n.Stmt]:
+        match node:
+            case n.DeclStmt(decl=n.VarDecl() as decl):
+                node = replace(node, decl=_variable(self._initialised(decl)))
+            case n.ExprStmt(expr=expr) if expr is not None:
+                node = replace(node, expr=self._expression(expr))
+            case n.Return(value=value) if value is not None:
+                value = self._expression(value)
+                if _is_float(self._result):
+                    value = self._local(self._result, (), value)
+                node = replace(node, value=value)
+        ahead, self._ahead = self._ahead, []
+        return (*ahead, node) if ahead else node
+
+    def _initialised(self, decl: n.VarDecl) -> n.VarDecl:
+        items = (
+            item if item.init is None else replace(item, init=self._expression(item.init))
             for item in decl.declarators
         )
-        return _variable(replace(decl, declarators=items))
+        return replace(decl, declarators=tuple(items))
 
-    def returned(self, stmt: n.Return) -> n.Return:
-        kind = self.function.proto.type
-        if stmt.value is None or isinstance(stmt.value, n.Name | n.Literal) or not _is_float(kind):
-            return stmt
-        return replace(stmt, value=self.local(kind, (), stmt.value))
-
-    def expression(self, expr: n.Expr) -> n.Expr:
+    def _expression(self, expr: n.Expr) -> n.Expr:
         """Turn the arguments of the user's functions into precise locals, where order allows."""
-        if any(self._order_matters(child) for child in children(expr)):
+        # Storing the payload (a variable of our own, read nowhere near) is no side effect.
+        written = {name for child in children(expr) for name in self._table.of(child).writes}
+        if not all(name.startswith(self._prefix) for name in written):
             return expr
-        always = set(_unconditional(expr))
+        always = set(unconditional(expr))
 
         def named(original: n.Expr, rebuilt: n.Expr) -> n.Expr:
-            if original not in always:
+            if original not in always or not isinstance(rebuilt, n.Call):
                 return rebuilt
-            if isinstance(rebuilt, n.Call) and rebuilt.name in self.functions:
-                params = self.functions[rebuilt.name].proto.params
-                pairs = zip(params, rebuilt.args, strict=True)
-                return replace(rebuilt, args=tuple(self.argument(*pair) for pair in pairs))
-            return self.algebra(original, rebuilt) if self.types else rebuilt
+            originals = cast("tuple[n.Expr, ...]", children(original))
+            if rebuilt.name in self._table.functions:
+                params = self._table.functions[rebuilt.name].proto.params
+                named_args = map(self._argument, params, rebuilt.args)
+            elif any(map(self._is_matrix, (original, *originals))):
+                named_args = map(self._operand, originals, rebuilt.args)
+            else:
+                return rebuilt
+            return replace(rebuilt, args=tuple(named_args))
 
         return replace_expressions(expr, named)
 
-    def algebra(self, original: n.Expr, rebuilt: n.Expr) -> n.Expr:
-        """Turn the arguments of a built-in function of matrices into precise locals."""
-        if not any(self._is_matrix(part) for part in (original, *children(original))):
-            return rebuilt
-        if isinstance(original, n.Call) and isinstance(rebuilt, n.Call):
-            pairs = zip(original.args, rebuilt.args, strict=True)
-            return replace(rebuilt, args=tuple(self.operand(*pair) for pair in pairs))
-        return rebuilt
+    def _is_matrix(self, expr: n.Expr) -> bool:
+        return expr in self._types and self._types[expr].is_matrix
 
-    def operand(self, original: n.Expr, rebuilt: n.Expr) -> n.Expr:
-        kind = self.types[original]
-        simple = isinstance(rebuilt, n.Name | n.Literal) or kind.is_array or not kind.is_float
-        return rebuilt if simple else self.local(n.TypeSpec(NOWHERE, kind.name), (), rebuilt)
-
-    def _is_matrix(self, node: n.Node) -> bool:
-        kind = self.types.get(cast("n.Expr", node))
-        return kind is not None and kind.is_matrix
-
-    def _order_matters(self, part: n.Node) -> bool:
-        """Storing the payload (a variable of our own, read nowhere near) is no side effect."""
-        return any(not name.startswith(self.prefix) for name in self.table.of(part).writes)
-
-    def argument(self, param: n.Param, arg: n.Expr) -> n.Expr:
-        simple = isinstance(arg, n.Name | n.Literal)
-        if simple or param.writes_back or not _is_float(param.type):
+    def _argument(self, param: n.Param, arg: n.Expr) -> n.Expr:
+        if param.writes_back or not _is_float(param.type):
             return arg
-        return self.local(param.type, param.dims, arg)
+        return self._local(param.type, param.dims, arg)
 
-    def local(self, kind: n.TypeSpec, dims: n.Dims, value: n.Expr) -> n.Name:
-        """A new precise local that holds ``value``."""
-        self.count += 1
-        name = f"{self.prefix}exact_{self.count}"
+    def _operand(self, original: n.Expr, rebuilt: n.Expr) -> n.Expr:
+        kind = self._types[original]
+        if kind.is_array or not kind.is_float:
+            return rebuilt
+        return self._local(n.TypeSpec(NOWHERE, kind.name), (), rebuilt)
+
+    def _local(self, kind: n.TypeSpec, dims: n.Dims, value: n.Expr) -> n.Expr:
+        """A new precise local that holds a value, unless that is exact as it stands."""
+        if isinstance(value, n.Name | n.Literal):
+            return value
+        self._count += 1
+        name = f"{self._prefix}exact_{self._count}"
         item = n.Declarator(value.span, name, dims, value)
-        words = n.Qualifiers(NOWHERE, ("precise",))
-        self.ahead.append(n.DeclStmt(value.span, n.VarDecl(NOWHERE, words, kind, (item,))))
+        self._ahead.append(declared(n.Qualifiers(NOWHERE, ("precise",)), kind, item, value.span))
         return n.Name(value.span, name)
-
-
-def _unconditional(expr: n.Expr) -> list[n.Node]:
-    """The parts of an expression that are always evaluated when it is."""
-    found: list[n.Node] = []
-    stack: list[n.Node] = [expr]
-    while stack:
-        item = stack.pop()
-        found.append(item)
-        if isinstance(item, n.Conditional):
-            stack.append(item.condition)
-        elif isinstance(item, n.Binary) and item.op in ("&&", "||"):
-            stack.append(item.left)
-        else:
-            stack.extend(children(item))
-    return found

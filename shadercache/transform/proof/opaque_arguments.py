@@ -35,6 +35,7 @@ from shadercache.transform.proof.known_values import (
     is_matrix,
     known_values,
 )
+from shadercache.transform.trees import change_declarations, change_functions
 
 INEXACT = frozenset(
     (
@@ -52,35 +53,28 @@ _COMPARISONS = ("<", ">", "<=", ">=", "==", "!=")
 
 def make_arguments_opaque(module: n.Module, memo: Memo) -> n.Module:
     """The module with first arguments of such functions, and zeros, that no compiler knows."""
-    own = {decl.name for decl in module.decls if isinstance(decl, n.FunctionDef)}
-    constants: Constants = {}
-    _add_constants(constants, module.decls)
-    kept: dict[n.FunctionDef, n.FunctionDef] = memo.table("hidden arguments")
-    decls: list[n.Decl] = []
-    for decl in module.decls:
-        if isinstance(decl, n.FunctionDef):
-            if decl not in kept:
-                inner = dict(constants)
-                _add_constants(inner, (s.decl for s in walk(decl) if isinstance(s, n.DeclStmt)))
-                kept[decl] = _OpaqueArguments(own, inner, known_values(decl, inner)).rewrite(decl)
-            decls.append(kept[decl])
-        elif isinstance(decl, n.VarDecl) and _is_variable(decl, module):
-            decls.append(
-                _OpaqueArguments(own, constants, known_values(decl, constants)).rewrite(decl)
-            )
-        else:
-            decls.append(decl)
-    return replace(module, decls=tuple(decls))
+    names = INEXACT.difference(d.name for d in module.decls if isinstance(d, n.FunctionDef))
+    constants = _constants({}, module.decls)
+
+    def variable(decl: n.Decl) -> n.Decl:
+        # A global whose initialiser may be any expression (GLSL ES demands a constant one).
+        if module.profile == "es" or not isinstance(decl, n.VarDecl):
+            return decl
+        if decl.qualifiers.has("const", "uniform", "in", "out", "buffer"):
+            return decl
+        return _OpaqueArguments(names, constants, decl).rewrite(decl)
+
+    def hidden(function: n.FunctionDef) -> n.FunctionDef:
+        local = (node.decl for node in walk(function) if isinstance(node, n.DeclStmt))
+        return _OpaqueArguments(names, _constants(constants, local), function).rewrite(function)
+
+    module = change_functions(module, hidden, memo.table("hidden arguments"))
+    return change_declarations(module, variable)
 
 
-def _is_variable(decl: n.VarDecl, module: n.Module) -> bool:
-    """A global whose initialiser may be any expression (GLSL ES demands a constant one)."""
-    interface = decl.qualifiers.has("const", "uniform", "in", "out", "buffer")
-    return not interface and module.profile != "es"
-
-
-def _add_constants(constants: Constants, decls: Iterable[n.Node]) -> None:
-    """Note what is known of the values of names that are declared ``const``."""
+def _constants(constants: Constants, decls: Iterable[n.Node]) -> Constants:
+    """What is known of the values of names, those included that ``decls`` declare ``const``."""
+    constants = dict(constants)
     for decl in decls:
         if not isinstance(decl, n.VarDecl) or not decl.qualifiers.has("const"):
             continue
@@ -91,12 +85,13 @@ def _add_constants(constants: Constants, decls: Iterable[n.Node]) -> None:
             init = known_values(item.init, constants).get(item.init)
             zero = init is None or init.zero
             constants[item.name] = Known(is_floating(decl.type), zero, array=dims == 1)
+    return constants
 
 
 class _OpaqueArguments(Rewriter):
-    def __init__(self, own: Set[str], constants: Constants, known: dict[n.Node, Known]) -> None:
-        self._names = INEXACT - own
-        self._constants, self._known = constants, known
+    def __init__(self, names: Set[str], constants: Constants, decl: n.Decl) -> None:
+        self._names, self._constants = names, constants
+        self._known = known_values(decl, constants)
         self._kept: set[n.Node] = set()
         self._floats: set[n.Node] = set()
         """Whole numbers that become floating-point ones."""
@@ -104,9 +99,9 @@ class _OpaqueArguments(Rewriter):
     def enter(self, node: n.Node) -> n.Node | None:
         """What must be constant stays: values of ``const`` and ``case``, sizes of arrays."""
         match node:
-            case n.VarDecl(qualifiers=words) if words.has("const"):
-                return node
             case n.TypeSpec() | n.Case():
+                return node
+            case n.VarDecl(qualifiers=words) if words.has("const"):
                 return node
             case n.VarDecl(type=kind, declarators=items) if is_floating(kind):
                 self._floats.update(item.init for item in items if item.init is not None)
@@ -143,16 +138,13 @@ class _OpaqueArguments(Rewriter):
             case n.Call(args=(first, *_)), n.Call(name=name, args=args) if name in self._names:
                 known = self._known.get(first)
                 if known is None or not (known.zero and known.floating):
-                    return replace(node, args=(_less_zero(args[0]), *args[1:]))
+                    less = n.Binary(NOWHERE, "-", args[0], _zero())
+                    return replace(node, args=(less, *args[1:]))
             case n.Index(object=n.Name(name=text)), _ if text in self._constants:
                 known = self._constants[text]
                 if known.array and known.floating and known.zero:
                     return n.Binary(NOWHERE, "+", node, _zero())
         return node
-
-
-def _less_zero(value: n.Expr) -> n.Expr:
-    return n.Binary(NOWHERE, "-", value, _zero())
 
 
 def _zero() -> n.Expr:

@@ -24,6 +24,7 @@ from shadercache.source import NOWHERE
 from shadercache.transform.reachable import names_in
 from shadercache.transform.remove_dead import remove_dead
 from shadercache.transform.rename import rename
+from shadercache.transform.trees import assigned, change_functions
 
 _NUMBERS = frozenset(("gl_VertexID", "gl_InstanceID", "gl_VertexIndex", "gl_InstanceIndex"))
 
@@ -33,27 +34,24 @@ def hide_uniform_varyings(module: n.Module, prefix: str, memo: Memo) -> n.Module
     names = [name for name in _interpolated(module) if not _varies(module, name, memo)]
     if not names:
         return module
-    decls = tuple(
-        rename(decl, {"main": f"{prefix}main"}) if isinstance(decl, n.FunctionDef) else decl
-        for decl in module.decls
-    )
+    renamed = change_functions(module, lambda item: rename(item, {"main": f"{prefix}main"}))
     call = n.ExprStmt(NOWHERE, n.Call(NOWHERE, f"{prefix}main", ()))
     below = n.Binary(NOWHERE, "<", n.Name(NOWHERE, "gl_VertexID"), n.Literal(NOWHERE, "0"))
-    negated = tuple(_negate(name) for name in names)
+    negated = tuple(assigned(name, n.Unary(NOWHERE, "-", n.Name(NOWHERE, name))) for name in names)
     body = n.Block(NOWHERE, (call, n.If(NOWHERE, below, n.Block(NOWHERE, negated), None)))
     main = next(d for d in module.decls if isinstance(d, n.FunctionDef) and d.name == "main")
-    return replace(module, decls=(*decls, replace(main, body=body)))
+    return replace(renamed, decls=(*renamed.decls, replace(main, body=body)))
 
 
 def _interpolated(module: n.Module) -> list[str]:
     """The outputs that are scalars, vectors or matrices of floats and not ``flat``."""
-    found: list[str] = []
+    names: list[str] = []
     for decl in module.decls:
         if isinstance(decl, n.VarDecl) and decl.qualifiers.has("out"):
-            kind = builtin_type(decl.type.name or "")
+            kind = builtin_type(decl.type.name)
             if kind and kind.base == "float" and not decl.qualifiers.has("flat"):
-                found += [item.name for item in decl.declarators if not item.dims]
-    return found
+                names += [item.name for item in decl.declarators if not item.dims]
+    return names
 
 
 def _varies(module: n.Module, name: str, memo: Memo) -> bool:
@@ -63,8 +61,3 @@ def _varies(module: n.Module, name: str, memo: Memo) -> bool:
         isinstance(decl, n.VarDecl | n.BlockDecl) and decl.qualifiers.has("in")
         for decl in needed.decls
     )
-
-
-def _negate(name: str) -> n.Stmt:
-    value = n.Unary(NOWHERE, "-", n.Name(NOWHERE, name))
-    return n.ExprStmt(NOWHERE, n.Assign(NOWHERE, "=", n.Name(NOWHERE, name), value))

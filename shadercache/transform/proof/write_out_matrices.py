@@ -15,10 +15,10 @@ Arithmetic on vectors stays precise.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping, Set
 from dataclasses import replace
 from functools import reduce
-from typing import TypeAlias, cast
+from typing import TypeAlias
 
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.effects import Linked
@@ -30,6 +30,7 @@ from shadercache.sema.facts import Stage
 from shadercache.sema.infer import infer
 from shadercache.source import NOWHERE, Source
 from shadercache.transform.reachable import kept_names
+from shadercache.transform.trees import change_declarations, change_functions
 
 Types: TypeAlias = Mapping[n.Expr, Type]
 
@@ -40,49 +41,55 @@ _MATRICES = {f"{kind}{size}" for kind in ("mat", "dmat") for size in _SIZES} | {
 _WORDS = {"+": "plus", "-": "minus", "*": "times", "/": "over"}
 
 
-def types_for_matrices(
-    module: n.Module, functions: Iterable[str], stage: Stage, memo: Memo
-) -> Types:
-    """The types of all expressions in the given functions where the module works with matrices,
-    which it rarely does. Of the other functions the checker sees the heads alone."""
+def rewrite_linked(
+    module: n.Module,
+    stage: Stage,
+    known: dict[Linked, n.FunctionDef],
+    rewrite: Callable[[n.FunctionDef, EffectTable, Types], n.FunctionDef],
+    memo: Memo,
+) -> n.Module:
+    """The module with each function rewritten, except those that are ``known`` already.
+
+    ``rewrite`` is given the types of all expressions where the module works with matrices, which
+    it rarely does.
+    """
+    table = EffectTable(module, memo)
+    linked = {function: table.linked(function.name) for function in table.functions.values()}
+    new = {function for function, key in linked.items() if key not in known}
+    types = _types(module, new, stage, memo) if new else {}
+    for function in new:
+        known[linked[function]] = rewrite(function, table, types)
+    return change_functions(module, lambda function: known[linked[function]])
+
+
+def _types(module: n.Module, functions: Set[n.Decl], stage: Stage, memo: Memo) -> Types:
     if all(kept_names(decl, memo).isdisjoint(_MATRICES) for decl in module.decls):
         return {}
-    wanted = set(functions)
-    decls = tuple(
-        decl.proto if isinstance(decl, n.FunctionDef) and decl.name not in wanted else decl
-        for decl in module.decls
-    )
-    return infer(replace(module, decls=decls), Source("proof", ""), stage).types
+
+    def head(decl: n.Decl) -> n.Decl:
+        """Of the other functions the checker sees the heads alone."""
+        return decl.proto if isinstance(decl, n.FunctionDef) and decl not in functions else decl
+
+    return infer(change_declarations(module, head), Source("proof", ""), stage).types
 
 
-def write_out_matrices(
-    module: n.Module, prefix: str, stage: Stage = "fragment", memo: Memo | None = None
-) -> n.Module:
+def write_out_matrices(module: n.Module, prefix: str, stage: Stage, memo: Memo) -> n.Module:
     """The module with a call of a small function for each operation on matrices."""
-    memo = Memo() if memo is None else memo
-    table = EffectTable(module, memo)
-    kept: dict[Linked, n.FunctionDef] = memo.table("matrices written out")
-    linked = {name: table.linked(name) for name in table.functions}
-    new = [name for name, item in linked.items() if item not in kept]
     helpers: dict[str, n.FunctionDef] = memo.table("arithmetic on matrices")
-    types = types_for_matrices(module, new, stage, memo) if new else {}
     words = n.Qualifiers(NOWHERE, ("highp",)) if module.profile == "es" else n.NO_QUALIFIERS
-    for name in new:
-        function = table.functions[name]
-        writer = _MatrixWriter(types, prefix, helpers, words)
-        kept[linked[name]] = writer.rewrite(function) if types else function
-    decls = [
-        kept[linked[decl.name]] if isinstance(decl, n.FunctionDef) else decl
-        for decl in module.decls
-    ]
+
+    def written(function: n.FunctionDef, _: EffectTable, types: Types) -> n.FunctionDef:
+        return _MatrixWriter(types, prefix, helpers, words).rewrite(function) if types else function
+
+    module = rewrite_linked(module, stage, memo.table("matrices written out"), written, memo)
+    decls = list(module.decls)
     called = {name for decl in decls for name in kept_names(decl, memo) if name in helpers}
-    first = next(at for at, decl in enumerate(decls) if _is_function(decl))
+    if not called:
+        return module
+    function = n.FunctionDef | n.FunctionProto
+    first = next(at for at, decl in enumerate(decls) if isinstance(decl, function))
     decls[first:first] = [helpers[name] for name in sorted(called)]
-    return replace(module, decls=tuple(decls)) if called or new else module
-
-
-def _is_function(decl: n.Decl) -> bool:
-    return isinstance(decl, n.FunctionDef | n.FunctionProto)
+    return replace(module, decls=tuple(decls))
 
 
 class _MatrixWriter(Rewriter):
@@ -114,11 +121,18 @@ class _MatrixWriter(Rewriter):
     ) -> n.Call:
         left, right = (self._types[side] for side in originals)
         double = "double" in (left.base, right.base)
-        kinds = _named(left, double), _named(right, double)
+        # Whole numbers become floating-point ones.
+        kinds = [_type_name(side.cols, side.rows, double) for side in (left, right)]
         name = f"{self._prefix}{kinds[0]}_{_WORDS[op]}_{kinds[1]}"
         if name not in self._helpers:
-            value = _result(op, left, right, double)
-            self._helpers[name] = _function(name, kinds, value, self._words)
+            params = tuple(
+                n.Param(NOWHERE, self._words, n.TypeSpec(NOWHERE, kind), param)
+                for kind, param in zip(kinds, "ab", strict=True)
+            )
+            kind, value = _result(op, left, right, double)
+            proto = n.FunctionProto(NOWHERE, self._words, n.TypeSpec(NOWHERE, kind), name, params)
+            body = n.Block(NOWHERE, (n.Return(NOWHERE, value),))
+            self._helpers[name] = n.FunctionDef(NOWHERE, proto, body)
         return n.Call(args[0].span, name, args)
 
 
@@ -131,28 +145,11 @@ def _is_place(target: n.Expr) -> bool:
     return isinstance(target, n.Name)
 
 
-def _named(kind: Type, double: bool) -> str:
-    """The type as it takes part: whole numbers become floating-point ones."""
-    return _type(kind.cols, kind.rows, double)
-
-
-def _type(columns: int, rows: int, double: bool) -> str:
+def _type_name(columns: int, rows: int, double: bool) -> str:
     if columns == 1 == rows:
         return "double" if double else "float"
     size = f"{columns}x{rows}" if columns not in (1, rows) else f"{rows}"
     return f"{'d' if double else ''}{'vec' if columns == 1 else 'mat'}{size}"
-
-
-def _function(
-    name: str, kinds: tuple[str, str], value: tuple[str, n.Expr], words: n.Qualifiers
-) -> n.FunctionDef:
-    params = tuple(
-        n.Param(NOWHERE, words, n.TypeSpec(NOWHERE, kind), param)
-        for kind, param in zip(kinds, "ab", strict=True)
-    )
-    kind = n.TypeSpec(NOWHERE, value[0])
-    proto = n.FunctionProto(NOWHERE, words, kind, name, params)
-    return n.FunctionDef(NOWHERE, proto, n.Block(NOWHERE, (n.Return(NOWHERE, value[1]),)))
 
 
 def _result(op: str, left: Type, right: Type, double: bool) -> tuple[str, n.Expr]:
@@ -160,35 +157,31 @@ def _result(op: str, left: Type, right: Type, double: bool) -> tuple[str, n.Expr
     a, b = n.Name(NOWHERE, "a"), n.Name(NOWHERE, "b")
     if op != "*" or left.is_scalar or right.is_scalar:
         kind = left if left.is_matrix else right
-        sides = _columns(a, left), _columns(b, right)
-        return _matrix(kind, double, lambda c: n.Binary(NOWHERE, op, sides[0](c), sides[1](c)))
-    if left.is_matrix and right.is_matrix:
-        made = replace(left, cols=right.cols)
-        return _matrix(made, double, lambda c: _sum(left.cols, a, _at(b, c)))
-    if left.is_matrix:
-        return _type(1, left.rows, double), _sum(left.cols, a, b)
-    kind_name = _type(1, right.cols, double)
-    terms = tuple(_sum(right.rows, a, _at(b, c)) for c in range(right.cols))
-    return kind_name, n.Construct(NOWHERE, n.TypeSpec(NOWHERE, kind_name), terms)
-
-
-def _matrix(kind: Type, double: bool, column: Callable[[int], n.Expr]) -> tuple[str, n.Expr]:
-    name = _type(kind.cols, kind.rows, double)
-    columns = tuple(column(c) for c in range(kind.cols))
+        name = _type_name(kind.cols, kind.rows, double)
+        columns = tuple(
+            n.Binary(
+                NOWHERE,
+                op,
+                _at(a, column) if left.is_matrix else a,
+                _at(b, column) if right.is_matrix else b,
+            )
+            for column in range(kind.cols)
+        )
+    elif right.is_vector:
+        return _type_name(1, left.rows, double), _sum(left.cols, a, b)
+    else:
+        # A vector on the left is a row, and so is what it is multiplied to.
+        size = (right.cols, left.rows) if left.is_matrix else (1, right.cols)
+        name = _type_name(*size, double)
+        columns = tuple(_sum(right.rows, a, _at(b, column)) for column in range(right.cols))
     return name, n.Construct(NOWHERE, n.TypeSpec(NOWHERE, name), columns)
-
-
-def _columns(value: n.Expr, kind: Type) -> Callable[[int], n.Expr]:
-    return lambda c: _at(value, c) if kind.is_matrix else value
 
 
 def _at(value: n.Expr, index: int) -> n.Expr:
     return n.Index(NOWHERE, value, n.Literal(NOWHERE, str(index)))
 
 
-def _sum(count: int, one: n.Expr, other: n.Expr) -> n.Expr:
+def _sum(count: int, one: n.Expr, other: n.Expr) -> n.Binary:
     """``one[0] * other[0] + one[1] * other[1]`` …, from the left."""
     terms = [n.Binary(NOWHERE, "*", _at(one, i), _at(other, i)) for i in range(count)]
-    return reduce(
-        lambda sum_, term: n.Binary(NOWHERE, "+", sum_, term), cast("list[n.Expr]", terms)
-    )
+    return reduce(lambda total, term: n.Binary(NOWHERE, "+", total, term), terms)

@@ -15,7 +15,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
@@ -59,13 +59,14 @@ class Shared:
                     assert built_in.struct is not None
                     self.members |= {(kind.name, name) for name in built_in.struct.fields}
                 case n.Index(object=n.Name() as owner, index=index):
-                    at = facts.constants.get(index)
                     if facts.symbols[owner].kind == "builtin":
+                        at = facts.constants.get(index)
                         size = _LEAST_SIZE if at is None else int(at) + 1
-                        _at_least(self.indexed, owner.name, size)
+                        self.indexed[owner.name] = max(size, self.indexed.get(owner.name, 0))
         for declared in facts.declared.values():
             if declared.kind == "builtin" and declared.type.is_array:
-                _at_least(self.declared, declared.name, declared.type.dims[0] or 0)
+                size = declared.type.dims[0] or 0
+                self.declared[declared.name] = max(size, self.declared.get(declared.name, 0))
 
     def size(self, name: str) -> int:
         """The length of an array; of one that is only used as a whole, the most there can be."""
@@ -77,20 +78,19 @@ def is_builtin(symbol: Symbol) -> bool:
     return symbol.kind == "builtin" or symbol.node is None
 
 
-def _at_least(sizes: dict[str, int], name: str, size: int) -> None:
-    sizes[name] = max(size, sizes.get(name, 0))
-
-
 class FixedFunction:
-    """Which built-in variables of one stage are replaced, by what, and what declares them."""
+    """Which built-in variables of one stage are replaced, by what, and what declares them.
+
+    ``names`` are the new names of the variables that are declared here, by the old ones.
+    """
 
     def __init__(
         self, module: n.Module, facts: Facts, place: Place, stem: str, shared: Shared
     ) -> None:
         self._module, self._facts, self._place = module, facts, place
         self._stem, self._shared = stem, shared
-        self.used: dict[str, BuiltinVariable] = {}
-        """The variables to declare, by the name that they had."""
+        self.names: dict[str, str] = {}
+        self._used: dict[str, BuiltinVariable] = {}
         self._structs: dict[str, StructType] = {}
         for node in walk(module):
             if isinstance(node, n.Name) and is_builtin(facts.symbols[node]):
@@ -108,14 +108,17 @@ class FixedFunction:
     # --- what there is ----------------------------------------------------------------------------
 
     def _use(self, name: str) -> None:
-        if name in self.used or name in _TODAY or self._stays(name):
+        if name in self.names or name in _TODAY or self._stays(name):
             return
         was, stage = self._module, self._place[2]
         known = variable(
             name, stage, was.version, was.profile or "compatibility", enabled_extensions(was)
         )
         assert known is not None, name
-        self.used[name] = known
+        self._used[name] = known
+        # What vertex shaders write as one variable fragment shaders read as another.
+        color = _COLORS.get(name) if stage == "fragment" else None
+        self.names[name] = self._stem + (color or name.removeprefix("gl_"))
         self._use_struct(known.type)
 
     def _stays(self, name: str) -> bool:
@@ -123,8 +126,7 @@ class FixedFunction:
         go before the specification does."""
         version, profile, stage, extensions = self._place
         last = ES_VERSIONS[-1] if profile == "es" else VERSIONS[-1]
-        both = (variable(name, stage, at, profile, extensions) for at in (version, last))
-        return all(both)
+        return all(variable(name, stage, at, profile, extensions) for at in (version, last))
 
     def _use_struct(self, kind: Type | None) -> None:
         if kind is not None and kind.struct is not None and kind.name not in _STRUCTS_OF_TODAY:
@@ -145,7 +147,7 @@ class FixedFunction:
                 elements[int(at)] = new
             elif self._is_data(node) and node not in indexed:
                 return {}
-        return elements
+        return dict(sorted(elements.items()))
 
     def _is_data(self, node: n.Node) -> bool:
         return (
@@ -156,22 +158,13 @@ class FixedFunction:
 
     # --- what becomes of it -----------------------------------------------------------------------
 
-    def new_name(self, name: str) -> str:
-        """The name of a variable that is declared here."""
-        if self._place[2] == "fragment" and name in _COLORS:
-            return self._stem + _COLORS[name]
-        return self._stem + name.removeprefix("gl_")
-
-    def variable(self, node: n.Name) -> n.Expr | None:
-        """What stands for a built-in variable; ``None`` where it stays."""
-        if node.name in _TODAY:
-            return n.Name(node.span, _TODAY[node.name])
-        known = self.used.get(node.name)
-        if known is None:
-            return None
-        if known.storage == "const":
+    def variable(self, node: n.Name) -> n.Expr:
+        """What stands for a built-in variable; itself where it stays."""
+        known = self._used.get(node.name)
+        if known is not None and known.storage == "const":
             return n.Literal(node.span, str(known.value))
-        return n.Name(node.span, self.new_name(node.name))
+        new = _TODAY.get(node.name) or self.names.get(node.name)
+        return replace(node, name=new) if new else node
 
     def element(self, node: n.Index) -> n.Expr | None:
         """What stands for an element of ``gl_FragData`` where each is an output of its own."""
@@ -181,7 +174,7 @@ class FixedFunction:
 
     def transformed_vertex(self, span: Span) -> n.Expr:
         """``ftransform()``: the vertex as the fixed-function pipeline places it."""
-        matrix, vertex = (n.Name(span, self.new_name(name)) for name in _TRANSFORM)
+        matrix, vertex = (n.Name(span, self.names[name]) for name in _TRANSFORM)
         return n.Binary(span, "*", matrix, vertex)
 
     def struct(self, name: str) -> str:
@@ -192,15 +185,11 @@ class FixedFunction:
         """New names of what an engine gives and takes, by the old ones."""
         storages = ("in", "uniform") if self._place[2] == "vertex" else ("out", "uniform")
         names = {
-            name: self.new_name(name)
-            for name, known in self.used.items()
+            name: self.names[name]
+            for name, known in self._used.items()
             if known.storage in storages and not (name == _DATA and self._elements)
         }
-        return names | {f"{_DATA}[{at}]": name for at, name in sorted(self._elements.items())}
-
-    def new_names(self) -> dict[str, str]:
-        """New names of all variables, by the old ones."""
-        return {name: self.new_name(name) for name in self.used}
+        return names | {f"{_DATA}[{at}]": name for at, name in self._elements.items()}
 
     # --- declarations -----------------------------------------------------------------------------
 
@@ -208,17 +197,17 @@ class FixedFunction:
         """What declares the new names: the types first."""
         for name, kind in self._structs.items():
             yield n.VarDecl(NOWHERE, n.NO_QUALIFIERS, self._struct_type(name, kind), ())
-        for name, known in self.used.items():
+        for name, known in self._used.items():
             if name == _DATA and self._elements:
-                for at, new in sorted(self._elements.items()):
-                    yield self._declaration(known, new, (), at if len(self._elements) > 1 else None)
+                for at, new in self._elements.items():
+                    yield self._declaration(known, new, at if len(self._elements) > 1 else None)
             elif known.storage != "const":
-                sized = known.type.is_array
                 size = n.Literal(NOWHERE, str(self._shared.size(name)))
-                yield self._declaration(known, self.new_name(name), (size,) if sized else ())
+                dims = (size,) if known.type.is_array else ()
+                yield self._declaration(known, self.names[name], dims=dims)
 
     def _declaration(
-        self, known: BuiltinVariable, name: str, dims: n.Dims, location: int | None = None
+        self, known: BuiltinVariable, name: str, location: int | None = None, dims: n.Dims = ()
     ) -> n.VarDecl:
         # The outputs of GLSL ES 1.00 are mediump (section 7.2).
         embedded = known.storage == "out" and self._place[1] == "es"
@@ -226,21 +215,21 @@ class FixedFunction:
         layout = None
         if location is not None:
             layout = (n.LayoutItem(NOWHERE, "location", n.Literal(NOWHERE, str(location))),)
-        kind = n.TypeSpec(NOWHERE, self.struct(known.type.name))
-        item = n.Declarator(NOWHERE, name, dims)
-        return n.VarDecl(NOWHERE, n.Qualifiers(NOWHERE, words, layout), kind, (item,))
+        return _variable(
+            n.Qualifiers(NOWHERE, words, layout), self.struct(known.type.name), name, dims
+        )
 
     def _struct_type(self, name: str, kind: StructType) -> n.TypeSpec:
         used = {struct for struct, _ in self._shared.members}
         fields = tuple(
-            n.VarDecl(
-                NOWHERE,
-                n.NO_QUALIFIERS,
-                n.TypeSpec(NOWHERE, held.name),
-                (n.Declarator(NOWHERE, label),),
-            )
+            _variable(n.NO_QUALIFIERS, held.name, label)
             for label, held in kind.fields.items()
             if (name, label) in self._shared.members or name not in used
         )
         new = self.struct(name)
         return n.TypeSpec(NOWHERE, new, (), n.StructDef(NOWHERE, new, fields))
+
+
+def _variable(words: n.Qualifiers, kind: str, name: str, dims: n.Dims = ()) -> n.VarDecl:
+    item = n.Declarator(NOWHERE, name, dims)
+    return n.VarDecl(NOWHERE, words, n.TypeSpec(NOWHERE, kind), (item,))

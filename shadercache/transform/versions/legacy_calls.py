@@ -26,13 +26,13 @@ _WHOLE = re.compile(rf"(texelFetch|textureSize){_SHAPE}(Offset)?")
 def modern_call(call: n.Call, callee: Signature, place: Place) -> n.Expr | None:
     """The call in a shader at ``place``; ``None`` where there is nothing like it."""
     name = modern_name(callee.name)
-    found = _overload(name, callee, place) if name else None
-    if name is None or found is None:
+    modern = _overload(name, callee, place) if name else None
+    if name is None or modern is None:
         return call if _overload(callee.name, callee, place) else None
-    made = replace(call, name=name)
-    if found.result is callee.result:
-        return made
-    grey = n.Construct(call.span, n.TypeSpec(call.span, "vec3"), (made,))
+    renamed = replace(call, name=name)
+    if modern.result is callee.result:
+        return renamed
+    grey = n.Construct(call.span, n.TypeSpec(call.span, "vec3"), (renamed,))
     one = n.Literal(call.span, "1.0")
     return n.Construct(call.span, n.TypeSpec(call.span, "vec4"), (grey, one))
 

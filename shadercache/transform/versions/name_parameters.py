@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from shadercache.ast import nodes as n
+from shadercache.transform.trees import change_functions
 
 
 def name_parameters(module: n.Module, prefix: str) -> n.Module:
@@ -17,19 +18,14 @@ def name_parameters(module: n.Module, prefix: str) -> n.Module:
 
     ``prefix`` begins no name of the module.
     """
-    decls = tuple(
-        _named(decl, prefix) if isinstance(decl, n.FunctionDef) else decl for decl in module.decls
-    )
-    if all(one is other for one, other in zip(decls, module.decls, strict=True)):
-        return module
-    return replace(module, decls=decls)
 
+    def named(function: n.FunctionDef) -> n.FunctionDef:
+        params = tuple(
+            replace(param, name=f"{prefix}unnamed_{at}") if param.name is None else param
+            for at, param in enumerate(function.proto.params)
+        )
+        if params == function.proto.params:
+            return function
+        return replace(function, proto=replace(function.proto, params=params))
 
-def _named(function: n.FunctionDef, prefix: str) -> n.FunctionDef:
-    if all(param.name is not None for param in function.proto.params):
-        return function
-    params = tuple(
-        replace(param, name=f"{prefix}unnamed_{at}") if param.name is None else param
-        for at, param in enumerate(function.proto.params)
-    )
-    return replace(function, proto=replace(function.proto, params=params))
+    return change_functions(module, named)

@@ -19,7 +19,7 @@ as well.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from typing import TypeVar
 
@@ -36,44 +36,38 @@ from shadercache.source import Source
 from shadercache.transform.unique_names import make_names_unique
 from shadercache.transform.versions.builtin_block import BUILTIN_BLOCK
 from shadercache.transform.versions.fixed_function import FixedFunction, Shared, is_builtin
-from shadercache.transform.versions.legacy_calls import modern_call
+from shadercache.transform.versions.legacy_calls import Place, modern_call
 from shadercache.valid.validate import validate
 
 DESKTOP_VERSION, ES_VERSION = 330, 300
 
 N = TypeVar(
     "N",
-    bound=n.Declarator | n.Param | n.TypeSpec | n.StructDef | n.BlockDecl | n.FunctionProto,
+    bound=n.Name
+    | n.Call
+    | n.Declarator
+    | n.Param
+    | n.TypeSpec
+    | n.StructDef
+    | n.BlockDecl
+    | n.FunctionProto,
 )
 
 _CORE = frozenset(
     (
-        "GL_ARB_blend_func_extended",
-        "GL_ARB_compatibility",
-        "GL_ARB_draw_buffers",
-        "GL_ARB_draw_instanced",
-        "GL_ARB_explicit_attrib_location",
-        "GL_ARB_fragment_coord_conventions",
-        "GL_ARB_shader_bit_encoding",
-        "GL_ARB_shader_texture_lod",
-        "GL_ARB_texture_multisample",
-        "GL_ARB_texture_rectangle",
-        "GL_ARB_uniform_buffer_object",
-        "GL_ATI_shader_texture_lod",
-        "GL_EXT_draw_instanced",
-        "GL_EXT_gpu_shader4",
-        "GL_EXT_texture_array",
+        *("GL_ARB_blend_func_extended", "GL_ARB_compatibility", "GL_ARB_draw_buffers"),
+        *("GL_ARB_draw_instanced", "GL_ARB_explicit_attrib_location"),
+        *("GL_ARB_fragment_coord_conventions", "GL_ARB_shader_bit_encoding"),
+        *("GL_ARB_shader_texture_lod", "GL_ARB_texture_multisample", "GL_ARB_texture_rectangle"),
+        *("GL_ARB_uniform_buffer_object", "GL_ATI_shader_texture_lod", "GL_EXT_draw_instanced"),
+        *("GL_EXT_gpu_shader4", "GL_EXT_texture_array"),
     )
 )
 _CORE_ES = frozenset(
     (
-        "GL_EXT_draw_buffers",
-        "GL_EXT_frag_depth",
-        "GL_EXT_shader_texture_lod",
-        "GL_EXT_shadow_samplers",
-        "GL_OES_fragment_precision_high",
-        "GL_OES_standard_derivatives",
-        "GL_OES_texture_3D",
+        *("GL_EXT_draw_buffers", "GL_EXT_frag_depth", "GL_EXT_shader_texture_lod"),
+        *("GL_EXT_shadow_samplers", "GL_OES_fragment_precision_high"),
+        *("GL_OES_standard_derivatives", "GL_OES_texture_3D"),
     )
 )
 """Extensions that are part of the version to which a shader is raised: nobody asks for them."""
@@ -120,7 +114,7 @@ def raise_versions(stages: Sequence[StageTree], stem: str) -> list[Raised]:
 def _raise(tree: StageTree, stem: str, shared: Shared) -> Raised:
     tree = _without_hidden_parameters(tree)
     raiser = _Raiser(tree, stem, shared)
-    if raiser.target == (tree.module.version, tree.module.profile) and not raiser.fixed.used:
+    if not raiser.raises and not raiser.fixed.names:
         return Raised(tree.module, tree.facts, {}, ())
     module = raiser.raised()
     try:
@@ -155,12 +149,15 @@ def target_version(module: n.Module) -> tuple[int, str | None]:
     """Version and profile in which the variants of a shader are written."""
     if module.profile == "es":
         return max(module.version, ES_VERSION), "es"
-    compatible = module.profile == "compatibility" or "GL_ARB_compatibility" in enabled_extensions(
-        module
-    )
+    extensions = enabled_extensions(module)
+    compatible = module.profile == "compatibility" or "GL_ARB_compatibility" in extensions
     if module.version < DESKTOP_VERSION or compatible:
         return max(module.version, DESKTOP_VERSION), "core"
     return module.version, module.profile
+
+
+def _place(module: n.Module, stage: Stage) -> Place:
+    return module.version, module.profile, stage, enabled_extensions(module)
 
 
 class _Raiser(Rewriter):
@@ -168,43 +165,37 @@ class _Raiser(Rewriter):
 
     def __init__(self, tree: StageTree, stem: str, shared: Shared) -> None:
         self.tree, self.stem = tree, stem
-        self.target = target_version(tree.module)
-        version, profile = self.target
+        version, profile = self.target = target_version(tree.module)
+        self.raises = self.target != (tree.module.version, tree.module.profile)
         self.language = language_name(version, profile)
-        self.directives = tuple(self._directives())
-        bare = replace(tree.module, version=version, profile=profile, directives=self.directives)
-        self.place = (version, profile, tree.stage, enabled_extensions(bare))
+        directives = tuple(self._directives())
+        self.bare = replace(tree.module, version=version, profile=profile, directives=directives)
+        self.place = _place(self.bare, tree.stage)
         self.fixed = FixedFunction(tree.module, tree.facts, self.place, stem, shared)
         self.variables, self.functions, self.words = self._clashes()
         # Only outputs may be invariant in GLSL ES 3.00 (section 4.6.1).
         self.drops_invariant_inputs = profile == "es" and tree.stage == "fragment"
 
     def raised(self) -> n.Module:
-        version, profile = self.target
-        made = self.rewrite(self.tree.module)
-        return replace(
-            made,
-            version=version,
-            profile=profile,
-            directives=self.directives,
-            decls=(*self.fixed.declarations(), *made.decls),
-        )
+        decls = self.rewrite(self.tree.module).decls
+        return replace(self.bare, decls=(*self.fixed.declarations(), *decls))
 
     # --- what the user is told --------------------------------------------------------------------
 
     def interface(self) -> dict[str, str]:
         """New names of what an engine sees."""
-        names = dict(self.fixed.interface())
-        for decl in self.tree.module.decls:
-            if isinstance(decl, n.VarDecl) and decl.qualifiers.has("uniform", "attribute", "in"):
-                for item in decl.declarators:
-                    if item.name in self.variables:
-                        names[item.name] = self.variables[item.name]
-        return names
+        named = (
+            item.name
+            for decl in self.tree.module.decls
+            if isinstance(decl, n.VarDecl) and decl.qualifiers.has("uniform", "attribute", "in")
+            for item in decl.declarators
+        )
+        renamed = {name: self.variables[name] for name in named if name in self.variables}
+        return self.fixed.interface() | renamed
 
     def notes(self) -> Iterator[Diagnostic]:
         module, source = self.tree.module, self.tree.source
-        if self.target != (module.version, module.profile):
+        if self.raises:
             old = language_name(module.version, module.profile)
             message = (
                 f"{source.name} is {old}; the variants are {self.language}, for they write several "
@@ -226,27 +217,26 @@ class _Raiser(Rewriter):
         version, profile = self.target
         words = keywords(version, profile == "es") | reserved_words(version, profile == "es")
         module = self.tree.module
-        was = (module.version, module.profile, self.tree.stage, enabled_extensions(module))
+        was = _place(module, self.tree.stage)
         called = {item.name for item in self.tree.facts.functions}
         declared, fields = _declared(module)
-        variables, functions_, fields_ = {}, {}, {}
-        for name in declared | called | fields:
-            new = self.stem + name
-            if name in words:
-                variables[name] = functions_[name] = fields_[name] = new
-                continue
-            hides = bool(functions(name, *self.place))
-            if name in called and hides:
-                functions_[name] = new
-            hides = hides and not functions(name, *was)
-            if name in declared and (hides or (module.version == 110 and name in called)):
-                variables[name] = new
-        return variables, functions_, fields_
+        names = declared | called | fields
+        keyed = {name for name in names if name in words}
+        hiding = {name for name in names if functions(name, *self.place)}
+        shadowing = {name for name in hiding if not functions(name, *was)}
+        if module.version == 110:  # Its functions and variables have names apart.
+            shadowing |= called
+        new = {name: self.stem + name for name in names}
+
+        def renamed(some: Set[str]) -> dict[str, str]:
+            return {name: new[name] for name in keyed | some}
+
+        return renamed(declared & shadowing), renamed(called & hiding), renamed(set())
 
     def expression(self, node: n.Expr, original: n.Expr) -> n.Expr:
         match node, original:
             case n.Name(), n.Name():
-                return self._name(node, original)
+                return self._name(original)
             case n.Index(), n.Index():
                 return self.fixed.element(original) or node
             case n.Call(), n.Call():
@@ -256,24 +246,22 @@ class _Raiser(Rewriter):
                 return replace(node, name=self.words[name]) if structured else node
         return node
 
-    def _name(self, node: n.Name, original: n.Name) -> n.Expr:
-        if is_builtin(self.tree.facts.symbols[original]):
-            return self.fixed.variable(original) or node
-        new = self.variables.get(node.name)
-        return replace(node, name=new) if new else node
+    def _name(self, node: n.Name) -> n.Expr:
+        if is_builtin(self.tree.facts.symbols[node]):
+            return self.fixed.variable(node)
+        return _renamed(node, self.variables)
 
     def _call(self, node: n.Call, original: n.Call) -> n.Expr:
         callee = self.tree.facts.calls[original]
         if isinstance(callee, n.FunctionDef | n.FunctionProto):
-            new = self.functions.get(node.name)
-            return replace(node, name=new) if new else node
+            return _renamed(node, self.functions)
         if callee.name == "ftransform":
             return self.fixed.transformed_vertex(node.span)
-        made = modern_call(node, callee, self.place)
-        if made is None:
+        modern = modern_call(node, callee, self.place)
+        if modern is None:
             message = f"'{callee}' has no counterpart in {self.language}"
             raise InputError(Diagnostic("SC412", message, self.tree.source, original.span))
-        return made
+        return modern
 
     def declaration(self, node: n.Decl, original: n.Decl) -> n.Decl | Sequence[n.Decl]:
         match node, original:
@@ -282,14 +270,14 @@ class _Raiser(Rewriter):
                 kept = tuple(
                     new
                     for new, old in zip(node.declarators, items, strict=True)
-                    if old.name not in self.fixed.used
+                    if old.name not in self.fixed.names
                 )
                 return replace(node, declarators=kept) if kept else ()
             case n.QualifierDecl(names=names), _ if names:
-                known = {**self.fixed.new_names(), **self.variables}
+                known = self.fixed.names | self.variables
                 news = tuple(known.get(name, name) for name in names)
                 if self.drops_invariant_inputs and node.qualifiers.has("invariant"):
-                    news = tuple(name for name in news if name in self.fixed.new_names().values())
+                    news = tuple(name for name in news if name in self.fixed.names.values())
                 return replace(node, names=news) if news else ()
             case n.BlockDecl(), _:
                 block = self._of_today(_renamed(node, self.variables))
@@ -322,31 +310,30 @@ class _Raiser(Rewriter):
             replace(field, declarators=(item,))
             for field in block.fields
             for item in field.declarators
-            if item.name not in self.fixed.used
+            if item.name not in self.fixed.names
         )
         return replace(block, fields=tuple(parts))
 
     # --- words ------------------------------------------------------------------------------------
 
     def _qualifiers(self, node: n.Qualifiers) -> n.Qualifiers:
-        out = self.tree.stage == "vertex"
-        words = {"attribute": "in", "varying": "out" if out else "in"}
-        if words.keys().isdisjoint(node.words):
+        if not node.has("attribute", "varying"):
             return node
-        kept = (words.get(word, word) for word in node.words)
+        varying = "out" if self.tree.stage == "vertex" else "in"
+        new = {"attribute": "in", "varying": varying}
         dropped = "invariant" if self.drops_invariant_inputs else ""
-        return replace(node, words=tuple(word for word in kept if word != dropped))
+        words = (new.get(word, word) for word in node.words if word != dropped)
+        return replace(node, words=tuple(words))
 
     def _directives(self) -> Iterator[n.Directive]:
         """Without extensions that are part of the new version."""
-        core = _CORE_ES if self.target[1] == "es" else _CORE
-        raised = self.target != (self.tree.module.version, self.tree.module.profile)
+        es = self.target[1] == "es"
         for item in self.tree.module.directives:
             words = item.text.removeprefix("#").replace(":", " ").split()
-            if raised and words[:1] == ["extension"] and len(words) > 1:
-                if words[1] in core:
+            if self.raises and words[:1] == ["extension"] and len(words) > 1:
+                if words[1] in (_CORE_ES if es else _CORE):
                     continue
-                if self.target[1] == "es" and words[1] in _RENAMED:
+                if es and words[1] in _RENAMED:
                     item = replace(item, text=item.text.replace(words[1], _RENAMED[words[1]]))
             yield item
 
