@@ -187,14 +187,11 @@ Dims: TypeAlias = tuple["Expr | None", ...]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class TypeSpec(Node):
-    """A type as written: a name (or the definition of a struct) and array sizes.
-
-    ``name`` is the name of the built-in type or struct; for an anonymous struct it is ``""``.
-    """
+    """A type as written: a name (``""`` for an anonymous struct) and array sizes."""
 
     name: str
-    dims: Dims = ()
     struct: StructDef | None = None
+    dims: Dims = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -16,49 +16,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, TypeVar, cast
 
-from shadercache.ast.nodes import (
-    Assign,
-    Binary,
-    Block,
-    BlockDecl,
-    Call,
-    Case,
-    Comma,
-    Conditional,
-    Construct,
-    Decl,
-    Declarator,
-    DeclStmt,
-    Dims,
-    DoWhile,
-    Expr,
-    ExprStmt,
-    For,
-    FunctionDef,
-    FunctionProto,
-    If,
-    Index,
-    InitList,
-    LayoutItem,
-    Length,
-    Member,
-    Module,
-    Node,
-    Param,
-    Postfix,
-    PrecisionDecl,
-    QualifierDecl,
-    Qualifiers,
-    Return,
-    Stmt,
-    StructDef,
-    Switch,
-    TypeSpec,
-    Unary,
-    VarDecl,
-    While,
-)
-from shadercache.ast.walk import EXPRESSIONS, STATEMENTS, children
+from shadercache.ast import nodes as n
+from shadercache.ast.nodes import Decl, Expr, Node, Stmt
+from shadercache.ast.walk import CHILD_FIELDS, EXPRESSIONS, STATEMENTS, children
 from shadercache.source import NOWHERE
 
 N = TypeVar("N", bound=Node)
@@ -139,7 +99,7 @@ def _rewrite(rewriter: Rewriter, root: Node) -> Result:
         if node is not None:
             replaced = rewriter.enter(node)
             if replaced is None:
-                stack.append(_Frame(node, isinstance(frame.node, Module)))
+                stack.append(_Frame(node, isinstance(frame.node, n.Module)))
             else:
                 frame.results.append(replaced)
             continue
@@ -169,138 +129,62 @@ _SORTS: dict[type[Node], str] = {
 }
 
 
-def _rebuilt(node: Node, results: list[Result]) -> Node:
-    """The node with its children replaced; the same node where all are the same."""
-    if all(old is new for old, new in zip(children(node), results, strict=True)):
-        return node
-    return _REBUILD[type(node)](node, _Parts(results))
-
-
 # --- putting nodes together -----------------------------------------------------------------------
 
 
-class _Parts:
-    """The rewritten children of a node, taken from first to last."""
-
-    def __init__(self, results: list[Result]) -> None:
-        self._results = iter(results)
-
-    def one(self) -> Any:
-        """The next child, which must be one node."""
-        result = next(self._results)
-        if not isinstance(result, Node):
-            raise TypeError("several nodes in a place for one")
-        return result
-
-    def maybe(self, old: object) -> Any:
-        """The next child where there was one, else ``None``."""
-        return None if old is None else self.one()
-
-    def dims(self, old: Dims) -> Dims:
-        """As many array sizes as there were."""
-        return tuple(self.maybe(size) for size in old)
-
-    def some(self, count: int) -> tuple[Any, ...]:
-        """The next ``count`` children, one node each."""
-        return tuple(self.one() for _ in range(count))
-
-    def body(self) -> Any:
-        """The next child as the one statement that a place takes."""
-        result = next(self._results)
-        return result if isinstance(result, Node) else _as_one(result)
-
-    def block(self) -> Block:
-        """The next child as the body of a function."""
-        body = self.body()
-        return body if isinstance(body, Block) else Block(body.span, (body,))
-
-    def tail(self, old: object) -> Any:
-        """The next child as what follows ``else``, if anything does."""
-        if old is None:
-            return None
-        result = next(self._results)
-        if isinstance(result, Node):
-            return result
-        return _as_one(result) if result else None
-
-    def spliced(self) -> tuple[Any, ...]:
-        """All that is left, where any number of nodes may stand."""
-        nodes: list[Node] = []
-        for result in self._results:
-            if isinstance(result, Node):
-                nodes.append(result)
+def _rebuilt(node: Node, results: list[Result]) -> Node:
+    """The node with its children replaced; the same node where all are the same."""
+    if results == list(children(node)):  # Nodes are equal only to themselves.
+        return node
+    left = iter(results)
+    holds_nodes = CHILD_FIELDS[type(node)]
+    values: list[Any] = []
+    # These are the fields in the order of the constructor; `dataclasses.replace` is far slower.
+    for name in type(node).__match_args__:
+        value = getattr(node, name)
+        if name in holds_nodes and value is not None:
+            if isinstance(value, tuple):
+                value = _several(name, [old and next(left) for old in value])
             else:
-                nodes += result
-        return tuple(nodes)
+                value = _single(name, next(left))
+        values.append(value)
+    if isinstance(node, n.FunctionDef):
+        proto, body = values[1:]
+        return n.FunctionDef(node.span, proto, _as_block(body))
+    rebuilt: Node = type(node)(*values)
+    if isinstance(rebuilt, n.TypeSpec) and rebuilt.struct is not None:
+        return n.TypeSpec(rebuilt.span, rebuilt.struct.name, rebuilt.struct, rebuilt.dims)
+    return rebuilt
 
 
-def _as_one(nodes: Sequence[Node]) -> Node:
-    if len(nodes) == 1:
-        return nodes[0]
-    if not nodes:
-        return ExprStmt(NOWHERE, None)
-    return Block(nodes[0].span.to(nodes[-1].span), cast("tuple[Stmt, ...]", tuple(nodes)))
+def _as_block(body: Stmt) -> n.Block:
+    return body if isinstance(body, n.Block) else n.Block(body.span, (body,))
 
 
-def _type_spec(n: TypeSpec, p: _Parts) -> Node:
-    struct = p.maybe(n.struct)
-    return TypeSpec(n.span, n.name if struct is None else struct.name, p.dims(n.dims), struct)
+def _single(field: str, result: Result) -> Node | None:
+    """What stands in a field for one node; only statements can be put together to one."""
+    if isinstance(result, Node):
+        return result
+    if field not in ("then", "other", "body"):
+        raise TypeError("several nodes in a place for one")
+    if len(result) == 1:
+        return result[0]
+    if not result:
+        return None if field == "other" else n.ExprStmt(NOWHERE, None)
+    return n.Block(result[0].span.to(result[-1].span), cast("tuple[Stmt, ...]", tuple(result)))
 
 
-def _param(n: Param, p: _Parts) -> Node:
-    return Param(n.span, p.one(), p.one(), n.name, p.dims(n.dims))
-
-
-def _module(n: Module, p: _Parts) -> Node:
-    directives = p.some(len(n.directives))
-    return Module(n.span, n.version, n.profile, directives, p.spliced(), n.comments)
-
-
-def _block_decl(n: BlockDecl, p: _Parts) -> Node:
-    qualifiers, fields = p.one(), p.some(len(n.fields))
-    return BlockDecl(n.span, qualifiers, n.name, fields, n.instance, p.dims(n.dims))
-
-
-# Python evaluates the arguments of a call from left to right: the order of the children.
-_REBUILD: dict[type[Node], Callable[[Any, _Parts], Node]] = {
-    Unary: lambda n, p: Unary(n.span, n.op, p.one()),
-    Postfix: lambda n, p: Postfix(n.span, n.op, p.one()),
-    Binary: lambda n, p: Binary(n.span, n.op, p.one(), p.one()),
-    Conditional: lambda n, p: Conditional(n.span, p.one(), p.one(), p.one()),
-    Assign: lambda n, p: Assign(n.span, n.op, p.one(), p.one()),
-    Comma: lambda n, p: Comma(n.span, p.one(), p.one()),
-    Call: lambda n, p: Call(n.span, n.name, p.some(len(n.args))),
-    Construct: lambda n, p: Construct(n.span, p.one(), p.some(len(n.args))),
-    Member: lambda n, p: Member(n.span, p.one(), n.name),
-    Index: lambda n, p: Index(n.span, p.one(), p.one()),
-    Length: lambda n, p: Length(n.span, p.one()),
-    InitList: lambda n, p: InitList(n.span, p.some(len(n.items))),
-    LayoutItem: lambda n, p: LayoutItem(n.span, n.name, p.one()),
-    Qualifiers: lambda n, p: Qualifiers(n.span, n.words, p.some(len(n.layout))),
-    TypeSpec: _type_spec,
-    StructDef: lambda n, p: StructDef(n.span, n.name, p.some(len(n.fields))),
-    Declarator: lambda n, p: Declarator(n.span, n.name, p.dims(n.dims), p.maybe(n.init)),
-    VarDecl: lambda n, p: VarDecl(n.span, p.one(), p.one(), p.some(len(n.declarators))),
-    BlockDecl: _block_decl,
-    PrecisionDecl: lambda n, p: PrecisionDecl(n.span, n.precision, p.one()),
-    QualifierDecl: lambda n, p: QualifierDecl(n.span, p.one(), n.names),
-    Param: _param,
-    FunctionProto: lambda n, p: FunctionProto(
-        n.span, p.one(), p.one(), n.name, p.some(len(n.params))
-    ),
-    FunctionDef: lambda n, p: FunctionDef(n.span, p.one(), p.block()),
-    Block: lambda n, p: Block(n.span, p.spliced()),
-    ExprStmt: lambda n, p: ExprStmt(n.span, p.one()),
-    DeclStmt: lambda n, p: DeclStmt(n.span, p.one()),
-    If: lambda n, p: If(n.span, p.one(), p.body(), p.tail(n.other)),
-    Switch: lambda n, p: Switch(n.span, p.one(), p.spliced()),
-    Case: lambda n, p: Case(n.span, p.one()),
-    For: lambda n, p: For(n.span, p.one(), p.maybe(n.condition), p.maybe(n.step), p.body()),
-    While: lambda n, p: While(n.span, p.one(), p.body()),
-    DoWhile: lambda n, p: DoWhile(n.span, p.body(), p.one()),
-    Return: lambda n, p: Return(n.span, p.one()),
-    Module: _module,
-}
+def _several(field: str, results: list[Result | None]) -> tuple[Node | None, ...]:
+    """What stands in a field for many nodes; array sizes may be missing."""
+    nodes: list[Node | None] = []
+    for result in results:
+        if result is None or isinstance(result, Node):
+            nodes.append(result)
+        elif field in ("body", "decls"):
+            nodes += result
+        else:
+            raise TypeError("several nodes in a place for one")
+    return tuple(nodes)
 
 
 # --- expressions only -----------------------------------------------------------------------------

@@ -6,53 +6,12 @@ Nothing here recurses, so a chain of 100,000 operators is walked as well as a sh
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterator
+from dataclasses import fields
 from operator import attrgetter
 from typing import Any, cast, get_args
 
-from shadercache.ast.nodes import (
-    Assign,
-    Binary,
-    Block,
-    BlockDecl,
-    Call,
-    Case,
-    Comma,
-    Conditional,
-    Construct,
-    Declarator,
-    DeclStmt,
-    Directive,
-    DoWhile,
-    Expr,
-    ExprStmt,
-    For,
-    FunctionDef,
-    FunctionProto,
-    If,
-    Index,
-    InitList,
-    Jump,
-    LayoutItem,
-    Length,
-    Literal,
-    Member,
-    Module,
-    Name,
-    Node,
-    Param,
-    Postfix,
-    PrecisionDecl,
-    QualifierDecl,
-    Qualifiers,
-    Return,
-    Stmt,
-    StructDef,
-    Switch,
-    TypeSpec,
-    Unary,
-    VarDecl,
-    While,
-)
+from shadercache.ast import nodes as n
+from shadercache.ast.nodes import Expr, Node, Stmt
 
 EXPRESSIONS: tuple[type[Node], ...] = get_args(Expr)
 """The classes of expressions, for ``isinstance``."""
@@ -61,74 +20,43 @@ STATEMENTS: tuple[type[Node], ...] = get_args(Stmt)
 """The classes of statements, for ``isinstance``."""
 
 _IS_EXPRESSION = frozenset(EXPRESSIONS)
-
-Children = Callable[[Any], tuple[Node, ...]]
-
-
-def _none(_: Node) -> tuple[Node, ...]:
-    return ()
+_HOLDS_NO_NODE = frozenset(
+    ("Span", "str", "str | None", "int", "tuple[str, ...]", "tuple[Comment, ...]")
+)
 
 
-def _one(field: str) -> Children:
-    get = attrgetter(field)
-    return lambda node: (get(node),)
+def _child_fields(kind: type[Node]) -> dict[str, str]:
+    """The fields that hold nodes, each with its type as text."""
+    types = {field.name: str(field.type) for field in fields(kind)}
+    return {name: text for name, text in types.items() if text not in _HOLDS_NO_NODE}
 
 
-def _optional(field: str) -> Children:
-    get = attrgetter(field)
+def _reader(types: dict[str, str]) -> Callable[[Any], tuple[Node, ...]]:
+    """The function that reads the children of a node from these fields."""
+    # Put together as text, for this runs for every node of every walk.
+    single, many = "node.{0},", "*node.{0},"
+    optional, with_gaps = "*filter(None, (node.{0},)),", "*filter(None, node.{0} or ()),"
+    parts = []
+    for name, kind in types.items():
+        if kind == "Dims" or "tuple" in kind:
+            form = with_gaps if kind == "Dims" or "None" in kind else many
+        else:
+            form = optional if "None" in kind else single
+        parts.append(form.format(name))
+    if "*" not in "".join(parts) and len(parts) > 1:
+        return attrgetter(*types)
+    return cast(Callable[[Any], tuple[Node, ...]], eval(f"lambda node: ({' '.join(parts)})"))
 
-    def children(node: Node) -> tuple[Node, ...]:
-        child = get(node)
-        return () if child is None else (child,)
 
-    return children
+CHILD_FIELDS: dict[type[Node], tuple[str, ...]] = {}
+"""The names of the fields that hold nodes, by class and in the order of the source."""
 
+_CHILDREN: dict[type[Node], Callable[[Any], tuple[Node, ...]]] = {}
 
-def _present(*nodes: Node | None) -> tuple[Node, ...]:
-    return tuple(node for node in nodes if node is not None)
-
-
-_CHILDREN: dict[type[Node], Children] = {
-    Name: _none,
-    Literal: _none,
-    Unary: _one("operand"),
-    Postfix: _one("operand"),
-    Binary: attrgetter("left", "right"),
-    Conditional: attrgetter("condition", "then", "other"),
-    Assign: attrgetter("target", "value"),
-    Comma: attrgetter("left", "right"),
-    Call: attrgetter("args"),
-    Construct: lambda node: (node.type, *node.args),
-    Member: _one("object"),
-    Index: attrgetter("object", "index"),
-    Length: _one("object"),
-    InitList: attrgetter("items"),
-    LayoutItem: _optional("value"),
-    Qualifiers: lambda node: node.layout or (),
-    TypeSpec: lambda node: _present(node.struct, *node.dims),
-    StructDef: attrgetter("fields"),
-    Declarator: lambda node: _present(*node.dims, node.init),
-    VarDecl: lambda node: (node.qualifiers, node.type, *node.declarators),
-    BlockDecl: lambda node: (node.qualifiers, *node.fields, *_present(*node.dims)),
-    PrecisionDecl: _one("type"),
-    QualifierDecl: _one("qualifiers"),
-    Param: lambda node: (node.qualifiers, node.type, *_present(*node.dims)),
-    FunctionProto: lambda node: (node.qualifiers, node.type, *node.params),
-    FunctionDef: attrgetter("proto", "body"),
-    Block: attrgetter("body"),
-    ExprStmt: _optional("expr"),
-    DeclStmt: _one("decl"),
-    If: lambda node: _present(node.condition, node.then, node.other),
-    Switch: lambda node: (node.selector, *node.body),
-    Case: _optional("value"),
-    For: lambda node: _present(node.init, node.condition, node.step, node.body),
-    While: attrgetter("condition", "body"),
-    DoWhile: attrgetter("body", "condition"),
-    Return: _optional("value"),
-    Jump: _none,
-    Directive: _none,
-    Module: lambda node: (*node.directives, *node.decls),
-}
+for _class in vars(n).values():
+    if isinstance(_class, type) and issubclass(_class, Node):
+        CHILD_FIELDS[_class] = tuple(_child_fields(_class))
+        _CHILDREN[_class] = _reader(_child_fields(_class))
 
 
 def children(node: Node) -> tuple[Node, ...]:

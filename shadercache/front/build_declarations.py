@@ -121,7 +121,7 @@ class DeclarationBuilder(ExpressionBuilder):
             start, end, name, struct = *what.span, what.name, what
         else:
             start, end, name, struct = what.start, what.end, what.text, None
-        return TypeSpec(Span(start, dims[-1].end if dims else end), name, _sizes(dims), struct)
+        return TypeSpec(Span(start, dims[-1].end if dims else end), name, struct, _sizes(dims))
 
     def struct_open(self, parts: list[Token]) -> DeclaredHead:
         """``struct Name {``: from here on the name is a type."""

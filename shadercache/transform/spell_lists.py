@@ -36,6 +36,6 @@ def spell_lists(module: n.Module, facts: Facts) -> n.Module:
         if kind.struct is not None and (not kind.struct.name or structs[kind.struct.name] != 1):
             return node
         dims = tuple(n.Literal(NOWHERE, str(size)) if size else None for size in kind.dims)
-        return n.Construct(node.span, n.TypeSpec(NOWHERE, kind.name, dims), node.items)
+        return n.Construct(node.span, n.TypeSpec(NOWHERE, kind.name, dims=dims), node.items)
 
     return replace_expressions(module, spelled)

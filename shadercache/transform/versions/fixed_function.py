@@ -227,7 +227,7 @@ class FixedFunction:
             if (name, label) in self._shared.members or name not in used
         )
         new = self.struct(name)
-        return n.TypeSpec(NOWHERE, new, (), n.StructDef(NOWHERE, new, fields))
+        return n.TypeSpec(NOWHERE, new, n.StructDef(NOWHERE, new, fields))
 
 
 def _variable(words: n.Qualifiers, kind: str, name: str, dims: n.Dims = ()) -> n.VarDecl:
