@@ -15,7 +15,7 @@ from lark.exceptions import UnexpectedToken
 from shadercache.ast.nodes import FunctionProto
 from shadercache.diagnostics import Diagnostic
 from shadercache.front import other_languages as foreign
-from shadercache.front.build_declarations import DeclaredHead, FullType
+from shadercache.front.declaration_rules import DeclaredHead, FullType
 from shadercache.front.preprocess import is_word
 from shadercache.front.tokens import Edition, Token, TokenStream
 from shadercache.front.unexpected import CLOSERS, PAIRS, Unexpected, gather
@@ -230,14 +230,14 @@ def _construct(mistake: Unexpected) -> str:
             return f"'{_JUMPS[value.type]}'"
         if isinstance(value, DeclaredHead) and value.type is None:
             return "the block"
-        if isinstance(value, FullType) or (isinstance(value, tuple) and _is_declaration(value)):
+        if isinstance(value, FullType) or (isinstance(value, list) and _is_declaration(value)):
             return "declaration"
     if isinstance(mistake.values[-1], FunctionProto):
         return "the function; one cannot be defined in another"
     return "expression" if mistake.openings else "declaration"
 
 
-def _is_declaration(value: tuple[Any, ...]) -> bool:
+def _is_declaration(value: list[Any]) -> bool:
     return bool(value) and isinstance(value[0], FullType)
 
 

@@ -22,23 +22,23 @@ from shadercache.paths import data_path, user_cache_folder
 if TYPE_CHECKING:
     from lark import Lark
 
-    from shadercache.front.build_statements import Builder
+    from shadercache.front.tree_builder import TreeBuilder
 
 
 class Parser(NamedTuple):
     """Lark's parser and the builder whose methods it calls; they serve one file at a time."""
 
     lark: Lark
-    builder: Builder
+    builder: TreeBuilder
 
 
 @cache
 def load_parser() -> Parser:
     """The parser of ``grammars/glsl.lark``. Lark is imported here, not with the package."""
-    from shadercache.front.build_statements import Builder
+    from shadercache.front.tree_builder import TreeBuilder
 
     text = data_path("grammars", "glsl.lark").read_text(encoding="utf-8")
-    builder = Builder()
+    builder = TreeBuilder()
     folder = user_cache_folder()
     if folder is None:
         return Parser(_make(text, builder), builder)
@@ -61,7 +61,7 @@ def _key(text: str) -> str:
     return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
 
 
-def _make(text: str, builder: Builder) -> Lark:
+def _make(text: str, builder: TreeBuilder) -> Lark:
     from lark import Lark
 
     from shadercache.front.tokens import TokenLexer
@@ -70,14 +70,14 @@ def _make(text: str, builder: Builder) -> Lark:
         text,
         parser="lalr",
         lexer=TokenLexer,
-        transformer=builder,
+        transformer=builder.callbacks,
         keep_all_tokens=True,
-        maybe_placeholders=False,
+        maybe_placeholders=True,
         propagate_positions=False,
     )
 
 
-def _load(path: Path, builder: Builder) -> Lark | None:
+def _load(path: Path, builder: TreeBuilder) -> Lark | None:
     """The saved parser; ``None`` where there is none that can be read."""
     from lark import Lark
 
@@ -85,7 +85,7 @@ def _load(path: Path, builder: Builder) -> Lark | None:
     load: Callable[..., Lark] = cast(Any, Lark)._load_from_dict
     try:
         saved = pickle.loads(path.read_bytes())
-        return load(saved["data"], saved["memo"], transformer=builder)
+        return load(saved["data"], saved["memo"], transformer=builder.callbacks)
     except Exception:  # A damaged pickle can raise anything; the parser is then made anew.
         return None
 

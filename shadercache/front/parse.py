@@ -115,7 +115,7 @@ def _decls(source: Source, prepared: Preprocessed, lexemes: Lexemes, own: int) -
     language = Edition(prepared.version, prepared.profile == "es", extensions)
     stream = TokenStream(source, language, lexemes)
     lark, builder = load_parser()
-    builder.begin(stream)
+    builder.state.begin(stream)
     try:
         return lark.parse(stream)
     except UnexpectedToken as error:
@@ -125,7 +125,7 @@ def _decls(source: Source, prepared: Preprocessed, lexemes: Lexemes, own: int) -
 
         raise InputError(explain(error, stream)) from None
     finally:
-        builder.end()
+        builder.state.end()
 
 
 def _check_depth(source: Source, lexemes: Lexemes) -> None:

@@ -75,6 +75,11 @@ class Token:
         self.start = start
         self.end = end
 
+    @property
+    def span(self) -> Span:
+        """Its place."""
+        return Span(self.start, self.end)
+
 
 class TypeScopes:
     """Which names are types in the scopes that are open, innermost last.
