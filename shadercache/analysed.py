@@ -29,12 +29,12 @@ from shadercache.analysis.use_def import Definitions
 from shadercache.analysis.value_numbering import ValueGroup, number_values
 from shadercache.ast import nodes as n
 from shadercache.diagnostics import Diagnostic, InputError, UsageError, input_error, usage_error
-from shadercache.emit.builder import FragmentProgram
+from shadercache.emit.builder import FragmentProgram, PassBuilder
 from shadercache.emit.dependencies import Dependency, dependencies
-from shadercache.emit.fragment import FragmentEmitter
-from shadercache.emit.full_screen import full_screen_vertex
 from shadercache.emit.printer import print_node
 from shadercache.emit.reflection import Input, inputs_of
+from shadercache.emit.runtime import full_screen_vertex
+from shadercache.emit.side_passes import unneeded
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.front.dialects import surrounded
 from shadercache.front.read_options import ReadOptions
@@ -295,4 +295,4 @@ class Analysis:
             self.require(node, unprofitable)
         if len(nodes) > 1:
             check_set(nodes, self.groups, self.fragment)
-            check_needed(FragmentEmitter(self.program, nodes).unneeded(), self.fragment)
+            check_needed(unneeded(PassBuilder(self.program, nodes)), self.fragment)

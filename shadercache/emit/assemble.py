@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from shadercache.ast import nodes as n
@@ -45,20 +45,15 @@ def merge(module: n.Module, user: Iterable[n.Decl], *parts: Iterable[n.Decl]) ->
     for decl in user:
         if not isinstance(decl, n.PrecisionDecl):
             rest.append(decl)
-        if (struct := _defined(decl)) is not None:
-            rest += [item for item in variables if _type_name(item) == struct]
-            variables = [item for item in variables if _type_name(item) != struct]
+        if isinstance(decl, n.VarDecl) and decl.type.struct is not None:
+            name = decl.type.struct.name
+            rest += [one for one in variables if _is_of(one, name)]
+            variables = [one for one in variables if not _is_of(one, name)]
     return replace(module, decls=(*precision, *variables, *rest, *functions))
 
 
-def _defined(decl: n.Decl) -> str | None:
-    """The name of the struct that a declaration defines, if it does."""
-    struct = decl.type.struct if isinstance(decl, n.VarDecl) else None
-    return struct.name if struct is not None else None
-
-
-def _type_name(decl: n.Decl) -> str | None:
-    return decl.type.name if isinstance(decl, n.VarDecl) else None
+def _is_of(decl: n.Decl, struct: str | None) -> bool:
+    return isinstance(decl, n.VarDecl) and decl.type.name == struct
 
 
 def without_main(module: n.Module) -> tuple[n.Decl, ...]:
@@ -66,30 +61,25 @@ def without_main(module: n.Module) -> tuple[n.Decl, ...]:
     return tuple(
         d
         for d in module.decls
-        if not (isinstance(d, n.FunctionDef | n.FunctionProto) and _name(d) == "main")
+        if not isinstance(d, n.FunctionDef | n.FunctionProto) or d.name != "main"
     )
 
 
-def _name(decl: n.FunctionDef | n.FunctionProto) -> str:
-    return decl.name
+def with_locations(module: n.Module, outputs: Sequence[str]) -> n.Module:
+    """The module with ``layout(location = n)`` on the given outputs, in their order."""
+    return replace(module, decls=tuple(_located(decl, outputs) for decl in module.decls))
 
 
-def with_locations(module: n.Module, locations: dict[str, int]) -> n.Module:
-    """The module with ``layout(location = n)`` on the given outputs."""
-    decls: list[n.Decl] = []
-    for decl in module.decls:
-        if isinstance(decl, n.VarDecl) and decl.qualifiers.has("out"):
-            names = [item.name for item in decl.declarators]
-            if names and names[0] in locations:
-                decl = _located(decl, locations[names[0]])
-        decls.append(decl)
-    return replace(module, decls=tuple(decls))
-
-
-def _located(decl: n.VarDecl, location: int) -> n.VarDecl:
+def _located(decl: n.Decl, outputs: Sequence[str]) -> n.Decl:
+    if not isinstance(decl, n.VarDecl) or not decl.qualifiers.has("out"):
+        return decl
+    names = [declarator.name for declarator in decl.declarators]
+    if not names or names[0] not in outputs:
+        return decl
     others = tuple(i for i in decl.qualifiers.layout or () if i.name != "location")
-    item = n.LayoutItem(NOWHERE, "location", n.Literal(NOWHERE, str(location)))
-    return replace(decl, qualifiers=replace(decl.qualifiers, layout=(item, *others)))
+    number = n.Literal(NOWHERE, str(outputs.index(names[0])))
+    layout = (n.LayoutItem(NOWHERE, "location", number), *others)
+    return replace(decl, qualifiers=replace(decl.qualifiers, layout=layout))
 
 
 def interface(module: n.Module) -> Shader:
@@ -112,16 +102,3 @@ def interface(module: n.Module) -> Shader:
         elif decl.qualifiers.has("uniform", "buffer"):
             uniforms += names
     return Shader(module, tuple(inputs), tuple(outputs), tuple(uniforms))
-
-
-def variable(kind: str, name: str, precision: str | None = None) -> n.VarDecl:
-    """A plain global variable."""
-    words = n.Qualifiers(NOWHERE, (precision,)) if precision else n.NO_QUALIFIERS
-    return n.VarDecl(NOWHERE, words, n.TypeSpec(NOWHERE, kind), (n.Declarator(NOWHERE, name),))
-
-
-def call_all(name: str, callees: Iterable[str]) -> n.FunctionDef:
-    """A function without parameters or result that calls others like it."""
-    calls = tuple(n.ExprStmt(NOWHERE, n.Call(NOWHERE, callee, ())) for callee in callees)
-    proto = n.FunctionProto(NOWHERE, n.NO_QUALIFIERS, n.TypeSpec(NOWHERE, "void"), name, ())
-    return n.FunctionDef(NOWHERE, proto, n.Block(NOWHERE, calls))

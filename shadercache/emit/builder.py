@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from importlib import import_module
+from typing import Any, TypeAlias
 
 from shadercache.analysis.candidates import Candidate, Candidates
 from shadercache.analysis.derivative_uses import SharedUse, evaluation_order
@@ -16,6 +18,7 @@ from shadercache.analysis.mapping import CURRENT_CLIP, MappingKind
 from shadercache.analysis.precision import PrecisionTable
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
+from shadercache.caching.algorithms import Algorithm
 from shadercache.caching.configuration import Configuration
 from shadercache.caching.layout import Layout, extras_of
 from shadercache.caching.program_parts import program_part
@@ -32,7 +35,7 @@ from shadercache.transform.names import FreshNames
 from shadercache.transform.remove_dead import remove_dead
 from shadercache.transform.specialise import Clones, Cut, CutKind, insert_clones, specialise
 
-_LATE = ("passes/here_late", "passes/hit_late")
+_LATE = ("here_late", "hit_late")
 """Passes that fragments without a payload go through, up to a discard at the end."""
 
 
@@ -69,7 +72,10 @@ class FragmentProgram:
 
 
 class PassBuilder:
-    """Builds passes of nodes that are cached together from templates and clones."""
+    """Builds passes of nodes that are cached together from templates and clones.
+
+    A maker is a function that takes a builder and returns the fragment shader of one pass.
+    """
 
     def __init__(
         self,
@@ -80,100 +86,89 @@ class PassBuilder:
         """The configuration's own nodes and algorithm play no part: it says how, not what."""
         self.program, self.nodes = program, tuple(nodes)
         chosen = configuration or Configuration()
-        self.configuration = chosen.look_up
-        precisions = PrecisionTable(program.module, program.facts)
-        self.precisions = precisions
-        self.layout = Layout(
+        self._configuration = chosen.look_up
+        self.precisions = PrecisionTable(program.module, program.facts)
+        self._layout = Layout(
             tuple(node.type for node in nodes),
             program.module.profile == "es",
-            tuple(precisions.of(node.expr) for node in nodes),
+            tuple(self.precisions.of(node.expr) for node in nodes),
             extras_of(chosen),
         )
-        self.payloads = self.layout.variables(program.prefix + "payload")
-        stores = ("store", "store_2") if self.layout.second else ("store",)
-        self.stores = [program.prefix + name for name in stores]
+        self.payloads = self._layout.variables(self.own("payload"))
+        self.stores = [self.own("store"), *[self.own("store_2")] * self._layout.second]
+        self.color_and_stores = [program.color, *self.stores]
         discards = EffectTable(program.module, program.memo).summary("main").does & Does.DISCARD
         self.whole = any(node.unsure for node in nodes) or bool(discards)
         """Do fragments do without a payload, so that each pass goes through the shader?"""
-        self._clones: dict[str, Clones] = {}
+        self._cut: dict[CutKind, Clones] = {}
+        self._made: dict[Maker, Shader] = {}
         types = program.facts.types
         self.fetches = [
             (use, self.own(f"fetch_{i}"), form_of(use.place.expr, chosen.fetches, types))
             for i, use in enumerate(_fetches(program.candidates, self.nodes))
         ]
 
+    def made(self, maker: Maker) -> Shader:
+        """What a maker builds, built once."""
+        if maker not in self._made:
+            self._made[maker] = maker(self)
+        return self._made[maker]
+
     def own(self, name: str) -> str:
+        """A name of the compiler's."""
         return self.program.prefix + name
 
     def names(self) -> FreshNames:
-        made = {self.own(f"fetch_{i}") for i in range(len(self.fetches))}
-        return FreshNames(runtime_names(self.program.prefix) | made | set(self.payloads))
+        """Names that are still free in a pass."""
+        fetched = {name for _, name, _ in self.fetches}
+        return FreshNames(runtime_names(self.program.prefix) | fetched | set(self.payloads))
 
     def clone(self, names: FreshNames, entry: str, cuts: tuple[Cut, ...]) -> Clones:
+        """The functions on the call paths of cuts, cut, ``main`` as ``entry``."""
         prefix = self.program.prefix
         return specialise(self.program.module, cuts, prefix + entry, names, prefix)
 
-    def shaded(self, kind: CutKind, names: FreshNames | None = None) -> Clones:
-        """The whole shader with the nodes cut out in one way."""
-        if names is not None:
-            return self.clone(names, "shade", self.node_cuts(kind))
-        return self._alone("shade", kind)
+    def cut(self, kind: CutKind) -> Clones:
+        """The whole shader with the nodes cut out in one way, or (``goal``) the payloads alone.
 
-    def computed(self) -> Clones:
-        """The payloads alone."""
-        return self._alone("compute", "goal")
-
-    def _alone(self, entry: str, kind: CutKind) -> Clones:
-        """The only clones of a pass. Other passes have the same, and then share what is found out
-        about them."""
-        if kind not in self._clones:
-            self._clones[kind] = self.clone(self.names(), entry, self.node_cuts(kind))
-        return self._clones[kind]
+        For passes that have no other clones. They share them, and what is found out about them.
+        """
+        if kind not in self._cut:
+            entry = "compute" if kind == "goal" else "shade"
+            self._cut[kind] = self.clone(self.names(), entry, self.node_cuts(kind))
+        return self._cut[kind]
 
     def node_cuts(self, kind: CutKind) -> tuple[Cut, ...]:
-        flags = self.layout.variables(self.own("valid"))
+        """Where the nodes are cut out."""
+        flags = self._layout.variables(self.own("valid"))
         return tuple(
             Cut(node.instance.path, node.expr, payload, kind, flag)
             for node, payload, flag in zip(self.nodes, self.payloads, flags, strict=True)
             if node.instance is not None
         )
 
-    def finish(
-        self,
-        template: str,
-        clones: list[Clones],
-        extra: list[n.Decl] | None = None,
-        both: bool = False,
-        store: bool = True,
-    ) -> Shader:
-        """``both``: colour and cache are written; else the cache if ``store``, else the colour."""
-        outputs = [self.program.color] if both or not store else []
-        outputs += self.stores if store else []
-        locations = {name: i for i, name in enumerate(outputs)}
-        return self.build(template, clones, extra or (), locations)
-
     def build(
         self,
         template: str,
-        clones: list[Clones],
-        extra: list[n.Decl] | tuple[()],
-        locations: dict[str, int],
+        clones: Sequence[Clones],
+        outputs: Sequence[str],
+        extra: Sequence[n.Decl] = (),
     ) -> Shader:
+        """A file of ``glsl/passes`` with what its ``main`` needs for the ``outputs``."""
         # What lies beside the payload in the cache is no part of what the payload alone costs.
-        alone = template in ("passes/payload_alone", "passes/needed")
-        layout = replace(self.layout, extras=()) if alone else self.layout
+        alone = template in ("payload_alone", "needed")
+        layout = replace(self._layout, extras=()) if alone else self._layout
         program = self.program
-        choice = Choice(layout, program.prefix, self.whole, program.located, self.configuration)
-        part = program_part(FOLDER / f"{template}.glsl", choice)
-        user = insert_clones(self.program.module, *clones)
+        choice = Choice(layout, program.prefix, self.whole, program.located, self._configuration)
+        part = program_part(FOLDER / f"passes/{template}.glsl", choice)
+        user = insert_clones(program.module, *clones)
         if template in _LATE and self.decides_loops:
             user = guard_loops(user, self._decided(user), self.own("lacks"))
         module = merge(program.module, without_main(user), extra, part.decls)
         module = replace(module, comments=(*module.comments, *part.comments))
-        made = {clone.name for group in clones for _, clone in group.made}
-        memo = self.program.memo
-        module = contract(_shrink(module, locations, made, memo), memo)
-        return interface(with_locations(module, locations))
+        copies = {copy.name for group in clones for _, copy in group.made}
+        module = contract(_shrink(module, outputs, copies, program.memo), program.memo)
+        return interface(with_locations(module, outputs))
 
     def takes_derivatives(self, module: n.Module) -> bool:
         """Does the shading? (The look-up may, ahead of everything.)"""
@@ -184,7 +179,7 @@ class PassBuilder:
     @cached_property
     def decides_loops(self) -> bool:
         """Does a payload decide how long a loop runs?"""
-        user = insert_clones(self.program.module, self.shaded("use"))
+        user = insert_clones(self.program.module, self.cut("use"))
         return bool(self._decided(user))
 
     def _decided(self, user: n.Module) -> frozenset[n.Node]:
@@ -205,11 +200,10 @@ def _fetches(candidates: Candidates, nodes: Sequence[Candidate]) -> list[SharedU
 def exact_original(program: FragmentProgram) -> Shader:
     """The user's shader with unique names and without what it does not need, for proof mode."""
     needed = remove_dead(program.original, (program.color,), program.memo)
-    module = contract(needed, program.memo)
-    return interface(with_locations(module, {program.color: 0}))
+    return interface(with_locations(contract(needed, program.memo), (program.color,)))
 
 
-def _shrink(module: n.Module, wanted: dict[str, int], clones: set[str], memo: Memo) -> n.Module:
+def _shrink(module: n.Module, wanted: Sequence[str], clones: set[str], memo: Memo) -> n.Module:
     """Remove what is dead; a parameter that nobody reads keeps its argument alive, and a result
     that nobody uses what it is made of: so in turns."""
     while True:
@@ -218,3 +212,18 @@ def _shrink(module: n.Module, wanted: dict[str, int], clones: set[str], memo: Me
         if smaller is module:
             return module
         module = smaller
+
+
+Maker: TypeAlias = Callable[[PassBuilder], Shader]
+
+
+def function_named(text: str) -> Any:
+    """A function of this folder, as the table of algorithms writes it: ``module:function``."""
+    module, _, name = text.partition(":")
+    return getattr(import_module(f"{__package__}.{module}"), name)
+
+
+def unfit(builder: PassBuilder, algorithm: Algorithm) -> str | None:
+    """Why the nodes cannot be cached by an algorithm, if so."""
+    reason: str | None = function_named(algorithm.unfit)(builder) if algorithm.unfit else None
+    return reason

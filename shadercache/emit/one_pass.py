@@ -1,20 +1,28 @@
-"""The maker of one pass: look up, else compute; then shade."""
+"""The maker of one pass: look up, else compute; then shade.
+
+The payload's code runs before the shader proper, which must find every global as it was::
+
+    float g = 1.0;                             void sc_compute() {
+    void sc_compute_only() {                       float sc_kept_1 = g;
+        g *= 2.0; sc_payload = ...;      =>        sc_compute_only();
+    }                                              g = sc_kept_1;
+                                               }
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from functools import partial
 
 from shadercache.analysis.call_paths import Use
 from shadercache.analysis.derivative_uses import SharedUse
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.effects import Does
 from shadercache.ast import nodes as n
-from shadercache.emit.assemble import Shader, call_all, variable
+from shadercache.emit.assemble import Shader
 from shadercache.emit.builder import PassBuilder
-from shadercache.emit.fragment import FragmentEmitter
-from shadercache.emit.keep_globals import call_keeping
 from shadercache.sema.facts import Symbol
+from shadercache.source import NOWHERE
 from shadercache.transform.hoist_fetches import FetchForm, type_ahead
 from shadercache.transform.reachable import names_in
 from shadercache.transform.rename import rename
@@ -23,42 +31,45 @@ from shadercache.transform.specialise import Clones, Cut
 _QUERIES = 400
 """The version of GLSL that has ``textureQueryLod``."""
 
+_SHARED = Does.DERIVATIVE | Does.IMPLICIT_LOD
+"""What neighbouring fragments have to do together."""
+
 
 def shade_or_reuse(builder: PassBuilder) -> Shader:
     """One pass: look up, else compute; then shade."""
     if builder.whole:
-        return builder.finish("passes/here", [builder.shaded("fill")], both=True)
-    made = _made(builder, ())
-    changed = _left_changed(builder, made)
-    return _made(builder, changed) if changed else made
+        return builder.build("here", [builder.cut("fill")], builder.color_and_stores)
+    shader = _keeping(builder, ())
+    changed = _left_changed(builder, shader)
+    return _keeping(builder, changed) if changed else shader
 
 
-def _made(builder: PassBuilder, kept: tuple[Symbol, ...]) -> Shader:
+def _keeping(builder: PassBuilder, kept: tuple[Symbol, ...]) -> Shader:
     """``kept`` are the globals which the payload's code must not be seen to change."""
     names = builder.names()
     clones: list[Clones] = []
     cuts: list[Cut] = []
     for use, name, form in builder.fetches:
-        path, fetch = use.instance.path, use.place.expr
-        goal = Cut(path, fetch, name, "goal", form=form)
+        goal = Cut(use.instance.path, use.place.expr, name, "goal", form=form)
         clones.append(builder.clone(names, f"fetch_{len(clones)}_ahead", (*cuts, goal)))
         cuts.append(replace(goal, kind="use"))
-    keep = partial(call_keeping, kept=kept, prefix=builder.program.prefix)
-    ahead, entries = builder.own("fetch_ahead"), [group.entry for group in clones]
-    extra: list[n.Decl] = [keep(ahead, entries) if entries else call_all(ahead, ())]
+    entries = [group.entry for group in clones]
+    extra: list[n.Decl] = [_caller(builder, "fetch_ahead", entries, kept if entries else ())]
     compute = "compute_only" if kept else "compute"
     clones.append(builder.clone(names, compute, (*cuts, *builder.node_cuts("goal"))))
     if _only_main_colors(builder):
-        extra.append(variable("vec4", builder.own("color"), _highp(builder)))
+        precision = "highp" if builder.program.module.profile == "es" else None
+        extra.append(_variable("vec4", builder.own("color"), precision))
         clones = [_with_own_color(builder, group) for group in clones]
     if kept:
-        extra.append(keep(builder.own("compute"), [builder.own(compute)]))
-    clones.append(builder.shaded("use", names))
+        extra.append(_caller(builder, "compute", [builder.own(compute)], kept))
+    clones.append(builder.clone(names, "shade", builder.node_cuts("use")))
     extra += [_fetched(builder, *fetch) for fetch in builder.fetches]
-    made = builder.finish("passes/one", clones, extra, both=True)
-    return (
-        _at_least(made, _QUERIES) if any(form == "level" for *_, form in builder.fetches) else made
-    )
+    shader = builder.build("one", clones, builder.color_and_stores, extra)
+    if any(form == "level" for *_, form in builder.fetches):
+        version = max(shader.module.version, _QUERIES)
+        return replace(shader, module=replace(shader.module, version=version))
+    return shader
 
 
 def _only_main_colors(builder: PassBuilder) -> bool:
@@ -74,9 +85,9 @@ def _with_own_color(builder: PassBuilder, group: Clones) -> Clones:
     return replace(group, made=tuple((old, rename(new, names)) for old, new in group.made))
 
 
-def _left_changed(builder: PassBuilder, made: Shader) -> tuple[Symbol, ...]:
+def _left_changed(builder: PassBuilder, shader: Shader) -> tuple[Symbol, ...]:
     """The user's globals that the payload's code of a one-pass shader changes."""
-    table = EffectTable(made.module, builder.program.memo)
+    table = EffectTable(shader.module, builder.program.memo)
     ahead = ("fetch_ahead", "compute")
     entries = [name for name in map(builder.own, ahead) if name in table.functions]
     written = frozenset[str]().union(*(table.summary(name).writes for name in entries))
@@ -84,30 +95,16 @@ def _left_changed(builder: PassBuilder, made: Shader) -> tuple[Symbol, ...]:
     return tuple(s for s in declared if s.kind == "global" and s.name in written)
 
 
-def unfit(emitter: FragmentEmitter) -> str | None:
+def unfit(builder: PassBuilder) -> str | None:
     """Why the nodes cannot be cached in one pass, if so."""
-    found = _unfit_here(emitter) if emitter.whole else _unfit_ahead(emitter)
-    return found or _unfit_as_made(emitter, emitter.made(shade_or_reuse))
-
-
-def _unfit_as_made(builder: PassBuilder, made: Shader) -> str | None:
-    """The same, as the pass that was made shows it."""
-    table = EffectTable(made.module, builder.program.memo)
-    compute, shared = builder.own("compute"), Does.DERIVATIVE | Does.IMPLICIT_LOD
-    if builder.whole or compute not in table.functions:
-        return None
-    if not table.summary(compute).does & shared:
-        return None
-    return (
-        "the payload's code takes derivatives that it does not need and that cannot be told apart "
-        "from it"
-    )
+    if builder.whole:
+        return _unfit_here(builder)
+    return _unfit_ahead(builder) or _unfit_as_made(builder)
 
 
 def _unfit_here(builder: PassBuilder) -> str | None:
     table = EffectTable(builder.program.module, builder.program.memo)
-    shared = Does.DERIVATIVE | Does.IMPLICIT_LOD
-    if any(table.of(node.expr).does & shared for node in builder.nodes):
+    if any(table.of(node.expr).does & _SHARED for node in builder.nodes):
         return (
             "the value takes derivatives under a condition, and in one pass neighbouring "
             "fragments would not compute it together"
@@ -135,18 +132,47 @@ def _unfit_ahead(builder: PassBuilder) -> str | None:
     return None
 
 
+def _unfit_as_made(builder: PassBuilder) -> str | None:
+    """The same, as the pass that was made shows it."""
+    table = EffectTable(builder.made(shade_or_reuse).module, builder.program.memo)
+    compute = builder.own("compute")
+    if compute not in table.functions or not table.summary(compute).does & _SHARED:
+        return None
+    return (
+        "the payload's code takes derivatives that it does not need and that cannot be told apart "
+        "from it"
+    )
+
+
 def _fetched(builder: PassBuilder, use: SharedUse, name: str, form: FetchForm) -> n.VarDecl:
     """The variable that holds what was done ahead, as precise as the fetch."""
     fetch = use.place.expr
     kind = type_ahead(fetch, form, builder.program.facts.types)
-    return variable(kind, name, builder.precisions.of(fetch))
+    return _variable(kind, name, builder.precisions.of(fetch))
 
 
-def _highp(builder: PassBuilder) -> str | None:
-    return "highp" if builder.program.module.profile == "es" else None
+def _variable(kind: str, name: str, precision: str | None) -> n.VarDecl:
+    """A plain global variable."""
+    words = n.Qualifiers(NOWHERE, (precision,)) if precision else n.NO_QUALIFIERS
+    return n.VarDecl(NOWHERE, words, n.TypeSpec(NOWHERE, kind), (n.Declarator(NOWHERE, name),))
 
 
-def _at_least(shader: Shader, version: int) -> Shader:
-    return replace(
-        shader, module=replace(shader.module, version=max(shader.module.version, version))
-    )
+def _caller(
+    builder: PassBuilder, name: str, callees: Iterable[str], kept: Sequence[Symbol]
+) -> n.FunctionDef:
+    """A function that calls others and then gives the ``kept`` variables their old values."""
+    before: list[n.Stmt] = []
+    after: list[n.Stmt] = []
+    for number, symbol in enumerate(kept, start=1):
+        local, own = builder.own(f"kept_{number}"), n.Name(NOWHERE, symbol.name)
+        dims = tuple(n.Literal(NOWHERE, str(size)) for size in symbol.type.dims)
+        kind = n.TypeSpec(NOWHERE, symbol.type.name)
+        copy = n.Declarator(NOWHERE, local, dims, own)
+        before.append(n.DeclStmt(NOWHERE, n.VarDecl(NOWHERE, n.NO_QUALIFIERS, kind, (copy,))))
+        restored = n.Assign(NOWHERE, "=", own, n.Name(NOWHERE, local))
+        after.append(n.ExprStmt(NOWHERE, restored))
+    calls = (n.ExprStmt(NOWHERE, n.Call(NOWHERE, callee, ())) for callee in callees)
+    body = n.Block(NOWHERE, (*before, *calls, *after))
+    void = n.TypeSpec(NOWHERE, "void")
+    proto = n.FunctionProto(NOWHERE, n.NO_QUALIFIERS, void, builder.own(name), ())
+    return n.FunctionDef(NOWHERE, proto, body)

@@ -6,28 +6,23 @@ An engine, and the harness, learns from the manifest what to do.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
-from typing import Literal
+from dataclasses import dataclass, field
 
 from shadercache.analysis.candidates import Candidate
-from shadercache.caching.algorithms import (
-    CACHE,
-    COLOR,
-    CURRENT,
-    MASK,
-    PREVIOUS,
-    Algorithm,
-    AlgorithmPass,
-    Drawn,
-    algorithm,
-)
+from shadercache.caching import algorithms
+from shadercache.caching.algorithms import AlgorithmPass
 from shadercache.caching.configuration import Configuration, Mode
 from shadercache.caching.settings import written_settings
 from shadercache.emit.assemble import Shader, interface
-from shadercache.emit.builder import FragmentProgram, exact_original
-from shadercache.emit.fragment import FragmentEmitter, function_named
-from shadercache.emit.full_screen import full_screen_vertex
+from shadercache.emit.builder import (
+    FragmentProgram,
+    PassBuilder,
+    exact_original,
+    function_named,
+    unfit,
+)
 from shadercache.emit.printer import print_module
+from shadercache.emit.runtime import full_screen_vertex
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.sema.facts import Stage
 from shadercache.transform.proof.make_precise import make_precise
@@ -36,24 +31,23 @@ from shadercache.transform.proof.opaque_varyings import hide_uniform_varyings
 from shadercache.transform.proof.write_out_matrices import write_out_matrices
 from shadercache.transform.versions.state_precisions import with_precisions
 
-SECOND = "-2"
+_SECOND = "-2"
 """Ends what belongs to the second texture of a cache: a target, what is read."""
 
 
 @dataclass(frozen=True, slots=True)
 class Pass:
-    """One draw, of all objects or of the screen: its files, targets, depth and what it reads."""
+    """A pass as it was emitted: what its record says, the name of its files, and its interface.
 
-    name: str
+    ``targets`` and ``reads`` are the record's, with the second textures that the shader has.
+    """
+
+    record: AlgorithmPass
     file: str
     targets: tuple[str, ...]
-    reads: tuple[str, ...] = ()
-    on_reset: bool = True
-    depth_test: Literal["less", "lequal"] = "less"
-    depth_write: bool = True
-    draws: Drawn = "objects"
-    uniforms: tuple[str, ...] = ()
-    attributes: tuple[str, ...] = ()
+    reads: tuple[str, ...]
+    uniforms: tuple[str, ...]
+    attributes: tuple[str, ...]
 
 
 @dataclass(slots=True)
@@ -73,11 +67,25 @@ class ProgramSet:
     color: str = ""
     whole: bool = False
 
+    @property
+    def passes(self) -> list[Pass]:
+        """All that there are."""
+        variants = [emitted for passes in self.variants.values() for emitted in passes]
+        beside = (self.original, self.debug, self.payload)
+        return [*variants, *(emitted for emitted in beside if emitted is not None)]
 
-_ORIGINAL = Pass("original", "original", (COLOR,))
-_PAYLOAD = Pass("payload-alone", "payload-alone", (COLOR,))
-_NEEDED = Pass("needed", "needed", (MASK,), on_reset=False)
-_HIT_MASK = Pass("hit-mask", "hit-mask", (MASK,), (PREVIOUS,), on_reset=False)
+
+# Not part of any algorithm; what is drawn with objects as the passes of one are.
+_ORIGINAL = AlgorithmPass("original", "", (algorithms.COLOR,))
+_PAYLOAD = AlgorithmPass("payload-alone", "side_passes:payload_alone", (algorithms.COLOR,))
+_NEEDED = AlgorithmPass("needed", "side_passes:needed", (algorithms.MASK,), on_reset=False)
+_HIT_MASK = AlgorithmPass(
+    "hit-mask",
+    "side_passes:hit_mask",
+    (algorithms.MASK,),
+    (algorithms.PREVIOUS,),
+    on_reset=False,
+)
 
 
 def emit_programs(
@@ -89,8 +97,8 @@ def emit_programs(
     """Every pass of the nodes by some configurations that differ in their algorithms, with the
     original and the hit mask."""
     program.memo.trim()
-    emitter = _emitter(program, nodes, configurations[0])
-    made = ProgramSet(
+    builder = _builder(program, nodes, configurations[0])
+    programs = ProgramSet(
         previous=vertex.previous_twins(),
         unchanging=vertex.unchanging(),
         numbers=vertex.numbers(),
@@ -98,55 +106,40 @@ def emit_programs(
         color=program.color,
     )
     about = ", ".join(f"node {node.id}" for node in nodes)
-    write = _ProgramWriter(made, vertex, configurations[0].mode, about)
-    made.original = write.original(program)
-    made.debug = write.add(_HIT_MASK, emitter.made(FragmentEmitter.hit_mask))
-    made.payload = write.add(_PAYLOAD, emitter.made(FragmentEmitter.payload_alone))
+    write = _ProgramWriter(programs, vertex, configurations[0].mode, about)
+    programs.original = write.original(program)
+    programs.debug = write.add(_HIT_MASK, builder)
+    programs.payload = write.add(_PAYLOAD, builder)
     for configuration in configurations:
-        record = algorithm(configuration.algorithm)
-        unfit = emitter.unfit(record)
-        if unfit is not None:
-            made.refused[record.name] = unfit
+        algorithm = algorithms.algorithm(configuration.algorithm)
+        reason = unfit(builder, algorithm)
+        if reason is not None:
+            programs.refused[algorithm.name] = reason
             continue
-        made.variants[record.name] = tuple(
-            write.add(_pass(record, item), emitter.made(function_named(item.maker)))
-            for item in record.passes
+        programs.variants[algorithm.name] = tuple(
+            write.add(record, builder, algorithm.file_of(record)) for record in algorithm.passes
         )
-    return made
+    return programs
 
 
-def _pass(record: Algorithm, item: AlgorithmPass) -> Pass:
-    return Pass(
-        item.name,
-        record.file_of(item),
-        item.targets,
-        item.reads,
-        item.on_reset,
-        item.depth_test,
-        item.depth_write,
-        item.draws,
-    )
-
-
-def _emitter(
+def _builder(
     program: FragmentProgram, nodes: Sequence[Candidate], configuration: Configuration
-) -> FragmentEmitter:
+) -> PassBuilder:
     """Whoever wants one mode of a variant often wants the other next: only its printing differs."""
-    kept: dict[object, FragmentEmitter] = program.memo.table("last emitter")
+    kept: dict[object, PassBuilder] = program.memo.table("last builder")
     settings = tuple(written_settings(configuration).items())
     key = (tuple(nodes), configuration.fetches, settings)
     if key not in kept:
         kept.clear()
-        kept[key] = FragmentEmitter(program, nodes, configuration)
+        kept[key] = PassBuilder(program, nodes, configuration)
     return kept[key]
 
 
 def emit_original(program: FragmentProgram, vertex: VertexEmitter, mode: Mode) -> ProgramSet:
     """The user's shaders themselves, printed: what variants are compared with."""
-    made = ProgramSet(prefix=program.prefix, color=program.color)
-    write = _ProgramWriter(made, vertex, mode, "unchanged")
-    made.original = write.original(program)
-    return made
+    programs = ProgramSet(prefix=program.prefix, color=program.color)
+    programs.original = _ProgramWriter(programs, vertex, mode, "unchanged").original(program)
+    return programs
 
 
 def emit_needed(
@@ -156,19 +149,18 @@ def emit_needed(
     configuration: Configuration,
 ) -> ProgramSet:
     """The program that tells which pixels have payloads of the nodes, and which of them are fit."""
-    emitter = _emitter(program, nodes, configuration)
-    made = ProgramSet(prefix=program.prefix, color=program.color)
-    write = _ProgramWriter(made, vertex, configuration.mode, "what has its payloads")
-    made.debug = write.add(_NEEDED, emitter.made(FragmentEmitter.needed))
-    made.whole = emitter.whole
-    return made
+    builder = _builder(program, nodes, configuration)
+    programs = ProgramSet(prefix=program.prefix, color=program.color, whole=builder.whole)
+    write = _ProgramWriter(programs, vertex, configuration.mode, "what has its payloads")
+    programs.debug = write.add(_NEEDED, builder)
+    return programs
 
 
 @dataclass(frozen=True, slots=True)
 class _ProgramWriter:
-    """Prints shaders into a program set."""
+    """Prints shaders into a program set; ``about`` is the comment at their head."""
 
-    made: ProgramSet
+    programs: ProgramSet
     vertex: VertexEmitter
     mode: Mode
     about: str
@@ -176,45 +168,52 @@ class _ProgramWriter:
     def original(self, program: FragmentProgram) -> Pass:
         """The user's own shaders: word for word, or ready for proof mode."""
         if self.mode == "plain":
-            return self._write(_ORIGINAL, interface(program.parsed), interface(self.vertex.parsed))
-        return self.add(_ORIGINAL, exact_original(program))
+            shaders = interface(program.parsed), interface(self.vertex.parsed)
+        else:
+            fragment = exact_original(program)
+            shaders = fragment, self.vertex.for_fragment(fragment)
+        return self._write(_ORIGINAL, _ORIGINAL.name, *shaders)
 
-    def add(self, item: Pass, fragment: Shader) -> Pass:
-        """Print a pass and the vertex shader for it; return it with its interface filled in."""
-        if item.draws == "screen":
-            _, module = full_screen_vertex(fragment.module)
-            return self._write(item, fragment, interface(module))
-        return self._write(item, fragment, self.vertex.for_fragment(fragment))
+    def add(self, record: AlgorithmPass, builder: PassBuilder, file: str | None = None) -> Pass:
+        """Make a pass, with the vertex shader for it, and print both."""
+        fragment = builder.made(function_named(record.maker))
+        if record.draws == "screen":
+            vertex = interface(full_screen_vertex(fragment.module)[1])
+        else:
+            vertex = self.vertex.for_fragment(fragment)
+        return self._write(record, file or record.name, fragment, vertex)
 
-    def _write(self, item: Pass, fragment: Shader, vertex: Shader) -> Pass:
-        self.made.files[f"{item.file}.frag"] = self._text(item, fragment, "fragment")
-        self.made.files[f"{item.file}.vert"] = self._text(item, vertex, "vertex")
+    def _write(self, record: AlgorithmPass, file: str, fragment: Shader, vertex: Shader) -> Pass:
+        self.programs.files[f"{file}.frag"] = self._text(file, fragment, "fragment")
+        self.programs.files[f"{file}.vert"] = self._text(file, vertex, "vertex")
         uniforms = tuple(dict.fromkeys((*vertex.uniforms, *fragment.uniforms)))
-        return replace(
-            item,
-            targets=self._with_second(item.targets, fragment.outputs, {CACHE: "store"}),
-            reads=self._with_second(item.reads, uniforms, {PREVIOUS: "cache", CURRENT: "payloads"}),
-            uniforms=uniforms,
-            attributes=vertex.inputs,
+        caches = {algorithms.PREVIOUS: "cache", algorithms.CURRENT: "payloads"}
+        return Pass(
+            record,
+            file,
+            self._with_second(record.targets, fragment.outputs, {algorithms.CACHE: "store"}),
+            self._with_second(record.reads, uniforms, caches),
+            uniforms,
+            vertex.inputs,
         )
 
     def _with_second(
         self, listed: tuple[str, ...], declared: tuple[str, ...], names: dict[str, str]
     ) -> tuple[str, ...]:
         """What a pass writes or reads, with the second texture where the shader declares it."""
-        prefix = self.made.prefix
-        more = (w + SECOND for w in listed if w in names and f"{prefix}{names[w]}_2" in declared)
+        prefix = self.programs.prefix
+        more = (w + _SECOND for w in listed if w in names and f"{prefix}{names[w]}_2" in declared)
         return (*listed, *more)
 
-    def _text(self, item: Pass, shader: Shader, stage: Stage) -> str:
-        memo = self.vertex.memo
+    def _text(self, file: str, shader: Shader, stage: Stage) -> str:
+        memo, prefix = self.vertex.memo, self.vertex.prefix
         module = with_precisions(shader.module, memo)
         if self.mode == "proof":
             if stage == "fragment":
                 module = make_arguments_opaque(module, memo)
             else:
-                module = hide_uniform_varyings(module, self.vertex.prefix, memo)
-            module = write_out_matrices(module, self.vertex.prefix, stage, memo)
-            module = make_precise(module, self.vertex.prefix, stage, memo)
+                module = hide_uniform_varyings(module, prefix, memo)
+            module = write_out_matrices(module, prefix, stage, memo)
+            module = make_precise(module, prefix, stage, memo)
         version, rest = print_module(module, memo).split("\n", 1)
-        return f"{version}\n// shadercache: {item.file}, {self.about}\n{rest}"
+        return f"{version}\n// shadercache: {file}, {self.about}\n{rest}"

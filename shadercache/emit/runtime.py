@@ -9,6 +9,8 @@ from pathlib import Path
 from shadercache.ast import nodes as n
 from shadercache.caching.read_template import FOLDER as SLOTS
 from shadercache.caching.read_template import read_template
+from shadercache.front.parse import parse
+from shadercache.source import Source
 from shadercache.transform.names import PREFIX
 
 FOLDER = Path(__file__).with_name("glsl")
@@ -24,6 +26,18 @@ def vertex_part(prefix: str) -> tuple[n.Decl, ...]:
     return read_template(FOLDER / "vertex.glsl", prefix).decls
 
 
+def full_screen_vertex(fragment: n.Module) -> tuple[Source, n.Module]:
+    """The vertex shader of a full-screen pass, in the version of a fragment shader.
+
+    It draws one triangle that covers the target, from ``gl_VertexID`` alone: the engine draws three
+    vertices and binds no attribute.
+    """
+    version = f"#version {fragment.version} {fragment.profile or ''}".rstrip()
+    text = (FOLDER / "full_screen.vert").read_text(encoding="utf-8")
+    source = Source("full-screen.vert", f"{version}\n{text}")
+    return source, parse(source)
+
+
 @cache
 def runtime_names(prefix: str) -> frozenset[str]:
     """Every name that any of the files declares or expects."""
@@ -31,9 +45,6 @@ def runtime_names(prefix: str) -> frozenset[str]:
     texts = [_MADE, *(file.read_text(encoding="utf-8") for file in files)]
     words = {word for text in texts for word in re.findall(r"\bsc_[a-z]\w*", text)}
     words |= {f"{word}_2" for word in words}
-    words |= {
-        f"sc_{word}_{number}"
-        for word in ("payload", "valid")
-        for number in range(1, _MOST_PAYLOADS + 1)
-    }
+    for number in range(1, _MOST_PAYLOADS + 1):
+        words |= {f"sc_payload_{number}", f"sc_valid_{number}"}
     return frozenset(word.replace(PREFIX, prefix, 1) for word in words)

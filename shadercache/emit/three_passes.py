@@ -9,22 +9,22 @@ from shadercache.emit.builder import PassBuilder
 def reuse(builder: PassBuilder) -> Shader:
     """Carry payloads over. What the shader discards is discarded, and where it takes derivatives
     for that, the misses are discarded behind them."""
-    early = builder.finish("passes/reuse", [builder.shaded("use")] if builder.whole else [])
+    early = builder.build("reuse", [builder.cut("use")] if builder.whole else [], builder.stores)
     if not builder.takes_derivatives(early.module):
         return early
-    return builder.finish("passes/reuse_late", [builder.shaded("use")])
+    return builder.build("reuse_late", [builder.cut("use")], builder.stores)
 
 
 def payload_only(builder: PassBuilder) -> Shader:
     """Compute payloads."""
     if builder.whole:
-        return builder.finish("passes/miss", [builder.shaded("keep")])
-    return builder.finish("passes/payload", [builder.computed()])
+        return builder.build("miss", [builder.cut("keep")], builder.stores)
+    return builder.build("payload", [builder.cut("goal")], builder.stores)
 
 
 def shade(builder: PassBuilder) -> Shader:
     """The colour from the payload."""
-    return builder.finish("passes/shade", [builder.shaded("use")], store=False)
+    return builder.build("shade", [builder.cut("use")], [builder.program.color])
 
 
 def unfit(builder: PassBuilder) -> str | None:

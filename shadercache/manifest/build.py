@@ -282,14 +282,14 @@ def _node(source: Source, node: Candidate, place: tuple[str, str]) -> NodeEntry:
 
 def _pass(item: Pass) -> dict[str, Any]:
     return {
-        "name": item.name,
+        "name": item.record.name,
         "vertex": f"{item.file}.vert",
         "fragment": f"{item.file}.frag",
         "targets": item.targets,
-        "depth": DepthEntry(test=item.depth_test, write=item.depth_write),
+        "depth": DepthEntry(test=item.record.depth_test, write=item.record.depth_write),
         "reads": item.reads,
         "uniforms": item.uniforms,
         "attributes": item.attributes,
-        "on_reset": item.on_reset,
-        "draws": item.draws,
+        "on_reset": item.record.on_reset,
+        "draws": item.record.draws,
     }

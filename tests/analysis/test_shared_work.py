@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from laws.slices import amount, day_slice, seed
+from shadercache.emit.builder import PassBuilder, unfit
 from shaders import analysed as analysed_body
 from shaders import find
 
@@ -18,7 +19,6 @@ from shadercache.caching.algorithms import algorithm
 from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import InputError
 from shadercache.emit.assemble import Shader
-from shadercache.emit.fragment import FragmentEmitter
 from shadercache.emit.one_pass import shade_or_reuse
 from shadercache.emit.printer import print_module
 from shadercache.emit.three_passes import payload_only, shade
@@ -129,14 +129,14 @@ def compare(analysis: Analysis, *nodes: Candidate) -> None:
     parts, prefix = analysis.parts(*nodes), analysis.program.prefix
     assert parts.payload <= parts.whole and parts.remainder <= parts.whole
     # What a guard compares is no part of any slice.
-    emitter = FragmentEmitter(analysis.program, nodes, configured(guard="off"))
-    assert _cost(payload_only(emitter), prefix) <= parts.payload + PADDING
-    assert _cost(shade(emitter), prefix) <= parts.remainder + 2 * FETCH + PADDING
-    assert _cost(hit(emitter), prefix) <= parts.remainder + PADDING
-    assert _cost(miss(emitter), prefix) <= parts.whole + PADDING
+    builder = PassBuilder(analysis.program, nodes, configured(guard="off"))
+    assert _cost(payload_only(builder), prefix) <= parts.payload + PADDING
+    assert _cost(shade(builder), prefix) <= parts.remainder + 2 * FETCH + PADDING
+    assert _cost(hit(builder), prefix) <= parts.remainder + PADDING
+    assert _cost(miss(builder), prefix) <= parts.whole + PADDING
     # Fetches that one pass moves ahead compute where to look once more.
-    if emitter.unfit(algorithm("1-pass")) is None and not emitter.fetches:
-        assert _cost(shade_or_reuse(emitter), prefix) <= parts.whole + parts.overlap + PADDING
+    if unfit(builder, algorithm("1-pass")) is None and not builder.fetches:
+        assert _cost(shade_or_reuse(builder), prefix) <= parts.whole + parts.overlap + PADDING
 
 
 def _cost(shader: Shader, prefix: str) -> float:

@@ -31,7 +31,7 @@ from shadercache.analysis import (
 )
 from shadercache.ast import nodes as n
 from shadercache.caching import program_parts
-from shadercache.emit import fragment, one_pass, program_set
+from shadercache.emit import builder, one_pass, program_set
 from shadercache.gpu.context import Gpu
 from shadercache.transform import drop_parameters, lower_ternaries, remove_dead, specialise
 from shadercache.transform.versions import fixed_function, raise_version
@@ -77,7 +77,7 @@ def read_parameters_are_dropped(patch: pytest.MonkeyPatch) -> None:
 BROKEN: dict[str, tuple[str, Break]] = {
     "keep_globals: nothing kept": (
         "gl330",
-        lambda patch: patch.setattr(one_pass, "_left_changed", lambda builder, made: ()),
+        lambda patch: patch.setattr(one_pass, "_left_changed", lambda *_: ()),
     ),
     "drop_parameters: used ones": ("gl330", read_parameters_are_dropped),
     "unique_names: nothing": (
@@ -187,7 +187,7 @@ def calls_are_dead(patch: pytest.MonkeyPatch) -> None:
 def fetches_stay(patch: pytest.MonkeyPatch) -> None:
     """And nobody asks whether that is allowed."""
     patch.setattr(derivative_uses.SharedUses, "inside", lambda *_: [])
-    patch.setattr(fragment.FragmentEmitter, "unfit", lambda self, passes: None)
+    patch.setattr(program_set, "unfit", lambda *_: None)
 
 
 def nothing(*_: object) -> tuple[()]:
@@ -236,7 +236,7 @@ NOTICED: dict[str, tuple[str, Break]] = {
     "emission: discards too early": (
         "gl330-discarded",
         lambda patch: patch.setattr(
-            fragment.FragmentEmitter, "takes_derivatives", lambda self, module: False
+            builder.PassBuilder, "takes_derivatives", lambda self, module: False
         ),
     ),
 }

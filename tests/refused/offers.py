@@ -109,7 +109,7 @@ def programs(analysis: Analysis) -> dict[str, dict[str, str]]:
 def _original(analysis: Analysis) -> Shader:
     """The shader as the analyses see it, without what it does not need."""
     color = analysis.program.color
-    return interface(with_locations(remove_dead(analysis.program.module, [color]), {color: 0}))
+    return interface(with_locations(remove_dead(analysis.program.module, [color]), (color,)))
 
 
 def _files(analysis: Analysis, fragment: Shader) -> dict[str, str]:
@@ -141,7 +141,7 @@ def offers_of(analysis: Analysis) -> Shader:
     made = {clone.name for _, clone in clones.made}
     while (smaller := drop_parameters(remove_dead(module, [value]), made, Memo())) is not module:
         module = smaller
-    return interface(with_locations(module, {value: 0}))
+    return interface(with_locations(module, (value,)))
 
 
 def widest(analysis: Analysis) -> list[Candidate]:
