@@ -30,15 +30,16 @@ from shadercache.analysis.value_numbering import ValueGroup, number_values
 from shadercache.ast import nodes as n
 from shadercache.diagnostics import Diagnostic, InputError, UsageError, input_error, usage_error
 from shadercache.emit.builder import FragmentProgram, PassBuilder
-from shadercache.emit.dependencies import Dependency, dependencies
 from shadercache.emit.printer import print_node
-from shadercache.emit.reflection import Input, inputs_of
 from shadercache.emit.runtime import full_screen_vertex
 from shadercache.emit.side_passes import unneeded
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.front.dialects import surrounded
 from shadercache.front.read_options import ReadOptions
 from shadercache.front.webgl import WEBGL, names_version
+from shadercache.manifest.interface import InputEntry
+from shadercache.manifest.model import DependencyEntry
+from shadercache.manifest.reflection import dependencies, inputs_of
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.infer import infer
 from shadercache.source import Source
@@ -130,7 +131,7 @@ class Analysis:
             return tuple(sorted(inputs))
         return tuple(sorted((inputs - passed) | self.vertex_emitter.inputs(passed)))
 
-    def dependencies(self, *nodes: Candidate) -> tuple[Dependency, ...]:
+    def dependencies(self, *nodes: Candidate) -> tuple[DependencyEntry, ...]:
         """What the engine sets that the values depend on, through varyings too."""
         read = self._read(nodes)
         passed = read & varyings(self.program.module)
@@ -144,7 +145,7 @@ class Analysis:
         return frozenset(name for node in nodes for name in node.inputs)
 
     @cached_property
-    def inputs(self) -> tuple[Input, ...]:
+    def inputs(self) -> tuple[InputEntry, ...]:
         """What an engine gives the user's shaders."""
         program = self.program
         stages: list[tuple[n.Module, Facts, Stage]] = []

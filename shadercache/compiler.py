@@ -235,8 +235,9 @@ def rewrite(
     programs = program_set.emit_programs(analysis.program, analysis.vertex_emitter, nodes, wanted)
     if not programs.variants:
         raise InputError(_unfit(analysis, nodes, programs))
-    sources = analysis.fragment, analysis.vertex_source
     setting = Setting(
+        analysis.fragment,
+        analysis.vertex_source,
         analysis.mapping,
         analysis.full_screen,
         analysis.inputs,
@@ -244,7 +245,7 @@ def rewrite(
         analysis.unchanged_for(*nodes),
         analysis.renamed,
     )
-    manifest = build_manifest(*sources, nodes, chosen, programs, setting)
+    manifest = build_manifest(nodes, chosen, programs, setting)
     notes = notes_on(nodes, analysis.fragment)
     if chosen.storage.depth == "ndc":  # of other depths it depends on the scene
         notes += depth_warnings(chosen, *USUAL_RANGE)

@@ -30,12 +30,10 @@ from shadercache.ast.large import allow_deep_trees
 from shadercache.compiler import Analysis
 from shadercache.diagnostics import InputError
 from shadercache.emit.printer import print_node
-from shadercache.emit.program_set import Pass, ProgramSet
-from shadercache.emit.reflection import inputs_of
 from shadercache.gpu.context import Gpu, open_context
 from shadercache.lang.types import Type
 from shadercache.linking.made_scene import made_scene
-from shadercache.manifest.shader_inputs import described_inputs
+from shadercache.manifest.reflection import inputs_of
 from shadercache.render.bundle import PassSpec
 from shadercache.render.pass_runners import PassRunner
 from shadercache.render.render_scene import RenderScene
@@ -133,11 +131,9 @@ def _draw(original: Source, printed: Source) -> Iterator[NDArray[np.float32]]:
     scene = made_scene(Path(original.name), cast(Analysis, known), Path(vertex.name))
     scene = replace(scene, attributes={POSITION: "position"})
     inputs = inputs_of([(module, facts, "fragment")])
-    names = tuple(item.name for item in inputs)
-    described = described_inputs(inputs, ProgramSet(original=Pass("", "", (), uniforms=names)))
     with RenderScene(_gpu(), scene, (32, 32), "rgba32f") as world:
         for text in (original, printed):
-            spec = PassSpec(text.name, vertex, text, ("color",), "<=", True, True, inputs=described)
+            spec = PassSpec(text.name, vertex, text, ("color",), "<=", True, True, inputs=inputs)
             yield PassRunner(world, spec).image(0)
 
 

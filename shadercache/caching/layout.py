@@ -84,6 +84,22 @@ def precision_of(texel: str) -> Precision:
     return PRECISIONS["16f" if texel.endswith("16f") else "32f"]
 
 
+def empty_depth(layout: Layout, configuration: Configuration) -> float:
+    """What an empty texel has for a depth: it matches nothing. (In bits: as an unsigned integer.)
+
+    The depths of what is drawn are positive, or with ``ndc`` between -1 and 1. Where the sign of a
+    depth is a mark, an empty one has none, so that no slope can lead to it.
+    """
+    ndc = configuration.storage.depth == "ndc"
+    if layout.bits:
+        return float(BITS_OF_TWO) if ndc else 0.0
+    if configuration.filter.marks_depths:
+        return 0.0
+    return 2.0 if ndc else -1.0
+
+
+BITS_OF_TWO = 0x40000000
+
 ID, AGE = Extra("id", INT, "object"), Extra("age", FLOAT, "age")
 
 MOST_IN_HALF = 2**11

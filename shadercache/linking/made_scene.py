@@ -16,8 +16,8 @@ from pathlib import Path
 
 from shadercache.ast import nodes as n
 from shadercache.compiler import Analysis
-from shadercache.emit.block_members import block_fields
 from shadercache.lang.types import Type
+from shadercache.manifest.block_members import block_fields
 from shadercache.scene.description import (
     RESTING_CAMERA,
     RESTING_MOTION,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from shadercache.caching.algorithms import algorithm
 from shadercache.caching.configuration import Configuration, Refresh
 from shadercache.emit.program_set import ProgramSet
+from shadercache.manifest.interface import UniformBlockInput
 from shadercache.manifest.setting import Setting
 
 FRAME = (
@@ -101,7 +102,7 @@ RESET_TWINS = "What is a twin of the last frame may have any value in the draws 
 
 def frame_sentences(two_textures: bool, setting: Setting, programs: ProgramSet) -> list[str]:
     """What it does each frame, in order; ``two_textures``: is a payload too wide for one?"""
-    blocks = {item.name for item in setting.inputs if item.kind == "uniform block"}
+    blocks = {entry.name for entry in setting.inputs if isinstance(entry, UniformBlockInput)}
     return [
         *(FRAME_FULL_SCREEN if setting.full_screen else FRAME),
         NOT_FINITE,

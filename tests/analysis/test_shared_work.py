@@ -6,7 +6,6 @@ from pathlib import Path
 
 import pytest
 from laws.slices import amount, day_slice, seed
-from shadercache.emit.builder import PassBuilder, unfit
 from shaders import analysed as analysed_body
 from shaders import find
 
@@ -19,6 +18,7 @@ from shadercache.caching.algorithms import algorithm
 from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import InputError
 from shadercache.emit.assemble import Shader
+from shadercache.emit.builder import PassBuilder, unfit
 from shadercache.emit.one_pass import shade_or_reuse
 from shadercache.emit.printer import print_module
 from shadercache.emit.three_passes import payload_only, shade

@@ -7,7 +7,6 @@ import re
 from pathlib import Path
 
 import pytest
-from shadercache.emit.builder import function_named
 
 import shadercache
 from shadercache.caching import algorithms
@@ -20,6 +19,7 @@ from shadercache.caching.algorithms import (
     AlgorithmPass,
     algorithm,
 )
+from shadercache.emit.builder import function_named
 from tests.configured import rewritten
 from tests.shaders import analysed, find
 

@@ -75,7 +75,7 @@ def read_parameters_are_dropped(patch: pytest.MonkeyPatch) -> None:
 
 
 BROKEN: dict[str, tuple[str, Break]] = {
-    "keep_globals: nothing kept": (
+    "one_pass: no global kept": (
         "gl330",
         lambda patch: patch.setattr(one_pass, "_left_changed", lambda *_: ()),
     ),

@@ -10,11 +10,13 @@ from jsonschema import Draft202012Validator
 from manifests import SCHEMA, plain
 
 from shadercache.compiler import analyse
-from shadercache.emit import reflection
-from shadercache.emit.packing import Packing
-from shadercache.emit.program_set import Pass, ProgramSet
-from shadercache.manifest.interface import SamplerInput, StorageBlockInput
-from shadercache.manifest.shader_inputs import described_inputs
+from shadercache.manifest.interface import (
+    CounterInput,
+    ImageInput,
+    SamplerInput,
+    StorageBlockInput,
+)
+from shadercache.manifest.reflection import inputs_of as reflected
 from shadercache.source import Source
 from shadercache.valid.read import read
 from tests.configured import rewritten
@@ -147,18 +149,13 @@ def test_where_members_lie(members: str, packing: str) -> None:
     elif "mat" in members:
         text = text.replace("a[0]", "a[0][0]")
     module, facts = read(Source("t.vert", text), "vertex")
-    inputs = reflection.inputs_of([(module, facts, "vertex")])
-    (entry,) = described_inputs(inputs, declaring("B"))
+    (entry,) = reflected([(module, facts, "vertex")])
     assert isinstance(entry, StorageBlockInput)
     std140, std430, sizes = PLACES[members]
     wanted = std140 if packing == "std140" else std430
     assert [item.offset for item in entry.members] == wanted
     assert entry.size == sizes[packing == "std430"]
     assert [item.read for item in entry.members] == [True, *[False] * (len(wanted) - 1)]
-
-
-def declaring(*names: str) -> ProgramSet:
-    return ProgramSet(original=Pass("", "", (), uniforms=names))
 
 
 def test_others_are_placed_by_the_driver() -> None:
@@ -207,8 +204,15 @@ SAMPLERS = {
 
 @pytest.mark.parametrize("kind", SAMPLERS)
 def test_samplers_have_a_kind(kind: str) -> None:
-    found = reflection.Input("sampler", "u", kind, ("fragment",))
-    (entry,) = described_inputs([found], declaring("u"))
+    text = f"#version 330\nuniform {kind} u;\nout vec4 o;\nvoid main() {{ o = vec4(1.0); }}"
+    if "External" in kind:
+        extension = "GL_OES_EGL_image_external_essl3"
+        head = f"#version 310 es\n#extension {extension} : require\nprecision mediump float;"
+        text = text.replace("#version 330", head)
+    elif "CubeArray" in kind:
+        text = text.replace("330", "400")
+    module, facts = read(Source("t.frag", text), "fragment")
+    (entry,) = reflected([(module, facts, "fragment")])
     assert isinstance(entry, SamplerInput)
     words = ("layers", "compares", "multisampled", "external")
     said = {word for word in words if getattr(entry, word)}
@@ -222,17 +226,15 @@ def test_kinds_that_a_vertex_shader_alone_may_have() -> None:
         layout(binding = 3) uniform atomic_uint u_count;
         void main() { gl_Position = b.all[0] + imageLoad(u_image, ivec2(0)); }"""
     module, facts = read(Source("t.vert", text), "vertex")
-    found = {item.name: item for item in reflection.inputs_of([(module, facts, "vertex")])}
-    kinds = {name: (item.kind, item.binding) for name, item in found.items()}
-    assert kinds == {
-        "B": ("storage block", 1),
-        "u_image": ("image", 2),
-        "u_count": ("atomic counter", 3),
-    }
-    (member,) = found["B"].members
+    block, image, counter = reflected([(module, facts, "vertex")])
+    assert isinstance(block, StorageBlockInput) and (block.name, block.binding) == ("B", 1)
+    assert isinstance(image, ImageInput) and (image.name, image.binding) == ("u_image", 2)
+    assert isinstance(counter, CounterInput)
+    assert (counter.name, counter.binding) == ("u_count", 3)
+    (member,) = block.members
     assert (member.name, member.type, member.dims) == ("all", "vec4[]", (0,))
     assert (member.offset, member.stride, member.read) == (0, 16, True)
-    assert found["B"].layout == Packing("std430")
+    assert (block.packing, block.matrices) == ("std430", "column_major")
 
 
 def test_uniforms_samplers_and_attributes() -> None:

@@ -1,0 +1,223 @@
+"""What an engine gives a shader, with its kind, type and place: the user's part of the interface.
+
+It is read from the checked trees of both stages; the twins of the last frame follow from it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from math import isfinite
+from typing import Any
+
+from msgspec import UNSET, UnsetType, structs
+
+from shadercache.ast import nodes as n
+from shadercache.emit.packing import Packing, is_default
+from shadercache.emit.printer import print_node
+from shadercache.lang.block_layout import LAID_OUT, up
+from shadercache.manifest import interface
+from shadercache.manifest.block_members import block_members, number_of, struct_members
+from shadercache.manifest.interface import InputEntry
+from shadercache.manifest.model import DependencyEntry
+from shadercache.sema.facts import Facts, Stage
+from shadercache.sema.fold import Value, flattened, fold_construct
+
+_BLOCKS = (interface.UniformBlockInput, interface.StorageBlockInput)
+_STORAGES = ("uniform", "buffer")
+
+_TEXTURE = re.compile(
+    r"([iu]?)(?:sampler|image)(1D|2D|3D|Cube|Buffer|ExternalOES)(Rect)?(MS)?(Array)?(Shadow)?"
+)
+_DIMENSIONS = {"Cube": "cube", "Buffer": "buffer", "ExternalOES": "2D"}
+_COMPONENTS = {"": "float", "i": "int", "u": "uint"}
+_BUFFER_UNIT = 16  # Drivers count a block up to a whole vec4.
+
+
+def inputs_of(stages: Iterable[tuple[n.Module, Facts, Stage]]) -> tuple[InputEntry, ...]:
+    """What the stages of a program are given; what two of them declare is listed once."""
+    inputs: dict[str, InputEntry] = {}
+    for module, facts, stage in stages:
+        for entry in _inputs(module, facts, stage):
+            known = inputs.get(entry.name)
+            if known is None:
+                inputs[entry.name] = entry
+            elif not isinstance(known, interface.AttributeInput):
+                inputs[entry.name] = _joined(known, entry)
+    return tuple(inputs.values())
+
+
+def declared_inputs(
+    inputs: Iterable[InputEntry], previous: Mapping[str, str], declared: Collection[str]
+) -> tuple[InputEntry, ...]:
+    """Those of the inputs that programs declare, with the twins of the last frame behind them.
+
+    ``previous`` leads from the name of what has a twin to the twin's.
+    """
+    known = tuple(inputs)
+    twins = tuple(_twin(entry, previous) for entry in known if entry.name in previous)
+    return tuple(entry for entry in known + twins if entry.name in declared)
+
+
+def dependencies(
+    read: Mapping[Stage, frozenset[str]], inputs: Iterable[InputEntry]
+) -> tuple[DependencyEntry, ...]:
+    """What a value depends on, in the order of ``inputs``; built-in inputs come last.
+
+    ``read``: the names of variables, of members and instances of blocks that each stage reads.
+    """
+    entries: list[DependencyEntry] = []
+    for entry in inputs:
+        members = [member.name for member in entry.members] if isinstance(entry, _BLOCKS) else []
+        if isinstance(entry, _BLOCKS) and entry.instance is not None:
+            known, members = {entry.instance}, []
+        else:
+            known = set(members) or {entry.name}
+        stages = tuple(stage for stage in entry.stages if known & read.get(stage, frozenset()))
+        if stages:
+            parts = tuple(m for m in members if any(m in read[stage] for stage in stages))
+            kind: Any = type(entry).__struct_config__.tag
+            entries.append(
+                DependencyEntry(kind=kind, name=entry.name, stages=stages, members=parts)
+            )
+    return (
+        *entries,
+        *(
+            DependencyEntry(kind="built-in", name=name, stages=(stage,))
+            for stage, names in read.items()
+            for name in sorted(names)
+            if name.startswith("gl_")
+        ),
+    )
+
+
+def _joined(one: InputEntry, other: InputEntry) -> InputEntry:
+    """One input that both stages declare; a place may stand in one of them only."""
+    changed: dict[str, Any] = {"stages": (*one.stages, *other.stages)}
+    for name in ("location", "binding", "default"):
+        if getattr(one, name, 0) in (None, UNSET):
+            changed[name] = getattr(other, name, getattr(one, name))
+    if isinstance(one, _BLOCKS) and isinstance(other, _BLOCKS):
+        read = {member.name for member in other.members if member.read}
+        changed["members"] = tuple(
+            structs.replace(member, read=member.read or member.name in read)
+            for member in one.members
+        )
+    return structs.replace(one, **changed)
+
+
+def _twin(entry: InputEntry, previous: Mapping[str, str]) -> InputEntry:
+    """It has no location and no binding of its own, and stands in the vertex shader alone."""
+    changed: dict[str, Any] = {
+        "name": previous[entry.name],
+        "stages": ("vertex",),
+        "previous_of": entry.name,
+    }
+    if not isinstance(entry, interface.UniformBlockInput):
+        return structs.replace(entry, location=None, **changed)
+    if entry.instance is None:
+        changed["members"] = tuple(
+            structs.replace(member, name=previous[member.name]) for member in entry.members
+        )
+    else:
+        changed["instance"] = previous[entry.instance]
+    # Of a packed block a program may leave out what it does not read.
+    same = entry.packing != "packed"
+    return structs.replace(entry, binding=None, takes_the_last_buffer=same, **changed)
+
+
+def _inputs(module: n.Module, facts: Facts, stage: Stage) -> Iterator[InputEntry]:
+    defaults = {storage: Packing() for storage in _STORAGES}
+    for decl in module.decls:
+        if isinstance(decl, n.QualifierDecl):
+            for storage in _STORAGES:
+                if is_default(decl, storage):
+                    defaults[storage] = defaults[storage].under(decl.qualifiers)
+        elif isinstance(decl, n.BlockDecl) and decl.qualifiers.has(*_STORAGES):
+            storage = next(word for word in _STORAGES if decl.qualifiers.has(word))
+            packing = defaults[storage].under(decl.qualifiers)
+            yield _block(decl, module, facts, stage, packing)
+        elif isinstance(decl, n.VarDecl) and (
+            decl.qualifiers.has("uniform") or (stage == "vertex" and decl.qualifiers.has("in"))
+        ):
+            for node in decl.declarators:
+                yield _variable(decl.qualifiers, node, facts, stage)
+
+
+def _variable(
+    qualifiers: n.Qualifiers, node: n.Declarator, facts: Facts, stage: Stage
+) -> InputEntry:
+    kind = facts.declared[node].type
+    dims = tuple(size or 0 for size in kind.dims)
+    about: dict[str, Any] = {
+        "name": node.name,
+        "stages": (stage,),
+        "type": str(kind),
+        "dims": dims,
+    }
+    location = number_of(qualifiers, "location", facts)
+    binding = number_of(qualifiers, "binding", facts)
+    if not qualifiers.has("uniform"):
+        return interface.AttributeInput(**about, location=location)
+    if kind.name == "atomic_uint":
+        return interface.CounterInput(**about, binding=binding)
+    if kind.struct is None and kind.holds_opaque:
+        return _texture(about | {"binding": binding})
+    default, members = _default(node.init, facts), struct_members(kind)
+    return interface.UniformInput(**about, location=location, default=default, members=members)
+
+
+def _texture(about: dict[str, Any]) -> InputEntry:
+    """A sampler or an image, with what the name of its type says of the texture."""
+    kind = about["type"]
+    words = _TEXTURE.match(kind)
+    assert words is not None, kind
+    about = about | {
+        "dimension": "rectangle" if words[3] else _DIMENSIONS.get(words[2], words[2]),
+        "component": _COMPONENTS[words[1]],
+        "layers": bool(words[5]),
+        "multisampled": bool(words[4]),
+    }
+    if "image" in kind:
+        return interface.ImageInput(**about)
+    return interface.SamplerInput(
+        **about, compares="Shadow" in kind, external=kind.startswith("samplerExternalOES")
+    )
+
+
+def _block(
+    decl: n.BlockDecl, module: n.Module, facts: Facts, stage: Stage, packing: Packing
+) -> InputEntry:
+    dims = facts.declared[decl].type.dims if decl.instance is not None else ()
+    members, end = block_members(module, decl, facts, packing)
+    uniform = decl.qualifiers.has("uniform")
+    kind = interface.UniformBlockInput if uniform else interface.StorageBlockInput
+    about: dict[str, Any] = {"packing": packing.packing, "matrices": packing.matrices}
+    return kind(
+        name=decl.name,
+        stages=(stage,),
+        instance=decl.instance,
+        dims=tuple(size or 1 for size in dims),
+        binding=number_of(decl.qualifiers, "binding", facts),
+        size=up(end, _BUFFER_UNIT) if packing.packing in LAID_OUT else UNSET,
+        members=members,
+        **about,
+    )
+
+
+def _default(init: n.Expr | None, facts: Facts) -> tuple[float, ...] | str | UnsetType:
+    """The numbers of an initialiser, or its text where only the driver knows them."""
+    if init is None:
+        return UNSET
+    value = _value(init, facts)
+    numbers = () if value is None else tuple(map(float, flattened(value)))
+    return numbers if numbers and all(map(isfinite, numbers)) else print_node(init)
+
+
+def _value(expr: n.Expr, facts: Facts) -> Value | None:
+    known: Value | None = facts.constants.get(expr)
+    if known is not None or not isinstance(expr, n.Construct):
+        return known
+    parts = [_value(part, facts) for part in expr.args]
+    values = [part for part in parts if part is not None]
+    return fold_construct(facts.types[expr], values) if len(values) == len(parts) else None

@@ -1,0 +1,131 @@
+"""The uniforms that the compiler adds, the twins of the user's apart: a record each."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from msgspec import UNSET, structs
+
+from shadercache.caching.configuration import DEFAULT_MAGNIFICATION, Configuration
+from shadercache.caching.layout import MOST_IN_HALF, Layout, precision_of
+from shadercache.manifest.pass_model import AddedUniform
+
+_ROLES = {
+    **{"cache": "previous-cache", "cache_2": "previous-cache-2"},
+    **{"payloads": "current-cache", "payloads_2": "current-cache-2"},
+}
+"""Of names that are not their roles."""
+
+_ON_RESET = {"epsilon": -1, "reset": 1}
+
+_OF_FORMAT = "; depends on cache.format"
+
+
+def _uniform(
+    declared: str,
+    meaning: str,
+    unit: str | None = None,
+    values: str | None = None,
+    default: float | None = None,
+) -> AddedUniform:
+    kind, name = declared.split()
+    role: Any = _ROLES.get(name, name.replace("_", "-"))
+    return AddedUniform(
+        name=name,
+        type=kind,  # type: ignore[arg-type]
+        role=role,
+        meaning=meaning,
+        unit=unit,
+        range=values,
+        default=default,
+        on_reset=_ON_RESET.get(name, UNSET),
+    )
+
+
+_UNIFORMS = (
+    _uniform("sampler2D cache", "what the last frame stored"),
+    _uniform("sampler2D payloads", "what this frame has stored so far"),
+    _uniform("sampler2D cache_2", "the rest of what the last frame stored"),
+    _uniform("sampler2D payloads_2", "the rest of what this frame has stored"),
+    _uniform("int clock", "number of the frame modulo the period", "frames", "[0, period)", 0),
+    _uniform(
+        "int period",
+        "frames between two refreshes of a pixel; 1 refreshes everything in every frame. "
+        "Variants that run beside each other may have different ones",
+        "frames",
+        "[1, 65536)",
+        32,
+    ),
+    _uniform(
+        "int block",
+        "edge of the squares of pixels that are refreshed together",
+        "pixels",
+        ">= 2, even",
+        4,
+    ),
+    _uniform(
+        "float epsilon",
+        "accepted difference between the cached and the expected depth",
+        "relative to 1/w",
+        "> 0; below it nothing is found",
+    ),
+    _uniform("ivec4 viewport", "left, bottom, width and height of the viewport", "pixels"),
+    _uniform("ivec4 previous_viewport", "the same of the last frame", "pixels"),
+    _uniform(
+        "int object",
+        "number of the object that is drawn; each draw sets it, to the same in every frame",
+        default=0,
+    ),
+    _uniform(
+        "int mask",
+        "set by each draw. 1: it reuses nothing in this frame; 2: nor is what it stores reused",
+        values="[0, 2]",
+        default=0,
+    ),
+    _uniform(
+        "int reset",
+        "1 in a frame that follows a reset, else 0: payloads then start with different ages",
+        values="0 or 1",
+        default=0,
+    ),
+    _uniform(
+        "float unit",
+        "what 1/w is in depths from -1 to 1: 2 near far / (far - near) in a perspective",
+        "w",
+        "> 0",
+    ),
+    _uniform(
+        "float magnification",
+        "how many times larger a surface may have become and still be reused",
+        values=">= 1",
+        default=DEFAULT_MAGNIFICATION,
+    ),
+    _uniform("float resolution", f"how much of itself a depth is rounded by{_OF_FORMAT}"),
+    _uniform("float limit", f"the largest payload that is reused{_OF_FORMAT}"),
+    _uniform("float least", f"the smallest above zero that it surely holds{_OF_FORMAT}"),
+)
+"""In the order of manifests. What depends on the configuration is filled in below."""
+
+
+def added_uniforms(prefix: str, layout: Layout, configuration: Configuration) -> list[AddedUniform]:
+    """The uniforms that programs of a configuration may have; ``prefix`` begins their names."""
+    held = precision_of(layout.formats(configuration.storage.format)[0])
+    exact = f"[0, {2**31})" if layout.bits else f"[0, {MOST_IN_HALF}], with rgba32f [0, {2**24}]"
+    chosen: dict[str, dict[str, Any]] = {
+        "epsilon": {"default": configuration.hit_test.epsilon},
+        "object": {"range": exact},
+        "resolution": {"default": held.resolution},
+        "limit": {"default": held.limit},
+        "least": {"default": held.least},
+    }
+    if configuration.refresh.age and not layout.bits:
+        # An age is a float, and half floats count no further without rounding.
+        chosen["period"] = {"range": f"[1, {MOST_IN_HALF // 2}], with rgba32f [1, 65536)"}
+    uniforms: list[AddedUniform] = []
+    for uniform in _UNIFORMS:
+        about = {"name": prefix + uniform.name} | chosen.get(uniform.name, {})
+        if uniform.type == "sampler2D" and layout.bits:
+            about["type"] = "usampler2D"
+        if layout.second or not uniform.name.endswith("_2"):
+            uniforms.append(structs.replace(uniform, **about))
+    return uniforms
