@@ -1,19 +1,11 @@
-"""Compound assignments: spelled out for the analysis, and as the user wrote them when printed."""
+"""Compound assignments, spelled out for the analysis: which nodes there are."""
 
 from __future__ import annotations
 
-import pytest
-
-from shadercache.ast import nodes as n
-from shadercache.ast.memo import Memo
 from shadercache.compiler import analyse
-from shadercache.emit.printer import print_node
-from shadercache.front.parse import parse
 from shadercache.source import Source
-from shadercache.transform.expand_compound_assignments import contract, expand_compound_assignments
-from shadercache.valid.validate import validate
 from tests.configured import rewritten
-from tests.shaders import analysed, find, fragment
+from tests.shaders import analysed, find
 
 DECLARATIONS = """
 struct Sum { vec3 light; float parts[3]; };
@@ -23,71 +15,6 @@ int cheap() { return 1; }
 float g;
 float changes_g() { g = 2.0; return 1.0; }
 """
-VARIABLES = "float a, b; vec3 v; mat3 m; int i, j; uint u; Sum s; float t[4];"
-
-
-def body_of(module: n.Module) -> list[str]:
-    """The lines of ``main`` but for the last one, which gives the colour."""
-    (main,) = (d for d in module.decls if isinstance(d, n.FunctionDef) and d.name == "main")
-    return [line for stmt in main.body.body[:-1] for line in print_node(stmt).split("\n")]
-
-
-def module_of(statement: str) -> tuple[n.Module, n.Module]:
-    """A module, and the same spelled out."""
-    source = fragment(f"{statement}\no_color = vec4(1.0);", DECLARATIONS + VARIABLES)
-    module = parse(source)
-    made = expand_compound_assignments(module, validate(module, source))
-    validate(made, source)
-    return module, made
-
-
-@pytest.mark.parametrize(
-    ("written", "spelled"),
-    [
-        ("a += wave(b);", "a = a + wave(b);"),
-        ("a *= b - 1.0;", "a = a * (b - 1.0);"),
-        ("v.zx /= b;", "v.zx = v.zx / b;"),
-        ("m *= m;", "m = m * m;"),
-        ("v *= m;", "v = v * m;"),
-        ("m[1][2] -= 1.0;", "m[1][2] = m[1][2] - 1.0;"),
-        ("i %= 3;", "i = i % 3;"),
-        ("i <<= j & 3;", "i = i << (j & 3);"),
-        ("u ^= u >> 3u;", "u = u ^ u >> 3u;"),
-        ("a += i;", "a = a + i;"),
-        ("s.parts[i + 1] += b;", "s.parts[i + 1] = s.parts[i + 1] + b;"),
-        ("g += wave(g);", "g = g + wave(g);"),
-        ("if (a > b) v.x += b;", "if (a > b)|    v.x = v.x + b;"),
-        ("a += b, b = a, v *= a;", "a = a + b;|b = a;|v = v * a;"),
-        ("if (a > b) a += 1.0, b += a;", "if (a > b) {|    a = a + 1.0;|    b = b + a;|}"),
-    ],
-)
-def test_spelled_out(written: str, spelled: str) -> None:
-    module, made = module_of(written)
-    assert body_of(made) == spelled.split("|")
-    if "," not in written:
-        assert body_of(contract(made, Memo())) == body_of(module)
-
-
-@pytest.mark.parametrize(
-    "statement",
-    [
-        "t[i++] += 1.0;",
-        "t[cheap()] += 1.0;",
-        "t[int(texture(u_map, v_uv).x)] += 1.0;",
-        "a += writes(b);",
-        "a += changes_g();",
-        "a += b *= 2.0;",
-        "a = b += 1.0;",
-        "for (i = 0; i < 3; i += 1) a += 1.0;",
-        "while (a < 1.0) a += 0.5;",
-        "a++;",
-        "a = a + 1.0;",
-    ],
-)
-def test_left_alone(statement: str) -> None:
-    module, made = module_of(statement)
-    assert made is module
-    assert contract(module, Memo()) is module
 
 
 def test_partial_sums_are_nodes() -> None:

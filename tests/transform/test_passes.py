@@ -1,7 +1,27 @@
-"""Each rewrite on its own: what goes in, what comes out."""
+"""Each pass on its own, on the shaders of ``cases/``: what goes in, what comes out.
+
+A file there is named after a pass. It begins with what all of its shaders begin with; then come the
+cases, each with a title, what the pass is to know, a shader, and what the pass makes of it, which
+``./dev goldens`` writes::
+
+    //// An output that is read becomes a variable.
+    //// wanted: store
+    void main() {
+        color = vec4(u_a);
+        store = color;
+    }
+    //// becomes
+    ...
+"""
 
 from __future__ import annotations
 
+import re
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+import pytest
+from conftest import Golden
 from verify_tree import verify_module
 
 from shadercache.ast import nodes as n
@@ -9,80 +29,193 @@ from shadercache.ast.memo import Memo
 from shadercache.ast.walk import walk
 from shadercache.emit.printer import print_module, print_node
 from shadercache.front.parse import parse
+from shadercache.sema.facts import Facts, Stage
 from shadercache.source import Source
 from shadercache.transform.drop_parameters import drop_parameters
 from shadercache.transform.drop_results import drop_results
+from shadercache.transform.expand_compound_assignments import contract, expand_compound_assignments
+from shadercache.transform.guard_loops import guard_loops
+from shadercache.transform.lower_ternaries import lower_ternaries
 from shadercache.transform.names import FreshNames, fresh_prefix
 from shadercache.transform.proof.make_precise import make_precise
+from shadercache.transform.proof.opaque_arguments import make_arguments_opaque
+from shadercache.transform.proof.opaque_varyings import hide_uniform_varyings
 from shadercache.transform.proof.write_out_matrices import write_out_matrices
+from shadercache.transform.remove_dead import remove_dead
 from shadercache.transform.rename import rename
-from shadercache.transform.specialise import Cut, insert_clones, specialise
+from shadercache.transform.specialise import Cut, CutKind, insert_clones, specialise
+from shadercache.transform.spell_lists import spell_lists
 from shadercache.transform.split import split_declarations
 from shadercache.transform.unique_names import make_names_unique
+from shadercache.transform.unroll import unroll_loops
+from shadercache.transform.versions.builtin_block import plain_builtin_block
+from shadercache.transform.versions.name_parameters import name_parameters
+from shadercache.transform.versions.raise_version import StageTree, raise_versions
 from shadercache.valid.validate import validate
 
-HEAD = "#version 330\nuniform float u_a;\nin vec3 v_a;\nout vec4 color;\n"
+CASES = Path(__file__).with_name("cases")
+
+About = Sequence[tuple[str, str]]
+"""What a pass is to know: words and what is said of them."""
+
+Pass = Callable[[n.Module, Facts, About], n.Module]
 
 
-def module_of(text: str) -> n.Module:
-    return parse(Source("test.frag", HEAD + text))
+def _words(about: About, default: str = "") -> tuple[str, ...]:
+    return tuple(word for _, text in about or [("", default)] for word in text.split())
 
 
-def lines(module: n.Module) -> list[str]:
-    return [line.strip() for line in print_module(module).splitlines()]
+def _proof(pass_: Callable[[n.Module, str, Stage, Memo], n.Module]) -> Pass:
+    return lambda module, facts, about: pass_(module, "sc_", "fragment", Memo())
 
 
-def test_split_declarations() -> None:
-    module = split_declarations(
-        module_of(
-            "struct S { float x; } s, t[2];\n"
-            "void main() { float a = 1.0, b = a; for (int i = 0, j = 1; i < j; i++) {} }"
-        )
+def _specialised(module: n.Module, facts: Facts, about: About) -> n.Module:
+    """Each cut is of a kind, and leads by calls to an expression."""
+    cuts: list[Cut] = []
+    for kind, text in about:
+        *path, last = text.split(" > ")
+        scope = "main"
+        calls: list[n.Call] = []
+        for shown in path:
+            call = _find(module, scope, shown)
+            assert isinstance(call, n.Call)
+            calls.append(call)
+            scope = call.name
+        number = f"_{len(cuts) + 1}" if len(about) > 1 else ""
+        names = f"sc_payload{number}", f"sc_valid{number}"
+        assert kind in CutKind.__args__
+        cuts.append(Cut(tuple(calls), _find(module, scope, last), names[0], kind, names[1]))
+    clones = specialise(module, tuple(cuts), "sc_main", FreshNames(()), "sc_")
+    return insert_clones(module, clones)
+
+
+def _find(module: n.Module, function: str, shown: str) -> n.Expr:
+    (scope,) = (d for d in module.decls if isinstance(d, n.FunctionDef) and d.name == function)
+    found = (node for node in walk(scope.body) if not isinstance(node, n.Stmt))
+    return next(node for node in found if print_node(node) == shown)  # type: ignore[return-value]
+
+
+def _unrolled(module: n.Module, facts: Facts, about: About) -> n.Module:
+    return unroll_loops(module, facts, Source("test.frag", "")).module
+
+
+def _contracted(module: n.Module, facts: Facts, about: About) -> n.Module:
+    return contract(expand_compound_assignments(module, facts), Memo())
+
+
+def _exact(module: n.Module, facts: Facts, about: About) -> n.Module:
+    written = write_out_matrices(module, "sc_", "fragment", Memo())
+    return make_precise(written, "sc_", "fragment", Memo())
+
+
+def _guarded(module: n.Module, facts: Facts, about: About) -> n.Module:
+    loops = {node for node in walk(module) if isinstance(node, n.For | n.While | n.DoWhile)}
+    return guard_loops(module, loops, "sc_lacks")
+
+
+PASSES: dict[str, Pass] = {
+    "contract": _contracted,
+    "drop_parameters": lambda m, facts, about: drop_parameters(m, _words(about), Memo()),
+    "drop_results": lambda m, facts, about: drop_results(m, _words(about), Memo()),
+    "expand_compound_assignments": lambda m, facts, about: expand_compound_assignments(m, facts),
+    "guard_loops": _guarded,
+    "hide_uniform_varyings": lambda m, facts, about: hide_uniform_varyings(m, "sc_", Memo()),
+    "lower_ternaries": lambda m, facts, about: lower_ternaries(m, facts),
+    "make_arguments_opaque": lambda m, facts, about: make_arguments_opaque(m, Memo()),
+    "make_names_unique": lambda m, facts, about: make_names_unique(m, facts),
+    "make_precise": _proof(make_precise),
+    "name_parameters": lambda m, facts, about: name_parameters(m, "sc_"),
+    "plain_builtin_block": lambda m, facts, about: plain_builtin_block(m, facts),
+    "remove_dead": lambda m, facts, about: remove_dead(m, _words(about, "color")),
+    "rename": lambda m, facts, about: rename(m, dict(about)),
+    "specialise": _specialised,
+    "spell_lists": lambda m, facts, about: spell_lists(m, facts),
+    "split_declarations": lambda m, facts, about: split_declarations(m),
+    "unroll_loops": _unrolled,
+    "write_out_matrices": _exact,
+}
+
+MARK = re.compile(r"^//// (.*)\n", re.MULTILINE)
+BECOMES = "becomes"
+
+Given = Sequence[tuple[str, str]]
+"""The marks of a case, each with the text behind it: the title, what the pass is to know."""
+
+
+def anew(text: str, apply: Callable[[str, Given], str]) -> str:
+    """The text of a file of cases, with what ``apply`` makes of its head and of each case."""
+    head, *parts = MARK.split(text)
+    written = [head]
+    given: list[tuple[str, str]] = []
+    for mark, body in zip(parts[::2], parts[1::2], strict=True):
+        if mark == BECOMES:
+            body, given = f"{apply(head, given)}\n", []
+        else:
+            given.append((mark, body))
+        written += f"//// {mark}\n", body
+    return "".join(written).rstrip("\n") + "\n"
+
+
+@pytest.mark.parametrize("path", sorted(CASES.iterdir()), ids=lambda path: path.stem)
+def test_cases(path: Path, golden: Golden) -> None:
+    def apply(head: str, given: Given) -> str:
+        if path.stem == "raise_versions":
+            return _raised([body for _, body in given])
+        source = Source(path.name, head + given[-1][1])
+        module = parse(source)
+        stage: Stage = "vertex" if path.suffix == ".vert" else "fragment"
+        about = [(key, value) for mark, _ in given[1:] for key, value in [mark.split(": ")]]
+        made = PASSES[path.stem](module, validate(module, source, stage), about)
+        # A clone shares what it did not change, and its names mean its own parameters.
+        alone = parse(Source("", print_module(made))) if path.stem == "specialise" else made
+        verify_module(alone, stage, path.stem)
+        return print_module(made)
+
+    golden(path, anew(path.read_text(encoding="utf-8"), apply))
+
+
+def _raised(texts: Sequence[str]) -> str:
+    """Both stages, each with the new names of what an engine sees."""
+    trees: list[StageTree] = []
+    stages: tuple[Stage, ...] = ("fragment", "vertex")
+    for text, stage in zip(texts, stages, strict=False):
+        source = Source(f"a.{stage[:4]}", text)
+        module = parse(source)
+        trees.append(StageTree(module, validate(module, source, stage), source, stage))
+    printed = ""
+    for tree, raised in zip(trees, raise_versions(trees, "legacy_"), strict=True):
+        verify_module(raised.module, tree.stage)
+        names = (f"// {old} is {new}\n" for old, new in raised.renamed.items())
+        printed += print_module(raised.module) + "".join(names)
+    return printed
+
+
+NOTHING_TO_DO = """#version 330
+uniform float u_a;
+out vec4 color;
+float f(float x) { return x; }
+void main() { color = vec4(f(u_a)); }
+"""
+
+
+ALWAYS = {"hide_uniform_varyings", "make_precise", "specialise", "write_out_matrices"}
+"""Passes that have something to do everywhere, if only with an output or with ``main``."""
+
+
+@pytest.mark.parametrize("name", sorted(PASSES.keys() - ALWAYS))
+def test_a_module_with_nothing_to_do_is_returned_itself(name: str) -> None:
+    module = parse(Source("test.frag", NOTHING_TO_DO))
+    about = [("functions", "f")] * name.startswith("drop") + [("wanted", "color")] * (
+        name == "remove_dead"
     )
-    text = lines(module)
-    assert "struct S {" in text and "S s;" in text and "S t[2];" in text
-    assert "float a = 1.0;" in text and "float b = a;" in text
-    assert any("int i = 0, j = 1;" in line for line in text)
+    facts = validate(module, Source("test.frag", NOTHING_TO_DO))
+    assert PASSES[name](module, facts, about) is module
 
 
-def unique(text: str) -> str:
-    module = module_of(text)
-    facts = validate(module, Source("test.frag", HEAD + text))
-    result = make_names_unique(module, facts)
-    verify_module(result)
-    return print_module(result)
-
-
-def test_names_are_made_unique() -> None:
-    text = unique(
-        """float a;
-        float f(float x) { return x; }
-        float f(vec2 x) { float a = x.x; { float a = a + 1.0; x.y = a; } return a + x.y; }
-        float mix(float a) { return a; }
-        void main() { a = u_a; color = vec4(f(a) + f(vec2(a)) + mix(a)); }"""
-    )
-    assert "float f(float x)" in text
-    assert "float f_1(vec2 x)" in text and "f_1(vec2(a))" in text
-    assert "float mix_1(float" in text and "mix_1(a)" in text
-    assert "float a_1 = x.x;" in text and "float a_2 = a_1 + 1.0;" in text
-    assert "return a_1 + x.y;" in text
-
-
-def test_prototypes_follow_their_functions() -> None:
-    text = unique(
-        """float f(float x); float f(vec2 x);
-        void main() { color = vec4(f(u_a) + f(vec2(u_a))); }
-        float f(float x) { return x; }
-        float f(vec2 y) { return y.x; }"""
-    )
-    assert text.count("f_1(vec2") == 3
-
-
-def test_unique_names_change_nothing_where_nothing_collides() -> None:
-    text = "float f(float x) { float y = x; return y; }\nvoid main() { color = vec4(f(u_a)); }"
-    module = module_of(text)
-    facts = validate(module, Source("test.frag", HEAD + text))
-    assert make_names_unique(module, facts) is module
+def test_functions_that_programs_share_are_made_opaque_once() -> None:
+    module, memo = parse(Source("test.frag", NOTHING_TO_DO.replace("f(u_a)", "cos(u_a)"))), Memo()
+    made = [make_arguments_opaque(module, memo).decls[-1] for _ in range(2)]
+    assert made[0] is made[1]
 
 
 def test_fresh_names() -> None:
@@ -93,237 +226,3 @@ def test_fresh_names() -> None:
     assert names.make("b") == "b"
     assert names.make("b") == "b_1"
     assert "__" not in names.make("c__d")
-
-
-def test_rename() -> None:
-    module = module_of("float f(float x) { return x; }\nvoid main() { color = vec4(f(u_a)); }")
-    text = print_module(rename(module, {"f": "g", "u_a": "u_b", "x": "y"}))
-    assert "float g(float y)" in text and "return y;" in text and "g(u_b)" in text
-    assert "uniform float u_b;" in text
-
-
-CALLS = """float inner(float x) { float y = x * 2.0; return y + sin(x); }
-float outer(float x) { return inner(x) + inner(x + 1.0); }
-void main() { color = vec4(outer(u_a)); }"""
-
-
-def cut_at(module: n.Module, kind: str) -> list[str]:
-    """Cut ``sin(x)`` in the second call of ``inner``; the module's lines."""
-    calls = {print_node(item): item for item in walk(module) if isinstance(item, n.Call)}
-    path = (calls["outer(u_a)"], calls["inner(x + 1.0)"])
-    cut = Cut(path, calls["sin(x)"], "sc_payload", kind)  # type: ignore[arg-type]
-    clones = specialise(module, (cut,), "sc_entry", FreshNames(()), "sc_")
-    return lines(insert_clones(module, clones))
-
-
-def test_specialise_use() -> None:
-    text = cut_at(module_of(CALLS), "use")
-    assert "return y + sc_payload;" in text
-    assert "return inner(x) + sc_inner(x + 1.0);" in text
-    assert "color = vec4(sc_outer(u_a));" in text
-    assert "return inner(x) + inner(x + 1.0);" in text  # the original stays
-
-
-def test_specialise_store() -> None:
-    text = cut_at(module_of(CALLS), "store")
-    at = text.index("sc_payload = sin(x);")
-    assert text[at + 1] == "return y + sc_payload;"
-
-
-def test_specialise_goal_cuts_everything_behind_it() -> None:
-    text = cut_at(module_of(CALLS), "goal")
-    at = text.index("void sc_inner(float x) {")
-    assert text[at + 1 : at + 4] == ["float y = x * 2.0;", "sc_payload = sin(x);", "}"]
-    assert text[text.index("void sc_outer(float x) {") + 1] == "sc_inner(x + 1.0);"
-    assert text[text.index("void sc_entry() {") + 1] == "sc_outer(u_a);"
-
-
-def test_an_inout_parameter_that_gives_a_written_variable_back_stays() -> None:
-    module = module_of(
-        """vec2 g;
-        void f(inout vec2 x) { g.y = 1.0; }
-        void h(inout vec2 x, inout vec2 y) { y.x = 2.0; }
-        void k(inout vec2 x, vec2 y) { g.x = y.x; }
-        void main() {
-            vec2 a; vec2 b;
-            f(g); h(a, a); h(a, b); k(b, b);
-            color = vec4(a, b);
-        }"""
-    )
-    text = print_module(drop_parameters(module, {"f", "h", "k"}, Memo()))
-    assert "f(g);" in text and "h(a, a);" in text and "h(a, b);" in text
-    assert "k(b);" in text, "nothing else writes to what it is given"
-
-
-def test_drop_parameters() -> None:
-    module = module_of(
-        """float f(float x, float y) { return y; }
-        float g(float x) { return 1.0; }
-        void main() { float z = 1.0; color = vec4(f(u_a, z) + g(z++) + f(2.0, 3.0)); }"""
-    )
-    text = print_module(drop_parameters(module, {"f", "g"}, Memo()))
-    assert "float f(float y)" in text and "f(z)" in text and "f(3.0)" in text
-    assert "g(z++)" in text  # its argument has a side effect
-    assert drop_parameters(module, (), Memo()) is module
-
-
-def test_drop_parameters_that_are_only_handed_down() -> None:
-    module = module_of(
-        """float g(float x, float y);
-        float early(float x) { return g(x, 2.0); }
-        float f(float x) { return 1.0; }
-        float g(float x, float y) { return f(x) + y; }
-        void main() { color = vec4(g(u_a, 3.0) + early(u_a)); }"""
-    )
-    text = print_module(drop_parameters(module, {"f", "g"}, Memo()))
-    assert "float g(float y);" in text and "return f() + y;" in text
-    assert "g(3.0)" in text and "return g(2.0);" in text
-
-
-def test_drop_parameters_that_only_pass_through() -> None:
-    module = module_of(
-        """void f(inout float x, out float y) {}
-        void main() { float a = u_a; float b; f(a, b); color = vec4(a + b); }"""
-    )
-    text = print_module(drop_parameters(module, {"f"}, Memo()))
-    assert "void f(out float y)" in text and "f(b);" in text
-
-
-def test_drop_results() -> None:
-    module = module_of(
-        """float g;
-        float f(float x) { if (x > 1.0) { g = x; return x * 2.0; } return g++; }
-        vec3 used(float x) { g = x; return vec3(x); }
-        float kept(float x) { g = x; return x; }
-        void main() { f(u_a); f(2.0); float y = used(u_a).x; kept(y); color = vec4(g); }"""
-    )
-    text = print_module(drop_results(module, {"f", "used"}, Memo()))
-    assert "void f(float x)" in text and "x * 2.0" not in text
-    assert "    }\n    g++;\n}" in text
-    assert "        return;\n" in text and "vec3 used(float x)" in text
-    assert "float kept(float x)" in text  # not one of those that were asked for
-    assert drop_results(module, {"used"}, Memo()) is module
-
-
-def test_make_precise() -> None:
-    module = make_precise(
-        module_of(
-            """float f(float x, out float y) { y = x; if (x > 1.0) return x * 2.0; return x; }
-            void main() { float a; int i = 1; float b = f(u_a * 2.0 + 1.0, a);
-                          color = vec4(a + b + float(i)); }"""
-        ),
-        "sc_",
-        "fragment",
-        Memo(),
-    )
-    text = lines(module)
-    assert text[0] == "#version 400"
-    assert "precise out vec4 color;" in text
-    assert any("precise out float y" in line for line in text)
-    assert "precise float a;" in text and "int i = 1;" in text
-    assert any(line.startswith("precise float sc_exact_") and "x * 2.0" in line for line in text)
-    assert any("u_a * 2.0 + 1.0;" in line and line.startswith("precise") for line in text)
-    assert "invariant in vec3 v_a;" in text and "uniform float u_a;" in text
-    verify_module(module)
-
-
-def test_glsl_4_20_section_4_8_1_make_precise_leaves_inputs_alone() -> None:
-    text = HEAD.replace("330", "420") + "void main() { color = vec4(v_a, 1.0); }"
-    made = make_precise(parse(Source("test.frag", text)), "sc_", "fragment", Memo())
-    assert lines(made)[0] == "#version 420"
-    assert "in vec3 v_a;" in lines(made)
-
-
-def test_make_precise_does_not_take_the_stored_payload_for_a_side_effect() -> None:
-    module = make_precise(
-        module_of(
-            """float sc_payload;
-            float f(float x) { return x; }
-            float sc_f(float x) { sc_payload = x; return x; }
-            void main() { color = vec4(f(sc_f(u_a * 2.0) * 3.0)); }"""
-        ),
-        "sc_",
-        "fragment",
-        Memo(),
-    )
-    text = lines(module)
-    assert "precise float sc_exact_1 = u_a * 2.0;" in text
-    assert "precise float sc_exact_2 = sc_f(sc_exact_1) * 3.0;" in text
-
-
-def test_arithmetic_on_matrices_is_written_out_before_it_is_made_precise() -> None:
-    module = module_of(
-        """uniform mat3 u_m;
-        void main() { mat3 m = u_m * 2.0; vec3 a = m * (v_a * 2.0) + 3.0 * v_a;
-                      a *= inverse(m + u_m); color = vec4(a, 1.0); }"""
-    )
-    text = lines(
-        make_precise(
-            write_out_matrices(module, "sc_", "fragment", Memo()), "sc_", "fragment", Memo()
-        )
-    )
-    assert "precise vec3 sc_exact_1 = v_a * 2.0;" in text
-    assert "precise vec3 a = sc_mat3_times_vec3(m, sc_exact_1) + 3.0 * v_a;" in text
-    assert "precise mat3 sc_exact_2 = sc_mat3_plus_mat3(m, u_m);" in text
-    assert "precise mat3 sc_exact_3 = inverse(sc_exact_2);" in text
-    assert "a = sc_vec3_times_mat3(a, sc_exact_3);" in text
-
-
-def test_make_precise_leaves_conditional_arguments_where_they_are() -> None:
-    module = make_precise(
-        module_of(
-            """float f(float x) { return x; }
-            void main() { float a = u_a > 0.0 ? f(1.0 / u_a) : 0.0; color = vec4(a); }"""
-        ),
-        "sc_",
-        "fragment",
-        Memo(),
-    )
-    assert "f(1.0 / u_a)" in print_module(module)
-
-
-def goals(text: str, *wanted: str) -> list[str]:
-    """The lines of the clones with these goals: names of the calls on the path, an expression."""
-    module = module_of(text)
-    functions = {d.name: d for d in module.decls if isinstance(d, n.FunctionDef)}
-    cuts: list[Cut] = []
-    for number, (*names, shown) in enumerate(item.split(" > ") for item in wanted):
-        path: list[n.Call] = []
-        for name in names:
-            body = functions[path[-1].name if path else "main"].body
-            path += [c for c in walk(body) if isinstance(c, n.Call) and c.name == name][:1]
-        body = functions[path[-1].name if path else "main"].body
-        found = (e for e in walk(body) if isinstance(e, n.Binary) and print_node(e) == shown)
-        cuts.append(Cut(tuple(path), next(found), f"sc_{number}", "goal"))
-    clones = specialise(module, tuple(cuts), "sc_main", FreshNames(()), "sc_")
-    made = (line.strip() for _, clone in clones.made for line in print_node(clone).splitlines())
-    return [line for line in made if line != "}"]
-
-
-TWO = """
-float f(float x) { float a = x * 3.0; return a + 1.0; }
-float g(float x) { float b = x * 4.0; return b - 1.0; }
-void main() { float c = u_a * 2.0; c += f(c) + g(c); color = vec4(c * 5.0, g(f(c + 7.0)), c, 1.0); }
-"""
-
-
-def test_what_follows_the_last_goal_is_cut_off() -> None:
-    made = goals(TWO, "u_a * 2.0", "g > x * 4.0")
-    assert made[:2] == ["void sc_g(float x) {", "sc_1 = x * 4.0;"]
-    assert made[2:] == ["void sc_main() {", "sc_0 = u_a * 2.0;", "float c = sc_0;", "sc_g(c);"]
-
-
-def test_calls_to_the_last_goals_stand_alone() -> None:
-    made = goals(TWO, "f > x * 3.0", "g > x * 4.0")
-    assert made[-3:] == ["float c = u_a * 2.0;", "sc_f(c);", "sc_g(c);"]
-    made = goals(TWO, "g > x * 4.0", "c * 5.0")
-    assert "float sc_g(float x) {" in made, "what comes later needs its value"
-    assert made[-2:] == ["c += f(c) + sc_g(c);", "sc_1 = c * 5.0;"]
-
-
-def test_a_goal_in_an_argument_comes_first() -> None:
-    text = TWO.replace("c += f(c) + g(c); ", "")
-    assert goals(text, "g > x * 4.0", "c + 7.0")[-2:] == ["sc_1 = c + 7.0;", "sc_g(f(sc_1));"]
-    made = goals(text, "g > x * 4.0", "f > x * 3.0")
-    assert "float sc_f(float x) {" in made, "the other call needs its value"
-    assert made[-1] == "sc_g(sc_f(c + 7.0));"

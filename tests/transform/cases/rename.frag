@@ -1,0 +1,29 @@
+#version 330
+uniform float u_a;
+in vec3 v_a;
+out vec4 color;
+
+//// Functions, variables and parameters.
+//// f: g
+//// u_a: u_b
+//// x: y
+float f(float x) {
+    return x;
+}
+void main() {
+    color = vec4(f(u_a));
+}
+//// becomes
+#version 330
+
+uniform float u_b;
+in vec3 v_a;
+out vec4 color;
+
+float g(float y) {
+    return y;
+}
+
+void main() {
+    color = vec4(g(u_b));
+}
