@@ -13,9 +13,9 @@ from dataclasses import dataclass, field, replace
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 from shadercache.diagnostics import Diagnostic, InputError
+from shadercache.front.preprocess import enabled_extensions
 from shadercache.lang.types import Type
 from shadercache.sema.facts import Facts
-from shadercache.sema.language import enabled_extensions
 from shadercache.sema.storage import PER_VERTEX, of_one_vertex
 from shadercache.source import Source
 
@@ -231,7 +231,8 @@ def aligned(vertex: StageSide, fragment: StageSide) -> n.Module:
 
 def _takes_places(module: n.Module) -> bool:
     since = 310 if module.profile == "es" else 410
-    return module.version >= since or not enabled_extensions(module).isdisjoint(_SEPARATE)
+    extensions = enabled_extensions(module.directives)
+    return module.version >= since or not extensions.isdisjoint(_SEPARATE)
 
 
 def _placed_like(decl: n.VarDecl | n.BlockDecl, other: n.VarDecl | n.BlockDecl) -> n.Decl:

@@ -11,9 +11,9 @@ from dataclasses import replace
 from shadercache.analysis.vertex_inputs import OUTPUTS
 from shadercache.ast import nodes as n
 from shadercache.emit.packing import with_layouts
+from shadercache.front.preprocess import enabled_extensions
 from shadercache.lang.builtins import MOST_ELEMENTS, variable
 from shadercache.lang.types import builtin_type
-from shadercache.sema.language import enabled_extensions
 from shadercache.source import NOWHERE
 from shadercache.transform.reachable import declared_names, names_in
 from shadercache.transform.rename import rename
@@ -66,7 +66,8 @@ class Twins:
     def _output(self, name: str) -> n.VarDecl:
         """A plain global in place of a built-in output, which has one value: this frame's."""
         module = self._slice
-        known = variable(name, "vertex", module.version, module.profile, enabled_extensions(module))
+        extensions = enabled_extensions(module.directives)
+        known = variable(name, "vertex", module.version, module.profile, extensions)
         assert known is not None, name
         dims: n.Dims = ()
         if known.type.is_array:

@@ -18,6 +18,7 @@ from shadercache.front.preprocess import (
     Lexemes,
     Preprocessed,
     Version,
+    enabled_extensions,
     preprocess,
     preprocess_broken,
 )
@@ -109,9 +110,9 @@ def _decls(source: Source, prepared: Preprocessed, lexemes: Lexemes, own: int) -
     from lark.exceptions import UnexpectedToken
 
     from shadercache.front.grammar import load_parser
-    from shadercache.front.tokens import Edition, TokenStream, enabled_extensions
+    from shadercache.front.tokens import Edition, TokenStream
 
-    extensions = enabled_extensions(directive.text for directive in prepared.directives)
+    extensions = enabled_extensions(prepared.directives)
     language = Edition(prepared.version, prepared.profile == "es", extensions)
     stream = TokenStream(source, language, lexemes)
     lark, builder = load_parser()

@@ -8,7 +8,7 @@ a scope closes, the parser has already seen the token that follows it; that toke
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Iterator
+from collections.abc import Container, Iterator
 from typing import Any, NamedTuple
 
 from lark.common import LexerConf
@@ -48,17 +48,6 @@ class Edition(NamedTuple):
     def __str__(self) -> str:
         """``GLSL ES 3.00``, as a programmer says it."""
         return f"GLSL{' ES' if self.es else ''} {self.version // 100}.{self.version % 100:02}"
-
-
-def enabled_extensions(directives: Iterable[str]) -> frozenset[str]:
-    """The extensions that the ``#extension name : behaviour`` lines of a file leave on."""
-    names: set[str] = set()
-    for text in directives:
-        if text.startswith("#extension"):
-            name, _, behaviour = text.removeprefix("#extension").partition(":")
-            change = names.discard if behaviour.strip() == "disable" else names.add
-            change(name.strip())
-    return frozenset(names)
 
 
 class Token:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from shadercache.ast.nodes import Module
+from shadercache.front.preprocess import enabled_extensions
 from shadercache.lang import builtins
 from shadercache.lang.builtins import BuiltinVariable, Signature
 from shadercache.lang.types import Type
@@ -92,7 +93,7 @@ class Language:
 def language_of(module: Module, stage: Stage) -> Language:
     """What the ``#version`` and the ``#extension`` lines of a module say."""
     version, profile, es = module.version, module.profile, module.profile == "es"
-    extensions = enabled_extensions(module)
+    extensions = enabled_extensions(module.directives)
     if "GL_ARB_compatibility" in extensions and not es:
         profile = "compatibility"
     converts = not es and not extensions.isdisjoint(_CONVERTING)
@@ -110,16 +111,3 @@ def language_of(module: Module, stage: Stage) -> Language:
 
 def _lifted(version: int, extensions: frozenset[str], versions: dict[str, int]) -> int:
     return max([version, *(versions.get(name, 0) for name in extensions)])
-
-
-def enabled_extensions(module: Module) -> frozenset[str]:
-    """Names of the extensions that the kept directives turn on."""
-    found: set[str] = set()
-    for directive in module.directives:
-        text = directive.text.replace("#", " ").replace(":", " : ").split()
-        if text[:1] == ["extension"] and len(text) > 2:
-            if text[-1] in ("enable", "require", "warn"):
-                found.add(text[1])
-            else:
-                found.discard(text[1])
-    return frozenset(found)

@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 from preprocessing import errors, problem, rejected, run, words
 
-from shadercache.front.preprocess import DESKTOP, ES
+from shadercache.lang.words import ES_VERSIONS, VERSIONS
 
 
-@pytest.mark.parametrize("version", DESKTOP)
+@pytest.mark.parametrize("version", VERSIONS)
 @pytest.mark.parametrize("profile", [None, "core", "compatibility"])
 def test_desktop_versions(version: int, profile: str | None) -> None:
     text = f"// first\n\n  #  version {version} {profile or ''} // last\nfloat a;"
@@ -20,7 +20,7 @@ def test_desktop_versions(version: int, profile: str | None) -> None:
         assert result.lexemes.texts == ["float", "a", ";"]
 
 
-@pytest.mark.parametrize("version", ES)
+@pytest.mark.parametrize("version", ES_VERSIONS)
 def test_es_versions_have_the_profile_es(version: int) -> None:
     text = "#version 100" if version == 100 else f"#version {version} es"
     result = run(text)

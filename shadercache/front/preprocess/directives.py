@@ -17,14 +17,19 @@ from shadercache.ast.nodes import Directive
 from shadercache.front.preprocess import include
 from shadercache.front.preprocess.conditions import evaluate
 from shadercache.front.preprocess.directive_errors import DirectiveError, RunawayError
-from shadercache.front.preprocess.extensions import INCLUDES, read_extension
 from shadercache.front.preprocess.macros import define
 from shadercache.front.preprocess.reading_state import ReadingState
 from shadercache.front.preprocess.scanner import is_word, spellings
+from shadercache.front.preprocess.version import read_extension
 from shadercache.source import Span
 
 _FILE_NAME = re.compile(r'"[^"\n]*"$')
 _FIXED = frozenset(("__LINE__", "__FILE__", "__VERSION__", "defined"))
+_FOR_INCLUDES = (
+    "GL_ARB_shading_language_include",
+    "GL_GOOGLE_cpp_style_line_directive",
+    "GL_GOOGLE_include_directive",
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,39 +45,34 @@ class Line:
 
 
 def _if(state: ReadingState, line: Line) -> None:
-    groups = state.file.groups
-    if not groups.live:
-        groups.skip(line.span)
-        return
+    groups, holds = state.file.groups, None
     try:
-        groups.begin(line.span, state.value(line.rest) != 0)
-    except DirectiveError:
-        groups.skip(line.span)
-        raise
+        if groups.live:
+            holds = state.value(line.rest) != 0
+    finally:
+        groups.begin(line.span, holds)
 
 
 def _ifdef(state: ReadingState, line: Line) -> None:
     groups = state.file.groups
-    if not groups.live or is_word(line.rest):
-        groups.begin(line.span, (line.rest in state.macros) == (line.name == "ifdef"))
-    else:
-        groups.skip(line.span)
+    valid = is_word(line.rest)
+    holds = (line.rest in state.macros) == (line.name == "ifdef")
+    groups.begin(line.span, holds if valid else None)
+    if not valid and groups[-1].outer:
         raise DirectiveError("SC121", f"#{line.name} is followed by the name of a macro")
 
 
 def _elif(state: ReadingState, line: Line) -> None:
-    groups = state.file.groups
+    groups, holds = state.file.groups, None
     try:
         holds = groups.asks and state.value(line.rest) != 0
-    except DirectiveError:
-        groups.go_on("elif", None)
-        raise
-    groups.go_on("elif", holds)
+    finally:
+        groups.go_on("elif", holds)
 
 
 def _else(state: ReadingState, line: Line) -> None:
     state.file.groups.go_on("else", True)
-    if state.file.groups.around:
+    if state.file.groups[-1].outer:
         _expect_nothing(line)
 
 
@@ -111,7 +111,8 @@ def _extension(state: ReadingState, line: Line) -> None:
         state.enabled.discard(name)
     else:
         state.enabled.add(name)
-    if name not in INCLUDES:
+    # Some are for the preprocessor alone: the text that it makes needs them no more.
+    if name not in _FOR_INCLUDES:
         state.directives.append(Directive(line.span, f"#extension {name} : {behaviour}"))
 
 
@@ -155,12 +156,13 @@ def _line(state: ReadingState, line: Line) -> None:
     if rest != line.rest and "GL_GOOGLE_cpp_style_line_directive" not in state.enabled:
         hint = "#extension GL_GOOGLE_cpp_style_line_directive : require"
         raise DirectiveError("SC108", "the file of a #line is a number", hint)
-    words = state.expander.expand_all(spellings(rest))
+    words = state.expander.expand(spellings(rest))
     if len(words) > 1 and words[-1].isdecimal() and _ends_value(words[-2]):
         state.set_file_number(words.pop())
     number = evaluate(words, state.version.es)
     # Before GLSL 3.30, `#line n` gave n to itself and not to the line that follows.
-    following = number if state.version.counts_next_line else number + 1
+    counts_next = state.version.es or state.version.number >= 330
+    following = number if counts_next else number + 1
     state.file.shift = following - state.source.position(line.span.end).line - 1
 
 

@@ -92,15 +92,13 @@ def _parameters(text: str) -> tuple[str, ...]:
     return names
 
 
-class _Expansion:
-    """The expansion of a macro, and how far it is read."""
+@dataclass(slots=True)
+class _Frame:
+    """Lexemes and how far they are read; where a macro expands to them it has a name."""
 
-    __slots__ = ("at", "name", "texts")
-
-    def __init__(self, name: str, texts: Sequence[str]) -> None:
-        self.name = name
-        self.texts = texts
-        self.at = 0
+    texts: Sequence[str]
+    at: int
+    name: str = ""
 
 
 class _Feed:
@@ -109,40 +107,35 @@ class _Feed:
     A macro is hidden as long as its expansion is being read.
     """
 
-    __slots__ = ("at", "frames", "hidden", "texts")
+    __slots__ = ("frames", "hidden")
 
     def __init__(self, texts: Sequence[str], at: int, hidden: set[str]) -> None:
-        self.texts = texts
-        self.at = at
+        self.frames = [_Frame(texts, at)]
         self.hidden = hidden
-        self.frames: list[_Expansion] = []
 
     def push(self, name: str, texts: Sequence[str]) -> None:
-        self.frames.append(_Expansion(name, texts))
+        self.frames.append(_Frame(texts, 0, name))
         self.hidden.add(name)
 
-    def drop_finished(self) -> None:
-        """Forget expansions that are read to their end."""
-        while self.frames and self.frames[-1].at == len(self.frames[-1].texts):
-            self.hidden.discard(self.frames.pop().name)
+    def in_expansion(self) -> bool:
+        """Is what comes next of a macro? Expansions that are read to their end are forgotten."""
+        frames = self.frames
+        while len(frames) > 1 and frames[-1].at == len(frames[-1].texts):
+            self.hidden.discard(frames.pop().name)
+        return len(frames) > 1
 
     def peek(self) -> str | None:
         """The next lexeme, which stays."""
-        self.drop_finished()
-        if self.frames:
-            frame = self.frames[-1]
-            return frame.texts[frame.at]
-        return self.texts[self.at] if self.at < len(self.texts) else None
+        self.in_expansion()
+        frame = self.frames[-1]
+        return frame.texts[frame.at] if frame.at < len(frame.texts) else None
 
     def next(self) -> str | None:
         """The next lexeme; painted where it names a macro that is hidden."""
         text = self.peek()
         if text is None:
             return None
-        if self.frames:
-            self.frames[-1].at += 1
-        else:
-            self.at += 1
+        self.frames[-1].at += 1
         return _Painted(text) if text in self.hidden else text
 
 
@@ -161,7 +154,6 @@ class Expander:
         self._limit = limit
         self._allowed = self._left = limit // 10
         self._line = line
-        self._hidden: set[str] = set()
         self._depth = 0
 
     def allow(self, characters: int) -> None:
@@ -170,63 +162,48 @@ class Expander:
         self._allowed += more
         self._left += more
 
-    def expand_use(self, texts: Sequence[str], at: int) -> list[str]:
-        """The expansion of the macro named at ``texts[at]``; ``behind`` tells where its use ends.
+    def expand(self, texts: Sequence[str], use: int | None = None) -> list[str]:
+        """The expansion of a text, or of the one macro that is named at ``texts[use]``.
 
-        A use takes more than the name if arguments follow, even those of the macro's last word.
+        A use takes more than the name if arguments follow, even those of the macro's last word:
+        ``behind`` says where it ends.
         """
-        feed = _Feed(texts, at + 1, self._hidden)
-        made: list[str] = []
+        feed = _Feed(texts, use or 0, set())
+        self._depth = 0
         try:
-            self._read_macro(feed, texts[at], made)
-            self._run(feed, made, whole=False)
+            return [str(text) for text in self._run(feed, whole=use is None)]
         finally:
-            self.behind = feed.at
-            self._hidden.clear()
-            self._depth = 0
-        return [str(text) for text in made]
+            self.behind = feed.frames[0].at
 
-    def expand_all(self, texts: Sequence[str]) -> list[str]:
-        """The expansion of a directive's words."""
-        made: list[str] = []
-        try:
-            self._run(_Feed(texts, 0, self._hidden), made, whole=True)
-        finally:
-            self._hidden.clear()
-            self._depth = 0
-        return [str(text) for text in made]
-
-    def _run(self, feed: _Feed, made: list[str], whole: bool) -> None:
-        """Expand to the end of the feed, or only what stands before its own lexemes."""
-        while True:
-            feed.drop_finished()
-            if not (whole or feed.frames):
-                return
-            text = feed.next()
-            if text is None:
-                return
+    def _run(self, feed: _Feed, whole: bool) -> list[str]:
+        """Expand to the end of the feed, or only its next lexeme."""
+        expanded: list[str] = []
+        while (text := feed.next()) is not None:
             if text in self.macros and type(text) is not _Painted:
-                self._read_macro(feed, text, made)
+                self._read_macro(feed, text, expanded)
             else:
-                made.append(text)
+                expanded.append(text)
+            if not (whole or feed.in_expansion()):
+                break
+        return expanded
 
-    def _read_macro(self, feed: _Feed, name: str, made: list[str]) -> None:
+    def _read_macro(self, feed: _Feed, name: str, expanded: list[str]) -> None:
         """Have the expansion of a macro read next; or make it, if it has no macros in it."""
         macro = self.macros[name]
         texts: Sequence[str] = macro.body
         if macro.parameters is not None:
             if feed.peek() != "(":
-                made.append(name)  # A mere name.
+                expanded.append(name)  # A mere name.
                 return
             raw = self._arguments(feed, macro)
-            texts = _put_in(macro, raw, self._expanded(macro, raw))
+            texts = _put_in(macro, raw, self._expanded(macro, raw, feed.hidden))
         elif name == "__LINE__":
             texts = (self._line(),)
         elif macro.pastes:
             texts = _put_in(macro, [], [])
         self._count(len(texts))
         if self.macros.keys().isdisjoint(texts):
-            made += texts
+            expanded += texts
         else:
             feed.push(name, texts)
 
@@ -260,22 +237,19 @@ class Expander:
             raise _wrong_number(macro, len(arguments))
         return arguments
 
-    def _expanded(self, macro: Macro, raw: list[list[str]]) -> list[list[str]]:
+    def _expanded(self, macro: Macro, raw: list[list[str]], hidden: set[str]) -> list[list[str]]:
         """The arguments as they are put in away from ``##``: expanded by themselves."""
         self._depth += 1
         if self._depth > MAX_NESTING:
             raise RunawayError("SC109", f"more than {MAX_NESTING} calls of macros nest here")
-        made = []
+        plain = []
         for name, argument in zip(macro.parameters or (), raw, strict=True):
             self._count(len(argument))
             if name in macro.expanded and not self.macros.keys().isdisjoint(argument):
-                expanded: list[str] = []
-                self._run(_Feed(argument, 0, self._hidden), expanded, whole=True)
-                made.append(expanded)
-            else:
-                made.append(argument)
+                argument = self._run(_Feed(argument, 0, hidden), whole=True)
+            plain.append(argument)
         self._depth -= 1
-        return made
+        return plain
 
 
 def _wrong_number(macro: Macro, given: int) -> DirectiveError:
@@ -288,11 +262,9 @@ def _wrong_number(macro: Macro, given: int) -> DirectiveError:
 def _put_in(macro: Macro, raw: list[list[str]], plain: list[list[str]]) -> list[str]:
     """The body with the arguments in it: ``plain``, but ``raw`` beside ``##``."""
     places = {name: index for index, name in enumerate(macro.parameters or ())}
-    made: list[str] = []
-    glue = False
+    whole: list[str] = []
     for at, text in enumerate(macro.body):
         if text == _PASTE:
-            glue = True
             continue
         place = places.get(text)
         if place is None:
@@ -302,11 +274,10 @@ def _put_in(macro: Macro, raw: list[list[str]], plain: list[list[str]]) -> list[
             piece = raw[place] or [""]
         else:
             piece = plain[place]
-        if glue:
-            piece = [_pasted(made.pop(), piece[0]), *piece[1:]]
-            glue = False
-        made += piece
-    return [text for text in made if text] if macro.pastes else made
+        if macro.body[at - 1 : at] == (_PASTE,):
+            piece = [_pasted(whole.pop(), piece[0]), *piece[1:]]
+        whole += piece
+    return [text for text in whole if text] if macro.pastes else whole
 
 
 def _pasted(left: str, right: str) -> str:

@@ -37,12 +37,15 @@ from shadercache.front.preprocess.directive_errors import (
 from shadercache.front.preprocess.directives import CONDITIONALS, HANDLERS, Line
 from shadercache.front.preprocess.macros import define
 from shadercache.front.preprocess.reading_state import OpenFile, ReadingState
-from shadercache.front.preprocess.scanner import (
-    Lexemes,
-    clean,
+from shadercache.front.preprocess.scanner import Lexemes, clean
+from shadercache.front.preprocess.version import (
+    NO_VERSION,
+    Version,
+    check_place,
     joins_comments,
+    read_version,
+    version_line,
 )
-from shadercache.front.preprocess.version import NO_VERSION, Version, check_place, read_version
 from shadercache.front.read_options import DEFAULTS, ReadOptions
 from shadercache.source import Source, Span
 
@@ -51,7 +54,6 @@ MAX_ERRORS = 100
 
 _DIRECTIVE = re.compile(r"^[ \t\v\f\r]*#[^\n]*", re.MULTILINE)
 _PARTS = re.compile(r"\s*#\s*(\w*)\s*(.*)", re.DOTALL | re.ASCII)
-_VERSION = re.compile(r"\s*(#[ \t\v\f]*version\b([^\n]*))", re.ASCII)
 _ANY_CHARACTER = frozenset(("define", "error", "include", "pragma"))
 
 
@@ -123,11 +125,12 @@ class _Reader:
         folder = path.parent if is_file(path) else None
         self.state.files.append(OpenFile(self.source, text, folder))
         begin = 0
-        if match := _VERSION.match(text.text):
-            begin = match.end()
-            span = text.span(match.start(1), match.start(1) + len(match[1].rstrip()))
+        if place := version_line(text.text):
+            begin = place[1]
+            line = text.text[slice(*place)].rstrip()
+            span = text.span(place[0], place[0] + len(line))
             try:
-                self.state.version = read_version(match[2].strip())
+                self.state.version = read_version(line.partition("version")[2].strip())
                 check_place(self.state.version, self.source.text[: span.start])
             except DirectiveError as mistake:
                 self.tell(mistake, span)
@@ -171,9 +174,10 @@ class _Reader:
             at = match.end()
         if groups.live:
             self.read_code(at, len(text))
-        if unclosed := groups.unclosed():
-            hint = f"nor have the {len(unclosed) - 1} around it" if unclosed[1:] else None
-            self.tell(DirectiveError("SC121", "this condition has no #endif", hint), unclosed[-1])
+        if groups:
+            hint = f"nor have the {len(groups) - 1} around it" if groups[1:] else None
+            mistake = DirectiveError("SC121", "this condition has no #endif", hint)
+            self.tell(mistake, groups[-1].span)
 
     # --- code
 
@@ -183,29 +187,28 @@ class _Reader:
         first = len(lexemes.texts)
         lexemes.scan(self.state.file.text, start, end, limit)
         if not self.macros.keys().isdisjoint(set(lexemes.texts[first:])):
-            found = lexemes.cut(first)
-            self.expand(found)
+            self.expand(lexemes.cut(first))
         if len(lexemes.texts) > limit:
             span = Span(lexemes.starts[limit], lexemes.ends[limit])
             message = f"the shader has more than {limit} tokens"
             self.tell(RunawayError("SC120", message, LIMIT_HINT), span)
 
-    def expand(self, found: Lexemes) -> None:
+    def expand(self, lexemes: Lexemes) -> None:
         """Add lexemes; those of a macro get the place of its use."""
         at = 0
-        for index, text in enumerate(found.texts):
+        for index, text in enumerate(lexemes.texts):
             if index < at or text not in self.macros:
                 continue
-            self.lexemes.add(found, at, index)
-            self.state.place = Span(found.starts[index], found.ends[index])
+            self.lexemes.add(lexemes, at, index)
+            self.state.place = Span(lexemes.starts[index], lexemes.ends[index])
+            expansion = []
             try:
-                made = self.expander.expand_use(found.texts, index)
+                expansion = self.expander.expand(lexemes.texts, index)
             except DirectiveError as mistake:
                 self.tell(mistake, self.state.place)
-                made = []
             at = self.expander.behind
-            self.lexemes.repeat(made, self.state.place.start, found.ends[at - 1])
-        self.lexemes.add(found, at, len(found.texts))
+            self.lexemes.repeat(expansion, self.state.place.start, lexemes.ends[at - 1])
+        self.lexemes.add(lexemes, at, len(lexemes.texts))
 
     # --- directives
 

@@ -20,10 +20,6 @@ _COMMENT = re.compile(r"//[^\n]*|/\*[^*]*\*+(?:[^/*][^*]*\*+)*/|(?P<unclosed>/\*
 _CONTINUATION = re.compile(r"(?:\\\r?\n)+")
 _LONE_RETURN = re.compile(r"\r(?!\n)")
 _NEXT_LINE = re.compile(r"\n[ \t]*([^\n]?[^\n]?)")
-_VERSION = re.compile(
-    r"(?:[\s\ufeff]+|//[^\n]*|/\*.*?\*/)*+#[ \t]*version[ \t]+(\d{3})\b[ \t]*(es\b)?",
-    re.DOTALL | re.ASCII,
-)
 
 # A word or number runs on to the last word character, so that `2x` is one malformed number.
 _LEXEME = re.compile(
@@ -148,22 +144,12 @@ def is_number(lexeme: str) -> bool:
     return _NUMBER.fullmatch(lexeme) is not None
 
 
-def joins_comments(text: str) -> bool:
-    """Does the version of a shader continue ``//`` comments behind a backslash?
-
-    GLSL 4.20 and GLSL ES 3.00 join lines before they look for comments (section 3.1); the versions
-    before know no line continuation, though compilers take them outside of comments.
-    """
-    match = _VERSION.match(text)
-    return match is not None and int(match[1]) >= (300 if match[2] else 420)
-
-
 def clean(file: Source, joined: bool, errors: list[Diagnostic], root: Source) -> CleanText:
     """The text with comments and line continuations blanked and every line ended by ``\\n``.
 
     A file may hold any characters in comments, but no NUL: many drivers take it for the end of
     the text. What is wrong is appended to ``errors``, with its place in ``root``, of which the file
-    is a part; ``joined`` is what :func:`joins_comments` says of the root.
+    is a part; ``joined`` is what :func:`.version.joins_comments` says of the root.
     """
     text = file.text
     nul = text.find("\0")

@@ -1,4 +1,4 @@
-"""``#version``: the versions of GLSL, their profiles, and what they predefine.
+"""``#version`` and ``#extension``: what a shader is written in, and what that predefines.
 
 Source: The OpenGL Shading Language 4.60, section 3.3; GLSL ES 3.20, section 3.4.
 """
@@ -6,17 +6,26 @@ Source: The OpenGL Shading Language 4.60, section 3.3; GLSL ES 3.20, section 3.4
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
 
+from shadercache.ast.nodes import Directive
 from shadercache.front.preprocess.directive_errors import DirectiveError
+from shadercache.lang.words import ES_VERSIONS, VERSIONS
 
-DESKTOP = (110, 120, 130, 140, 150, 330, 400, 410, 420, 430, 440, 450, 460)
-ES = (100, 300, 310, 320)
-
+_EXTENSIONS = Path(__file__).with_name("extensions.txt")
 _VERSION = re.compile(r"(\d{1,9})(?:\s+(\w+))?", re.ASCII)
-_LINE = re.compile(r"^[ \t\ufeff]*(#[ \t]*version\b[^\n]*)", re.MULTILINE)
-_COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+_VERSION_LINE = re.compile(
+    r"(?:[\s\ufeff]+|//[^\n]*|/\*.*?\*/)*+(#[ \t\v\f]*version\b(?:/\*.*?\*/|[^\n])*)",
+    re.DOTALL | re.ASCII,
+)
+_NUMBER = re.compile(r"#[ \t]*version[ \t]+(\d{3})\b[ \t]*(es\b)?", re.ASCII)
 _HINT = "there are 110 to 150, 330, 400 to 460, 100, and with 'es' 300, 310 and 320"
+_EXTENSION = re.compile(r"(\w+)\s*:\s*(\w+)", re.ASCII)
+_EXTENSION_LINE = re.compile(r"\s*#\s*extension\s+(\w+)\s*:\s*(\w+)\s*", re.ASCII)
+_BEHAVIOURS = ("require", "enable", "warn", "disable")
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,21 +41,17 @@ class Version:
         return self.profile == "es"
 
     @property
-    def counts_next_line(self) -> bool:
-        """Does ``#line n`` give the number to the line that follows?"""
-        return self.es or self.number >= 330
-
-    @property
     def macros(self) -> tuple[str, ...]:
-        """Names that are predefined as 1."""
+        """Names that are predefined as 1, those of extensions among them."""
+        extensions = extension_macros(self.number, self.es)
         if self.es:
-            return ("GL_ES", "GL_FRAGMENT_PRECISION_HIGH")
+            return ("GL_ES", "GL_FRAGMENT_PRECISION_HIGH", *extensions)
         names = ["GL_FRAGMENT_PRECISION_HIGH"] if self.number >= 130 else []
         if self.number >= 150:
             names.append("GL_core_profile")
         if self.profile == "compatibility":
             names.append("GL_compatibility_profile")
-        return tuple(names)
+        return (*names, *extensions)
 
 
 NO_VERSION = Version(110)
@@ -59,19 +64,20 @@ def read_version(rest: str) -> Version:
     if match is None:
         raise DirectiveError("SC100", "#version is followed by a number and a profile", _HINT)
     number, profile = int(match[1]), match[2]
-    if number not in DESKTOP and number not in ES:
-        raise DirectiveError("SC100", f"there is no GLSL version {number}", _HINT)
-    if profile not in (None, "core", "compatibility", "es"):
-        raise DirectiveError("SC100", f"there is no profile '{profile}'", _HINT)
-    if number < 150 and profile:
-        message = f"version {number} has no profiles"
-        raise DirectiveError("SC100", message, f"write #version {number}")
-    if number in ES and number > 100 and profile != "es":
-        message = f"version {number} is one of GLSL ES"
-        raise DirectiveError("SC100", message, f"write #version {number} es")
-    if profile == "es" and number not in ES:
+    message, hint = None, _HINT
+    if number not in VERSIONS and number not in ES_VERSIONS:
+        message = f"there is no GLSL version {number}"
+    elif profile not in (None, "core", "compatibility", "es"):
+        message = f"there is no profile '{profile}'"
+    elif number < 150 and profile:
+        message, hint = f"version {number} has no profiles", f"write #version {number}"
+    elif number in ES_VERSIONS and number > 100 and profile != "es":
+        message, hint = f"version {number} is one of GLSL ES", f"write #version {number} es"
+    elif profile == "es" and number not in ES_VERSIONS:
         message = f"version {number} is not one of GLSL ES"
-        raise DirectiveError("SC100", message, "those with 'es' are 300, 310 and 320")
+        hint = "those with 'es' are 300, 310 and 320"
+    if message is not None:
+        raise DirectiveError("SC100", message, hint)
     return Version(number, "es" if number == 100 else profile)
 
 
@@ -86,7 +92,60 @@ def check_place(version: Version, before: str) -> None:
 
 
 def version_line(text: str) -> tuple[int, int] | None:
-    """Where the ``#version`` of a text begins and ends; one in a comment is none."""
-    bare = _COMMENT.sub(lambda comment: " " * len(comment[0]), text)
-    found = _LINE.search(bare)
-    return None if found is None else found.span(1)
+    """Where the ``#version`` begins and ends that a text begins with, if there is one."""
+    match = _VERSION_LINE.match(text)
+    return None if match is None else match.span(1)
+
+
+def joins_comments(text: str) -> bool:
+    """Does the version of a shader continue ``//`` comments behind a backslash?
+
+    GLSL 4.20 and GLSL ES 3.00 join lines before they look for comments (section 3.1); the versions
+    before know no line continuation, though compilers take them outside of comments.
+    """
+    line = version_line(text)
+    match = _NUMBER.match(text, line[0]) if line else None
+    return match is not None and int(match[1]) >= (300 if match[2] else 420)
+
+
+@cache
+def _known_extensions() -> dict[str, tuple[str, str]]:
+    """The extensions with the first desktop and ES version whose compilers define the macro."""
+    lines = _EXTENSIONS.read_text(encoding="utf-8").splitlines()
+    rows = (line.split() for line in lines if not line.startswith("#"))
+    return {name: (desktop, es) for name, desktop, es in rows}
+
+
+@cache
+def extension_macros(version: int, es: bool) -> frozenset[str]:
+    """The names of extensions that are macros, with the value 1, in a version."""
+    sinces = ((name, since[es]) for name, since in _known_extensions().items())
+    return frozenset(name for name, since in sinces if since != "-" and int(since) <= version)
+
+
+def enabled_extensions(directives: Iterable[Directive]) -> frozenset[str]:
+    """Names of the extensions that the kept directives of a file leave on."""
+    names: set[str] = set()
+    for directive in directives:
+        line = _EXTENSION_LINE.fullmatch(directive.text)
+        if line is not None:
+            change = names.discard if line[2] == "disable" else names.add
+            change(line[1])
+    return frozenset(names)
+
+
+def read_extension(rest: str) -> tuple[str, str]:
+    """Name and behaviour that an ``#extension`` line gives."""
+    match = _EXTENSION.fullmatch(rest)
+    if match is None:
+        raise DirectiveError("SC108", "#extension is followed by 'name : behaviour'")
+    name, behaviour = match.groups()
+    if behaviour not in _BEHAVIOURS:
+        message = f"'{behaviour}' is no behaviour of an extension"
+        raise DirectiveError("SC108", message, "it is require, enable, warn or disable")
+    if name == "all" and behaviour in ("require", "enable"):
+        raise DirectiveError("SC108", f"'all' cannot be followed by '{behaviour}'")
+    if behaviour == "require" and name != "all" and name not in _known_extensions():
+        message = f"the extension '{name}' is not known"
+        raise DirectiveError("SC108", message, "with 'enable' it is used where the driver has it")
+    return name, behaviour

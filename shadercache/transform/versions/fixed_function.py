@@ -19,11 +19,11 @@ from dataclasses import dataclass, field, replace
 
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
+from shadercache.front.preprocess import enabled_extensions
 from shadercache.lang.builtins import BuiltinVariable, struct, variable
 from shadercache.lang.types import StructType, Type
 from shadercache.lang.words import ES_VERSIONS, VERSIONS
 from shadercache.sema.facts import Facts, Symbol
-from shadercache.sema.language import enabled_extensions
 from shadercache.source import NOWHERE, Span
 from shadercache.transform.versions.legacy_calls import Place
 
@@ -111,9 +111,8 @@ class FixedFunction:
         if name in self.names or name in _TODAY or self._stays(name):
             return
         was, stage = self._module, self._place[2]
-        known = variable(
-            name, stage, was.version, was.profile or "compatibility", enabled_extensions(was)
-        )
+        profile, extensions = was.profile or "compatibility", enabled_extensions(was.directives)
+        known = variable(name, stage, was.version, profile, extensions)
         assert known is not None, name
         self._used[name] = known
         # What vertex shaders write as one variable fragment shaders read as another.

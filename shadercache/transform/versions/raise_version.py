@@ -27,11 +27,11 @@ from shadercache.ast import nodes as n
 from shadercache.ast.rewriter import Rewriter
 from shadercache.ast.walk import walk
 from shadercache.diagnostics import Diagnostic, InputError, Severity
+from shadercache.front.preprocess import enabled_extensions
 from shadercache.lang.builtins import functions
 from shadercache.lang.words import keywords, reserved_words
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.infer import infer
-from shadercache.sema.language import enabled_extensions
 from shadercache.source import Source
 from shadercache.transform.unique_names import make_names_unique
 from shadercache.transform.versions.builtin_block import BUILTIN_BLOCK
@@ -149,7 +149,7 @@ def target_version(module: n.Module) -> tuple[int, str | None]:
     """Version and profile in which the variants of a shader are written."""
     if module.profile == "es":
         return max(module.version, ES_VERSION), "es"
-    extensions = enabled_extensions(module)
+    extensions = enabled_extensions(module.directives)
     compatible = module.profile == "compatibility" or "GL_ARB_compatibility" in extensions
     if module.version < DESKTOP_VERSION or compatible:
         return max(module.version, DESKTOP_VERSION), "core"
@@ -157,7 +157,7 @@ def target_version(module: n.Module) -> tuple[int, str | None]:
 
 
 def _place(module: n.Module, stage: Stage) -> Place:
-    return module.version, module.profile, stage, enabled_extensions(module)
+    return module.version, module.profile, stage, enabled_extensions(module.directives)
 
 
 class _Raiser(Rewriter):
