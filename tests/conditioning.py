@@ -26,7 +26,9 @@ from shadercache.front.parse import parse
 from shadercache.lang.types import builtin_type
 from shadercache.render.bundle import Bundle
 from shadercache.source import Source
-from shadercache.verify.verifier import Difference, Verdict, Verifier, difference
+from shadercache.verify.laws import refreshed
+from shadercache.verify.verdict import Difference, Verdict, difference
+from shadercache.verify.verifier import Verifier
 
 COLOUR = 1e-5
 """84 ulps of a colour of the order of 1; what comes behind the payload is rearranged as well."""
@@ -73,21 +75,21 @@ def _rearranged(verifier: Verifier) -> float:
     """What the driver's liberties change of the original: its plain mode against proof mode.
 
     Among them is 16 bits for ``mediump`` (llvmpipe 25.0), which proof mode makes ``highp``."""
-    frames = zip(*(verifier._moving[mode] for mode in ("plain", "proof")), strict=True)
+    frames = zip(*(verifier.references.images[mode] for mode in ("plain", "proof")), strict=True)
     found = [
         difference(plain, proof, covered).maximum
-        for covered, (plain, proof) in zip(verifier.covered, frames, strict=True)
+        for covered, (plain, proof) in zip(verifier.references.covered, frames, strict=True)
     ]
     return max(found)
 
 
 def _moved(verifier: Verifier, nodes: Sequence[Candidate]) -> float:
-    bundle = verifier._rewritten(nodes, "plain")
+    bundle = verifier.rewritten(nodes, "plain")
     text = bundle.files[PROGRAM]
     found = 0.0
     for sign in (-1, 1):
         files = bundle.files | {PROGRAM: scaled(text, sign * ROUNDINGS)}
-        changed = verifier._changed(Bundle(bundle.manifest, files), "2-pass")
+        changed = refreshed(verifier.references, Bundle(bundle.manifest, files), "2-pass", "plain")
         found = max(found, changed.maximum)
     return found
 

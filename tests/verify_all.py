@@ -35,8 +35,9 @@ from shadercache.measure.result_files import environment, machine_name
 from shadercache.paths import data_path
 from shadercache.scene.animation import Rows
 from shadercache.scene.description import Scene, load_scene
-from shadercache.verify.parallel import verify_in_parallel
-from shadercache.verify.verifier import MAX_TIES, Difference, Verdict, Verifier
+from shadercache.verify.parallel import VerifiedScene, verify_in_parallel
+from shadercache.verify.verdict import MAX_TIES, Difference, Verdict, worst_of
+from shadercache.verify.verifier import Verifier
 from tests.configured import DEFAULT
 
 SCHEMA_VERSION = 1
@@ -117,25 +118,13 @@ def row_of(verdict: Verdict) -> Row:
         row["without"] = sorted(verdict.refused)
     if verdict.broken:
         row["text"] = verdict.text
-        row["broken"] = {law: _figures(found) for law, found in _differences(verdict).items()}
+        row["broken"] = {law: _figures(found) for law, found in verdict.inexact.items()}
     if verdict.failure:
         row["failure"] = verdict.failure
-    worst = Difference()
-    for found in verdict.plain.values():
-        worst = worst.worst(found)
+    worst = worst_of(verdict.plain.values())
     if not worst.exact:
         row["plain"] = _figures(worst)
     return row
-
-
-def _differences(verdict: Verdict) -> dict[str, Difference]:
-    laws = {"law 2": verdict.always, "law 3": verdict.resting, "law 4": verdict.agreeing}
-    return {
-        f"{law} ({algorithm})": found
-        for law, by_algorithm in laws.items()
-        for algorithm, found in by_algorithm.items()
-        if not found.exact
-    }
 
 
 def _figures(found: Difference) -> list[float | None]:
@@ -171,8 +160,8 @@ def prepare(path: Path, output: Path | None, resume: bool) -> Report:
     scene, analysis = analyse_scene(scene)
     with open_context() as gpu:
         about = environment(gpu)
-        with closing(Verifier(gpu, scene, analysis)) as verifier:
-            law_1, ties = verifier.round_trip(), verifier.ties
+        with closing(Verifier(gpu, (scene, analysis))) as verifier:
+            law_1, ties = verifier.round_trip(), verifier.references.ties
     assert law_1 is not None, "the corpus is in versions that every driver takes"
     head = {
         "schema_version": SCHEMA_VERSION,
@@ -222,14 +211,15 @@ def verify(path: Path, report: Report, jobs: int, limit: int | None) -> None:
     try:
         with progress(f"verifying {report.head['scene']}", len(left)) as advance:
 
-            def told(verdict: Verdict) -> None:
+            def keep(verdict: Verdict) -> None:
                 report.add(verdict)
                 advance(1)
                 if verdict.broken:
                     _say(f"{verdict.node} ({verdict.path}): {', '.join(verdict.broken)}")
 
             at_once = max(1, min(jobs, len(left)))
-            verify_in_parallel(path, left, at_once, told=told, configuration=report.cached)
+            scene = VerifiedScene(path, configuration=report.cached)
+            verify_in_parallel(scene, left, at_once, heard=keep)
     finally:
         report.save()
 

@@ -10,6 +10,7 @@ written, 3 no usable OpenGL, 130 interrupted, 141 the reader of the output went 
 
 from __future__ import annotations
 
+import json
 import os
 import sys
 from collections.abc import Iterable, Sequence
@@ -22,21 +23,11 @@ from typing import Annotated
 import typer
 
 from shadercache import __version__
-from shadercache.cli.failures import Reporter, explain_os_error, explain_usage
-from shadercache.diagnostics import DiagnosticError, usage_error
+from shadercache.cli.options import expanded
+from shadercache.diagnostics import Diagnostic, DiagnosticError, UsageError, usage_error
 
-COMMANDS = {
-    "check": "shadercache.cli.check",
-    "nodes": "shadercache.cli.nodes",
-    "rewrite": "shadercache.cli.rewrite",
-    "verify": "shadercache.cli.verify",
-    "run": "shadercache.cli.run",
-    "bench": "shadercache.cli.bench",
-    "demo": "shadercache.cli.demo",
-    "assets": "shadercache.cli.assets",
-    "doctor": "shadercache.cli.doctor",
-}
-"""Subcommand and its module, in the order of the help text."""
+COMMANDS = ("check", "nodes", "rewrite", "verify", "run", "bench", "demo", "assets", "doctor")
+"""The subcommands, in the order of the help text."""
 
 HIDDEN = frozenset({"demo"})
 """Subcommands that the help text leaves out."""
@@ -47,6 +38,23 @@ class Format(StrEnum):
 
     TEXT = "text"
     JSON = "json"
+
+
+class Reporter:
+    """Writes diagnostics to stderr: as text, or as one JSON object per line."""
+
+    json = False
+
+    def show(self, diagnostics: Iterable[Diagnostic]) -> None:
+        """Write the diagnostics in the order given."""
+        for diagnostic in diagnostics:
+            text = json.dumps(diagnostic.to_json()) if self.json else diagnostic.render()
+            print(text, file=sys.stderr)
+
+    def fail(self, error: DiagnosticError) -> int:
+        """Write the diagnostics of ``error`` and return its exit status."""
+        self.show(error.diagnostics)
+        return error.exit_code
 
 
 def run() -> None:
@@ -71,7 +79,7 @@ def main(argv: Sequence[str]) -> int:
     except DiagnosticError as error:
         return reporter.fail(error)
     except typer.TyperException as error:
-        return reporter.fail(explain_usage(error))
+        return reporter.fail(_explain_usage(error))
     except (KeyboardInterrupt, typer.Abort):
         return 130
     except (BrokenPipeError, SystemExit):
@@ -80,7 +88,9 @@ def main(argv: Sequence[str]) -> int:
         return 141
     except OSError as error:
         _forget_output()
-        return reporter.fail(explain_os_error(error))
+        reason = error.strerror or str(error) or type(error).__name__
+        place = f"{error.filename}: " if error.filename else ""
+        return reporter.fail(usage_error("SC004", f"{place}{reason}"))
     except UnicodeDecodeError as error:
         return reporter.fail(usage_error("SC001", f"a file is not UTF-8 text: {error}"))
 
@@ -112,8 +122,8 @@ def _build(args: Sequence[str], reporter: Reporter) -> typer.Typer:
         context.obj = reporter
 
     for name in [name for name in COMMANDS if name in args] or COMMANDS:
-        module = import_module(COMMANDS[name])
-        app.command(name, hidden=name in HIDDEN)(module.command)
+        module = import_module(f"shadercache.cli.{name}")
+        app.command(name, hidden=name in HIDDEN)(expanded(module.command))
     return app
 
 
@@ -138,6 +148,15 @@ def _hoist_diagnostics(argv: Iterable[str]) -> list[str]:
         else:
             rest.append(argument)
     return front + rest
+
+
+def _explain_usage(error: typer.TyperException) -> UsageError:
+    """A command line that typer rejects, as SC003 with the way to the help text."""
+    context = getattr(error, "ctx", None)
+    command = context.command_path if context else "shadercache"
+    message = error.format_message().rstrip(".")
+    message = message[:1].lower() + message[1:]
+    return usage_error("SC003", message, hint=f"'{command} --help' lists what there is")
 
 
 def _forget_output() -> None:

@@ -31,7 +31,7 @@ _DUE = ("refresh", "old")
 
 @dataclass(frozen=True, slots=True)
 class Hits:
-    """Pixels that might hit, all frames together: ``expected`` have to, ``found`` do.
+    """Pixels that might hit, all frames together: ``expected`` have to, ``hit`` do.
 
     ``amiss`` pixels do not hit or miss when they have to, whatever the sum says. ``misses`` are the
     others' outcomes; ``where`` says what the pixels are, in words that follow their number.
@@ -39,7 +39,7 @@ class Hits:
 
     pixels: int
     expected: int
-    found: int
+    hit: int
     exact: bool
     amiss: int = 0
     misses: tuple[tuple[str, int], ...] = ()
@@ -49,55 +49,76 @@ class Hits:
     def enough(self) -> bool:
         """Is it as expected?"""
         if self.exact:
-            return self.found == self.expected and not self.amiss
-        return self.found >= self.expected
+            return self.hit == self.expected and not self.amiss
+        return self.hit >= self.expected
 
     def __str__(self) -> str:
         least = "" if self.exact else "at least "
-        text = f"{self.found:,} of {self.pixels:,} pixels{self.where} hit, {least}"
+        text = f"{self.hit:,} of {self.pixels:,} pixels{self.where} hit, {least}"
         text += f"{self.expected:,} expected"
-        if self.found == self.expected and self.amiss:
+        if self.hit == self.expected and self.amiss:
             text += f", {self.amiss:,} pixels out of turn"
-        told = ", ".join(f"{count:,} by '{word}'" for word, count in self.misses if count)
-        return f"{text} (missed: {told})" if told else text
+        missed = ", ".join(f"{number:,} by '{word}'" for word, number in self.misses if number)
+        return f"{text} (missed: {missed})" if missed else text
 
 
-def at_rest(
-    masks: Sequence[Outcomes],
-    has: Mask,
-    unfit: Mask,
-    values: Mapping[str, int],
-    configuration: Configuration,
-) -> Hits:
-    """Over the frames of one period, of the pixels that have payloads (``has``), of which some are
-    ``unfit`` for reuse.
+@dataclass(frozen=True, eq=False)
+class HitMasks:
+    """The hit masks of a run, frame by frame; ``values``: an outcome's number in them."""
 
-    Each has one turn in a period, or none where nothing is refreshed on purpose. With ages a
-    payload that was computed out of turn misses it, and one that is too old is computed again.
+    frames: Sequence[Outcomes]
+    values: Mapping[str, int]
+
+    def where(self, mask: Outcomes, *words: str) -> Mask:
+        """Which pixels have one of these outcomes."""
+        return np.isin(mask, [self.values[word] for word in words if word in self.values])
+
+    def times(self, *words: str) -> NDArray[np.int64]:
+        """In how many of the frames each pixel has one of these outcomes."""
+        counts: NDArray[np.int64] = np.sum([self.where(mask, *words) for mask in self.frames], 0)
+        return counts
+
+    def misses(self, among: Sequence[Mask]) -> tuple[tuple[str, int], ...]:
+        """How often each outcome but a hit is among pixels, the most frequent first."""
+        outcomes = {**self.values, "nothing drawn": 0}
+        del outcomes["hit"]
+        counts = {
+            word: sum(
+                count(part & (mask == value)) for mask, part in zip(self.frames, among, strict=True)
+            )
+            for word, value in outcomes.items()
+        }
+        return tuple(sorted(counts.items(), key=lambda entry: -entry[1]))
+
+
+def at_rest(masks: HitMasks, has: Mask, unfit: Mask, configuration: Configuration) -> Hits:
+    """Over the frames of one period, of the pixels that have payloads (``has``).
+
+    Some of these are ``unfit`` for reuse. Each has one turn in a period, or none where nothing is
+    refreshed on purpose. With ages a payload that was computed out of turn misses it, and one that
+    is too old is computed again.
     """
-    hit = _times(masks, values, ("hit",))
-    due = _times(masks, values, _DUE)
-    exempt = np.where(unfit, _times(masks, values, ("poison",)), 0)
+    frames, age = len(masks.frames), configuration.refresh.age
+    hit, due = masks.times("hit"), masks.times(*_DUE)
+    exempt = np.where(unfit, masks.times("poison"), 0)
     turns = 1 if configuration.refresh.schedule != "none" else 0
-    in_turn = due <= 1 + turns if configuration.refresh.age else due == turns
-    right = in_turn & (hit + due + exempt == len(masks))
-    renewed = np.minimum(due, 1 + turns) if configuration.refresh.age else turns
-    expected = len(masks) - exempt - renewed
+    in_turn = due <= 1 + turns if age else due == turns
+    right = in_turn & (hit + due + exempt == frames)
+    expected = frames - exempt - (np.minimum(due, 1 + turns) if age else turns)
     return Hits(
-        pixels=len(masks) * _count(has),
+        pixels=frames * count(has),
         expected=int(np.maximum(expected, 0)[has].sum()),
-        found=int(hit[has].sum()),
+        hit=int(hit[has].sum()),
         exact=True,
-        amiss=_count(has & ~right),
-        misses=_misses(masks, [has] * len(masks), values),
-        where=f" in {len(masks)} frames",
+        amiss=count(has & ~right),
+        misses=masks.misses([has] * frames),
+        where=f" in {frames} frames",
     )
 
 
 def in_motion(
-    masks: Sequence[Outcomes],
+    masks: HitMasks,
     seen: Sequence[Mask],
-    values: Mapping[str, int],
     configuration: Configuration,
     some: bool = False,
     guarded: bool = False,
@@ -108,22 +129,23 @@ def in_motion(
     ``some``: nobody knows what it showed, so where a point is inside of it, one hit will do.
     """
     least = LEAST_ROUNDED if configuration.hit_test.tolerance == "akeley-su" else LEAST
-    left = (*_DUE, "magnified", *["outside"] * some, *["poison"] * guarded)
-    must = [shown & ~_is(mask, values, left) for mask, shown in zip(masks, seen, strict=True)]
-    pixels = sum(_count(mask) for mask in must)
-    pairs = zip(masks, must, strict=True)
+    exempt = (*_DUE, "magnified", *["outside"] * some, *["poison"] * guarded)
+    seen_in = zip(masks.frames, seen, strict=True)
+    must = [shown & ~masks.where(mask, *exempt) for mask, shown in seen_in]
+    pairs = zip(masks.frames, must, strict=True)
+    pixels = sum(map(count, must))
     return Hits(
         pixels=pixels,
         expected=min(1, pixels) if some else int(least * pixels),
-        found=sum(_count(shown & _is(mask, values, ("hit",))) for mask, shown in pairs),
+        hit=sum(count(shown & masks.where(mask, "hit")) for mask, shown in pairs),
         exact=False,
-        misses=_misses(masks, must, values),
+        misses=masks.misses(must),
         where=f" that the frame before {'may have shown' if some else 'showed'}",
     )
 
 
 @dataclass(frozen=True, slots=True)
-class Tests:
+class DepthTest:
     """What decides whether a depth agrees; ``unit`` is the number of that role."""
 
     configuration: Configuration
@@ -132,10 +154,10 @@ class Tests:
 
     def allowed(self, inverse_w: Floats) -> Floats:
         """What a depth may be off, relative to 1/w."""
-        if self.configuration.hit_test.tolerance == "akeley-su":
-            return np.full_like(inverse_w, INTERPOLATION)
-        if self.configuration.hit_test.tolerance == "relative":
-            return np.full_like(inverse_w, self.epsilon)
+        tolerance = self.configuration.hit_test.tolerance
+        if tolerance != "fixed":
+            relative = INTERPOLATION if tolerance == "akeley-su" else self.epsilon
+            return np.full_like(inverse_w, relative)
         units = {"inverse-w": 16.0 * inverse_w, "linear": 1.0 / inverse_w}
         depth = self.configuration.storage.depth
         return self.epsilon / np.abs(units.get(depth, self.unit * inverse_w))
@@ -151,10 +173,12 @@ class Stored:
     viewport: Rectangle
 
 
-def shown_before(now: Surface, before: Surface, stored: Stored, tests: Tests, still: bool) -> Mask:
-    """Which pixels show a point that the frame before showed whole: all four texels that a filter
-    reads are of that surface, and flat enough for the test of depths.
+def shown_before(
+    now: Surface, before: Surface, stored: Stored, test: DepthTest, still: bool
+) -> Mask:
+    """Which pixels show a point that the frame before showed whole.
 
+    All four texels that a filter reads are of that surface, and flat enough for the test of depths.
     ``still``: what is looked up is the pixel's own place.
     """
     height, width = now.number.shape
@@ -168,7 +192,7 @@ def shown_before(now: Surface, before: Surface, stored: Stored, tests: Tests, st
         last = low + np.array(stored.viewport[2:]) - 1
         inside = (now.number > 0) & (expected > 0.0)
         inside &= ((corner >= low) & (corner <= last)).all(axis=-1)
-        allowed = tests.allowed(expected)
+        allowed = test.allowed(expected)
         corner = np.where(inside[..., None], corner, low)
         blended = np.zeros_like(expected)
         near = next(_taps(corner, last))[1]
@@ -176,10 +200,10 @@ def shown_before(now: Surface, before: Surface, stored: Stored, tests: Tests, st
             off = before.inverse_w[tap] / expected - 1.0
             inside &= stored.kept[tap] & (before.number[tap] == now.number)
             inside &= (stored.discrete[tap] == stored.discrete[near]).all(axis=-1)
-            inside &= np.abs(off) <= SPREAD * tests.epsilon
+            inside &= np.abs(off) <= SPREAD * test.epsilon
             blended += weight * off
-        found: Mask = inside & (np.abs(blended) <= allowed)
-    return found
+        shown: Mask = inside & (np.abs(blended) <= allowed)
+    return shown
 
 
 def _taps(
@@ -196,31 +220,6 @@ def _taps(
             yield weight, ((far if up else near)[..., 1], (far if right else near)[..., 0])
 
 
-def _times(
-    masks: Sequence[Outcomes], values: Mapping[str, int], words: Sequence[str]
-) -> NDArray[np.int64]:
-    """In how many of the frames each pixel has one of the outcomes."""
-    found: NDArray[np.int64] = np.sum([_is(mask, values, words) for mask in masks], axis=0)
-    return found
-
-
-def _is(mask: Outcomes, values: Mapping[str, int], words: Sequence[str]) -> Mask:
-    return np.isin(mask, [values[word] for word in words if word in values])
-
-
-def _misses(
-    masks: Sequence[Outcomes], among: Sequence[Mask], values: Mapping[str, int]
-) -> tuple[tuple[str, int], ...]:
-    """How often each outcome but a hit is among pixels, the most frequent first."""
-    pairs = list(zip(masks, among, strict=True))
-    counts = {
-        word: sum(_count(part & (mask == value)) for mask, part in pairs)
-        for word, value in values.items()
-        if word != "hit"
-    }
-    counts["nothing drawn"] = sum(_count(part & (mask == 0)) for mask, part in pairs)
-    return tuple(sorted(counts.items(), key=lambda item: -item[1]))
-
-
-def _count(mask: Mask) -> int:
+def count(mask: Mask) -> int:
+    """How many pixels."""
     return int(np.count_nonzero(mask))

@@ -12,7 +12,6 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from shadercache.diagnostics import InputError
 from shadercache.render.bound_pass import BoundPass, FrameInputs, Naming
 from shadercache.render.bundle import PassSpec
 from shadercache.render.drawable import Drawable
@@ -54,43 +53,29 @@ class PositionPass(BoundPass):
         self._load(inputs, None)
         buffer = context.buffer(reserve=16 * self._count)
         self._array.transform(buffer, moderngl.POINTS)
-        found = np.frombuffer(buffer.read(), np.float32).reshape(self._count, 4)
+        positions = np.frombuffer(buffer.read(), np.float32).reshape(self._count, 4)
         buffer.release()
-        return found
+        return positions
 
+    def fault(self, inputs: FrameInputs, truth: Positions) -> str:
+        """What is wrong with the varying as the vertices' places in the last frame; or nothing.
 
-def previous_fault(
-    world: RenderScene,
-    drawable: Drawable,
-    spec: PassSpec,
-    naming: Naming,
-    varying: str,
-    inputs: FrameInputs,
-    truth: Positions,
-) -> str:
-    """What is wrong with the positions that a pass takes for those of the last frame; or nothing.
-
-    ``varying`` is what it calls them, ``truth`` is where the last frame drew the vertices.
-    """
-    try:
-        program = PositionPass(world, drawable, spec, naming, varying)
-    except InputError:
-        return f"{spec.vertex.name} does not compute where the vertices were in the last frame"
-    found = program.captured(inputs)
-    program.release()
-    with np.errstate(invalid="ignore", over="ignore"):
-        size = np.abs(truth).max(axis=-1)
-        away = np.abs(found - truth).max(axis=-1)
-        same = (away <= EXACT * size) | (found.view(np.uint32) == truth.view(np.uint32)).all(-1)
-    wrong = ~same & np.isfinite(truth).all(-1)
-    if not wrong.any():
-        return ""
-    count, all_of_them = int(np.count_nonzero(wrong)), len(truth)
-    return (
-        f"{spec.vertex.name} takes {count:,} of {all_of_them:,} vertices to have been elsewhere in "
-        f"the last frame than they were, by up to {float(np.max(away[wrong] / size[wrong])):.2g} "
-        "of their clip-space position"
-    )
+        ``truth`` is where the last frame drew the vertices.
+        """
+        positions = self.captured(inputs)
+        with np.errstate(invalid="ignore", over="ignore"):
+            size = np.abs(truth).max(axis=-1)
+            away = np.abs(positions - truth).max(axis=-1)
+            bits = positions.view(np.uint32), truth.view(np.uint32)
+            same = (away <= EXACT * size) | (bits[0] == bits[1]).all(-1)
+        wrong = ~same & np.isfinite(truth).all(-1)
+        if not wrong.any():
+            return ""
+        return (
+            f"{self._spec.vertex.name} takes {int(np.count_nonzero(wrong)):,} of {len(truth):,} "
+            "vertices to have been elsewhere in the last frame than they were, by up to "
+            f"{float(np.max(away[wrong] / size[wrong])):.2g} of their clip-space position"
+        )
 
 
 def shaken(values: Values) -> Values:

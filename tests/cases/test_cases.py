@@ -68,11 +68,11 @@ def test_golden_nodes(name: str, golden: Golden) -> None:
 @pytest.mark.parametrize("name", CACHEABLE)
 def test_laws_1_to_4(name: str, gpu: Gpu, scene_folder: Path) -> None:
     scene = scene_of(name, scene_folder)
-    with closing(Verifier(gpu, scene, analysed(name), SIZE)) as verifier:
+    with closing(Verifier(gpu, (scene, analysed(name)), SIZE)) as verifier:
         found = verifier.round_trip()
         chosen = tried(name)
         verdicts = [verifier.check(nodes) for nodes in chosen]
-        assert verifier.covered[0].mean() > 0.2
+        assert verifier.references.covered[0].mean() > 0.2
         es = analysed(name).program.module.profile == "es"  # may compute mediump in 16 bits
         far = {} if es else all_too_far(verifier, chosen, verdicts)
     assert found is not None and found.exact

@@ -10,7 +10,8 @@ import pytest
 from shadercache.analysis.candidates import Candidate
 from shadercache.emit import builder
 from shadercache.gpu.context import Gpu
-from shadercache.verify.verifier import Verdict, Verifier
+from shadercache.verify.verdict import Verdict
+from shadercache.verify.verifier import Verifier
 
 from .cases import analysed
 from .scenery import scene_of
@@ -28,7 +29,7 @@ def nodes(*begins: str) -> list[Candidate]:
 
 
 def verdicts(gpu: Gpu, folder: Path, *begins: str) -> list[Verdict]:
-    with closing(Verifier(gpu, scene_of(NAME, folder), analysed(NAME), (40, 40))) as verifier:
+    with closing(Verifier(gpu, (scene_of(NAME, folder), analysed(NAME)), (40, 40))) as verifier:
         return [verifier.check(node, plain=False) for node in nodes(*begins)]
 
 
@@ -38,7 +39,7 @@ def test_what_decides_on_loops_is_exact_and_not_cached_in_three_passes(
     for verdict in verdicts(gpu, scene_folder, *DECIDING):
         assert not verdict.broken, verdict.text
         assert "how long a loop runs" in verdict.refused["3-pass"]
-        assert set(verdict.always) == {"1-pass", "2-pass"}
+        assert verdict.algorithms == {"1-pass", "2-pass"}
 
 
 def test_what_decides_on_no_loop_is_cached_by_all(gpu: Gpu, scene_folder: Path) -> None:

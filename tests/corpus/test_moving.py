@@ -95,10 +95,10 @@ def test_the_camera_meets_no_column() -> None:
 def test_the_laws_hold(gpu: Gpu, opened: tuple[Scene, Analysis]) -> None:
     scene, analysis = opened
     (name,) = scene.nodes.values()
-    with closing(Verifier(gpu, scene, analysis, size=(64, 64))) as verifier:
+    with closing(Verifier(gpu, (scene, analysis), size=(64, 64))) as verifier:
         verdict = verifier.check(analysis.node(name), plain=False)
     assert not verdict.broken, verdict
-    assert len(verdict.always) == 3
+    assert len(verdict.algorithms) == 3
 
 
 def test_most_is_reused_in_motion(gpu: Gpu, opened: tuple[Scene, Analysis]) -> None:

@@ -28,8 +28,9 @@ from shadercache.sema.facts import Stage
 from shadercache.source import Source
 from shadercache.transform.unique_names import make_names_unique
 from shadercache.valid.read import read
-from shadercache.verify import verifier as verify
-from shadercache.verify.verifier import Difference, Image, Verdict, Verifier
+from shadercache.verify import laws
+from shadercache.verify.verdict import Difference, Image, Verdict
+from shadercache.verify.verifier import Verifier
 from tests.configured import PROOF, configured, rewritten, variant
 
 from .dialects import Dialect
@@ -149,7 +150,7 @@ def _drawn(
 ) -> Iterator[str]:
     """What laws 1 to 4 say."""
     try:
-        verifier = Verifier(gpu, scene(), analysis, SIZE, ring())
+        verifier = Verifier(gpu, (scene(), analysis), SIZE, ring())
     except InputError as error:
         yield f"the original cannot be drawn: {error}"
         return
@@ -164,16 +165,17 @@ def _drawn(
         # In GLSL ES plain mode may round to the 16 bits of mediump, in constants too (Mesa).
         if not es and (share := _apart(verifier)) > MOST_APART:
             yield f"the original in proof mode differs from the plain one in {share:.0%} of pixels"
-        image = verifier.world.targets.image()[verifier.covered[-1]]
+        seen = verifier.references
+        image = seen.world.targets.image()[seen.covered[-1]]
         report.finite = bool(np.isfinite(image).all())
         for nodes, emission in made:
             bundle = Bundle(emission.manifest, emission.files)
             verdict = Verdict(*(bundle.node(key) for key in ("id", "path", "text")), True)
             try:
-                verifier.check_bundle(bundle, verdict)
+                laws.judge(verifier.references, bundle, verdict)
             except InputError as error:
                 verdict.failure = str(error)
-            report.algorithms.update(list(verdict.always))
+            report.algorithms.update(verdict.algorithms)
             report.algorithms["of a set"] += len(nodes) > 1
             refused = list(bundle.refused)
             report.algorithms.update(f"{name} refused" for name in refused)
@@ -188,7 +190,8 @@ def _apart(verifier: Verifier) -> float:
     Its original is made by passes that variants go through as well, so that the laws alone would
     not see what those break in both. Where a rounding decides a condition, some pixels may differ.
     """
-    plain, proof = (verifier._moving[mode][0][verifier.covered[0]] for mode in ("plain", "proof"))
+    images, covered = verifier.references.images, verifier.references.covered[0]
+    plain, proof = (images[mode][0][covered] for mode in ("plain", "proof"))
     return _share_apart(plain, proof)
 
 
@@ -200,12 +203,12 @@ def _share_apart(image: Image, reference: Image) -> float:
 def _plain_shares(verifier: Verifier, bundle: Bundle, report: Report) -> list[float]:
     """For each algorithm, in how many pixels plain mode differs by more than rounding."""
     found = []
-    covered, reference = verifier.covered[1], verifier._moving["plain"][1]
+    covered, reference = verifier.references.covered[1], verifier.references.images["plain"][1]
     for name in bundle.algorithms:
-        with variant(verifier.world, bundle, name, period=1) as runner:
+        with variant(verifier.references.world, bundle, name, period=1) as runner:
             runner.draw(0)
             image = runner.image(1)
-        report.plain.append(verify.difference(image, reference, covered).changed)
+        report.plain.append(laws.difference(image, reference, covered).changed)
         found.append(_share_apart(image[covered], reference[covered]))
     return found
 
@@ -217,7 +220,7 @@ def zeros_alike() -> Iterator[None]:
     Drivers drop ``+ 0.0`` where they know the zero, in precise expressions too (Mesa), and a
     payload from the cache they do not know; generated shaders are full of such sums.
     """
-    strict = verify.difference
+    strict = laws.difference
 
     def lenient(image: Image, reference: Image, covered: NDArray[np.bool_]) -> Difference:
         zero = np.float32(0.0)  # -0 + 0 is +0, and nothing else that is finite changes
@@ -228,11 +231,11 @@ def zeros_alike() -> Iterator[None]:
             covered,
         )
 
-    verify.difference = lenient
+    laws.difference = lenient
     try:
         yield
     finally:
-        verify.difference = strict
+        laws.difference = strict
 
 
 def _read(texts: dict[str, str]) -> Iterator[str]:

@@ -36,7 +36,7 @@ def test_laws_2_to_4(shader: Shader, gpu: Gpu, scene_folder: Path) -> None:
     scene = replace(load_scene(scene_folder), fragment=path, vertex=scene_folder / VERTEX.name)
     analysis = analyse(shader.source, Source(VERTEX.name, VERTEX.read_text(encoding="utf-8")))
     by_text = {node.text: node for node in reversed(analysis.nodes)}
-    with closing(Verifier(gpu, scene, analysis, (32, 32))) as verifier:
+    with closing(Verifier(gpu, (scene, analysis), (32, 32))) as verifier:
         verdicts = [verifier.check([by_text[text] for text in item], False) for item in shader.sets]
     assert not {item.text: item.failure or item.broken for item in verdicts if item.broken}
 

@@ -64,7 +64,7 @@ def test_the_laws_hold(gpu: Gpu, nodes: tuple[str, list[Candidate]], text: str) 
     name, chosen = nodes
     scene, analysis = open_scene(data_path("corpus", name, "scene.toml"))
     cached = with_settings(DEFAULT, [text])
-    with closing(Verifier(gpu, scene, analysis, (64, 64), configuration=cached)) as verifier:
+    with closing(Verifier(gpu, (scene, analysis), (64, 64), configuration=cached)) as verifier:
         for node in analysis.nodes:
             if any(node.id == one.id for one in chosen):
                 verdict = verifier.check(node, plain=False)

@@ -17,7 +17,9 @@ from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.render.bundle import Bundle
 from shadercache.scene.description import Scene, load_scene
-from shadercache.verify.verifier import Verdict, Verifier
+from shadercache.verify.laws import judge
+from shadercache.verify.verdict import Verdict
+from shadercache.verify.verifier import Verifier
 from tests.configured import PROOF, rewritten
 
 FOLDER = Path(__file__).with_name("conditions")
@@ -36,7 +38,7 @@ def test_laws_1_to_4(name: str, gpu: Gpu) -> None:
     scene, analysis = load(name)
     nodes = [node for node in analysis.nodes if node.legal and EXPENSIVE in node.text]
     assert nodes
-    with closing(Verifier(gpu, scene, analysis, (64, 64))) as verifier:
+    with closing(Verifier(gpu, (scene, analysis), (64, 64))) as verifier:
         found = verifier.round_trip()
         verdicts = [verifier.check(node, plain=False) for node in nodes]
     assert found is not None
@@ -102,6 +104,6 @@ def test_broken_programs_break_a_law(old: str, new: str, where: str, law: str, g
         for name, text in emission.files.items()
     }
     verdict = Verdict(node.id, node.path, node.text, node.offered)
-    with closing(Verifier(gpu, scene, analysis, (64, 64))) as verifier:
-        verifier.check_bundle(Bundle(emission.manifest, files), verdict)
+    with closing(Verifier(gpu, (scene, analysis), (64, 64))) as verifier:
+        judge(verifier.references, Bundle(emission.manifest, files), verdict)
     assert any(found.startswith(law) for found in verdict.broken), verdict.broken

@@ -19,7 +19,8 @@ from shadercache.scene.description import Scene, load_scene
 from shadercache.source import Source
 from shadercache.transform.hoist_fetches import FetchForm
 from shadercache.verify.detail_levels import tells_true_levels
-from shadercache.verify.verifier import Verdict, Verifier
+from shadercache.verify.verdict import Verdict
+from shadercache.verify.verifier import Verifier
 from tests.cases.scenery import make_scene
 from tests.configured import PROOF, configured, rewritten
 from tests.shaders import find
@@ -44,7 +45,7 @@ def opened(tmp_path_factory: pytest.TempPathFactory) -> tuple[Scene, Analysis]:
 def verdicts(gpu: Gpu, opened: tuple[Scene, Analysis], fetches: FetchForm) -> list[Verdict]:
     scene, analysis = opened
     with closing(
-        Verifier(gpu, scene, analysis, SIZE, configuration=configured(fetches=fetches))
+        Verifier(gpu, (scene, analysis), SIZE, configuration=configured(fetches=fetches))
     ) as verifier:
         return [verifier.check(find(analysis, text), plain=False) for text in VALUES]
 
@@ -52,7 +53,7 @@ def verdicts(gpu: Gpu, opened: tuple[Scene, Analysis], fetches: FetchForm) -> li
 @pytest.mark.parametrize("fetches", ["whole", "level"])
 def test_laws_2_to_4(gpu: Gpu, opened: tuple[Scene, Analysis], fetches: FetchForm) -> None:
     for verdict in verdicts(gpu, opened, fetches):
-        assert set(verdict.always) == {"1-pass", "2-pass", "3-pass"}
+        assert verdict.algorithms == {"1-pass", "2-pass", "3-pass"}
         assert not verdict.broken and not verdict.failure, verdict.text
 
 
@@ -66,7 +67,7 @@ def test_levels_are_proven_where_the_driver_tells_its_own(
         find(analysis, VALUES[0]),
         configured(PROOF, fetches="level"),
     )
-    with closing(Verifier(gpu, scene, analysis, SIZE)) as verifier:
+    with closing(Verifier(gpu, (scene, analysis), SIZE)) as verifier:
         found = broken(verifier, Bundle(emission.manifest, emission.files))
     assert tells_true_levels(gpu) == (not found)
 
@@ -79,7 +80,7 @@ def test_a_wrong_level_is_noticed(gpu: Gpu, opened: tuple[Scene, Analysis]) -> N
     changed, count = re.subn(r"(textureLod\([^;]*), sc_fetch_\d\)", r"\1, 0.5)", text)
     assert count
     bundle = Bundle(emission.manifest, emission.files | {"1-pass.frag": changed})
-    with closing(Verifier(gpu, scene, analysis, SIZE)) as verifier:
+    with closing(Verifier(gpu, (scene, analysis), SIZE)) as verifier:
         assert "law 2 (1-pass)" in broken(verifier, bundle)
 
 

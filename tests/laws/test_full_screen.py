@@ -77,10 +77,10 @@ def bundle_of(analysis: Analysis, text: str, mode: Mode, change: Change | None =
 def test_laws_1_to_4(name: str, gpu: Gpu) -> None:
     scene, analysis = open_scene(FOLDER / f"{name}.frag", reading(name), MAPPINGS[name])
     legal = [node for node in analysis.nodes if node.legal]
-    with closing(Verifier(gpu, scene, analysis, SIZE)) as verifier:
+    with closing(Verifier(gpu, (scene, analysis), SIZE)) as verifier:
         found = verifier.round_trip()
         assert found is not None and found.exact
-        assert verifier.covered[0].all(), "the triangle covers the whole picture"
+        assert verifier.references.covered[0].all(), "the triangle covers the whole picture"
         verdicts = [verifier.check(node) for node in day_slice(legal, seed(), NODES)]
     broken = {item.text: item.failure or item.broken for item in verdicts if item.broken}
     assert not broken, f"{VARIABLE}={seed()} repeats this"
@@ -292,7 +292,7 @@ def test_laws_2_to_4_on_a_mesh(gpu: Gpu, mapping: MappingKind) -> None:
     assert plain(emission.manifest)["draw"] == {"geometry": "objects"}
     assert "sc_" not in emission.files["1-pass.vert"]
     scene, mesh = body_scene("trashcan", 3.0), body_mesh("trashcan")
-    with closing(Verifier(gpu, scene, analysis, SIZE, mesh)) as verifier:
+    with closing(Verifier(gpu, (scene, analysis), SIZE, mesh)) as verifier:
         verdicts = [verifier.check(node) for node in nodes]
     broken = {item.text: item.failure or item.broken for item in verdicts if item.broken}
     assert not broken

@@ -30,7 +30,9 @@ from shadercache.manifest.model import Manifest
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
 from shadercache.source import Source
-from shadercache.verify.verifier import Verdict, Verifier
+from shadercache.verify.laws import judge
+from shadercache.verify.verdict import Verdict
+from shadercache.verify.verifier import Verifier
 from tests.configured import PROOF, configured, rewritten
 
 pytestmark = pytest.mark.xdist_group("law5")
@@ -90,7 +92,7 @@ def verifier(gpu: Gpu) -> Iterator[Verifier]:
     """The trash can's shape under a shader that compiles fast."""
     analysis = analyse(Source("bands.frag", FRAGMENT), Source("bands.vert", VERTEX))
     scene, mesh = body_scene("trashcan", 3.0), body_mesh("trashcan")
-    with closing(Verifier(gpu, scene, analysis, mesh=mesh)) as made:
+    with closing(Verifier(gpu, (scene, analysis), mesh=mesh)) as made:
         yield made
 
 
@@ -103,7 +105,7 @@ def proof(verifier: Verifier) -> Bundle:
 
 def broken(verifier: Verifier, bundle: Bundle) -> set[str]:
     verdict = Verdict(bundle.node("id"), bundle.node("path"), bundle.node("text"), True)
-    verifier.check_bundle(bundle, verdict)
+    judge(verifier.references, bundle, verdict)
     return set(verdict.broken)
 
 
@@ -179,11 +181,11 @@ def test_a_variant_that_does_not_compile_is_reported(
     verifier: Verifier, proof: Bundle, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     worse = Replace("sc_payload;", "sc_payload", "3-pass.payload").bundle(proof)
-    monkeypatch.setattr(verifier, "_rewritten", lambda node, mode: worse)
+    monkeypatch.setattr(verifier, "rewritten", lambda node, mode: worse)
     verdict = verifier.check(verifier.analysis.node(proof.node("id")))
     assert verdict.broken == ["cannot be drawn"]
     assert "3-pass.payload.frag" in verdict.failure
-    assert set(verdict.always) == {"1-pass", "2-pass"}, "what came before stands"
+    assert verdict.algorithms == {"1-pass", "2-pass"}, "what came before stands"
 
 
 MOTION = "sc_previous.xy / sc_previous.w - sc_current.xy / sc_current.w;"

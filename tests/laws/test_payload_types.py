@@ -40,7 +40,7 @@ def case(gpu: Gpu, request: pytest.FixtureRequest) -> Iterator[tuple[Verifier, C
     """The trash can's shape, turning fast, under a shader with such a payload."""
     analysis, node = analysed_payload(*request.param)
     scene, mesh = body_scene("trashcan", 3.0), body_mesh("trashcan")
-    with closing(Verifier(gpu, scene, analysis, mesh=mesh)) as made:
+    with closing(Verifier(gpu, (scene, analysis), mesh=mesh)) as made:
         yield made, node
 
 
@@ -53,7 +53,7 @@ def test_laws_2_to_4(case: tuple[Verifier, Candidate]) -> None:
     verifier, node = case
     verdict = verifier.check(node)
     assert verdict.broken == [], verdict.failure
-    assert set(verdict.always) == set(ALL)
+    assert verdict.algorithms == set(ALL)
     # Drivers round a mediump number before it becomes an integer, or do not: up to a step here.
     discrete = node.type.bases != {"float"}
     for item in verdict.plain.values():
@@ -64,7 +64,7 @@ def test_payloads_are_reused_in_motion(case: tuple[Verifier, Candidate]) -> None
     """Else the laws would hold because everything is computed anew."""
     verifier, node = case
     bundle = proof_of(verifier, node)
-    with variant(verifier.world, bundle, "2-pass", period=64) as runner:
+    with variant(verifier.references.world, bundle, "2-pass", period=64) as runner:
         for frame in range(3):
             runner.draw(frame)
         mask = runner.hit_mask(3)

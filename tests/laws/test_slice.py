@@ -19,7 +19,8 @@ from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import read_shaders
 from shadercache.paths import data_path
 from shadercache.scene.description import Scene, load_scene
-from shadercache.verify.verifier import MAX_TIES, Difference, Verdict, Verifier
+from shadercache.verify.verdict import MAX_TIES, Difference, Verdict, worst_of
+from shadercache.verify.verifier import Verifier
 
 NODES = amount(4, 24)
 """Of each scene, besides those that the scene names."""
@@ -50,8 +51,8 @@ def test_laws_1_to_4(
     assert set(scene.nodes.values()) <= {node.id for node in legal}, "a name of no legal node"
     nodes = nodes_of_day(legal, scene.nodes, day, count)
     cached = configured(scene, Configuration(), None)
-    with closing(Verifier(gpu, scene, analysis, configuration=cached)) as verifier:
-        assert verifier.ties <= MAX_TIES
+    with closing(Verifier(gpu, (scene, analysis), configuration=cached)) as verifier:
+        assert verifier.references.ties <= MAX_TIES
         assert verifier.round_trip().exact, f"law 1 is broken: {verifier.round_trip()}"
         verdicts = [verifier.check(node) for node in nodes]
     for verdict in verdicts:
@@ -92,20 +93,12 @@ def _load(name: str) -> tuple[Scene, Analysis]:
 
 
 def _report(verdict: Verdict) -> str:
-    parts = {"law 2": verdict.always, "law 3": verdict.resting, "law 4": verdict.agreeing}
-    lines = [
-        f"  {law} ({algorithm}): {_figures(found)}"
-        for law, by_algorithm in parts.items()
-        for algorithm, found in by_algorithm.items()
-        if not found.exact
-    ]
+    lines = [f"  {law}: {_figures(found)}" for law, found in verdict.inexact.items()]
     return "\n".join([f"{verdict.node} in {verdict.path}: {verdict.text}", *lines])
 
 
 def _plain(verdict: Verdict) -> str:
-    worst = Difference()
-    for found in verdict.plain.values():
-        worst = worst.worst(found)
+    worst = worst_of(verdict.plain.values())
     return f"{verdict.node} in {verdict.path}: plain mode {_figures(worst)}"
 
 

@@ -10,15 +10,15 @@ from typing import Any
 import pytest
 import verify_all
 
-from shadercache.caching.configuration import Configuration
 from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.paths import data_path
 from shadercache.scene.description import load_scene
-from shadercache.verify.verifier import Difference, Verdict
+from shadercache.verify.parallel import VerifiedScene
+from shadercache.verify.verdict import Difference, Verdict
 
 pytestmark = pytest.mark.xdist_group("laws-trashcan")
 
-Told = Callable[[Verdict], None]
+Heard = Callable[[Verdict], None]
 
 
 class Renderer:
@@ -29,15 +29,13 @@ class Renderer:
         self.stops_after: int | None = None
         self.broken: set[str] = set()
 
-    def __call__(
-        self, scene: Path, nodes: Sequence[str], jobs: int, told: Told, configuration: Configuration
-    ) -> None:
+    def __call__(self, scene: VerifiedScene, nodes: Sequence[str], jobs: int, heard: Heard) -> None:
         for count, node in enumerate(nodes):
             if count == self.stops_after:
                 raise KeyboardInterrupt
             self.asked.append(node)
             found = Difference(0.5, 0.25, 0.12345) if node in self.broken else Difference()
-            told(Verdict(node, "main", "a + b", True, always={"2-pass": found}))
+            heard(Verdict(node, "main", "a + b", True, laws={"always": {"2-pass": found}}))
 
 
 @pytest.fixture

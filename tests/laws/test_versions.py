@@ -33,7 +33,7 @@ def test_laws_1_to_4(name: str, gpu: Gpu) -> None:
     scene, analysis = load(name)
     nodes = [node for node in analysis.nodes if node.legal]
     assert len(nodes) >= 4
-    with closing(Verifier(gpu, scene, analysis, (64, 64))) as verifier:
+    with closing(Verifier(gpu, (scene, analysis), (64, 64))) as verifier:
         found = verifier.round_trip()
         verdicts = [verifier.check(node) for node in nodes]
         # In 16 bits a payload would be 2^-11 off, in 32 what is rearranged moves it by some 2^-23.

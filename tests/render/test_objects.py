@@ -80,12 +80,12 @@ def test_what_the_file_says(opened: tuple[Scene, Analysis]) -> None:
 
 def test_the_laws_hold_for_all_objects_together(gpu: Gpu, opened: tuple[Scene, Analysis]) -> None:
     scene, analysis = opened
-    with closing(Verifier(gpu, scene, analysis)) as verifier:
+    with closing(Verifier(gpu, (scene, analysis))) as verifier:
         exact = verifier.round_trip()
         assert exact is not None and exact.exact
         verdict = verifier.check(analysis.node(NODE))
         assert not verdict.broken, verdict
-        assert set(verdict.always) == set(ALGORITHMS)
+        assert verdict.algorithms == set(ALGORITHMS)
 
 
 @pytest.mark.parametrize("algorithm", ALGORITHMS)

@@ -77,7 +77,7 @@ def test_what_else_may_be_cached_holds_the_laws(name: str, gpu: Gpu, folder: Pat
         load_scene(folder), fragment=FOLDER / f"{name}.frag", vertex=folder / "shader.vert"
     )
     nodes = [node for node in analysis.nodes if node.offered]
-    with closing(Verifier(gpu, scene, analysis, (40, 40))) as verifier:
+    with closing(Verifier(gpu, (scene, analysis), (40, 40))) as verifier:
         assert (found := verifier.round_trip()) is not None
         assert found.exact
         every = [verifier.check(node, plain=False) for node in nodes]

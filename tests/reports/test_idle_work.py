@@ -57,6 +57,6 @@ def test_laws_2_to_4(path: Path, gpu: Gpu, scene_folder: Path) -> None:
     analysis = analysed(path)
     legal = [node for node in analysis.nodes if node.legal]
     sets, _ = random_sets(analysis, legal, Random(path.stem), 2)
-    with closing(Verifier(gpu, scene_of(path, scene_folder), analysis, (40, 40))) as verifier:
+    with closing(Verifier(gpu, (scene_of(path, scene_folder), analysis), (40, 40))) as verifier:
         verdicts = [verifier.check(nodes, plain=False) for nodes in sets]
     assert not {item.text: item.failure or item.broken for item in verdicts if item.broken}

@@ -29,6 +29,8 @@ def scene_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_laws_2_to_4(path: Path, gpu: Gpu, scene_folder: Path) -> None:
     legal = [node for node in analysed(path).nodes if node.legal]
     chosen = sorted(legal, key=lambda node: node.path != "main")[:NODES]
-    with closing(Verifier(gpu, scene_of(path, scene_folder), analysed(path), (40, 40))) as verifier:
+    with closing(
+        Verifier(gpu, (scene_of(path, scene_folder), analysed(path)), (40, 40))
+    ) as verifier:
         verdicts = [verifier.check(node, plain=False) for node in chosen]
     assert not {item.text: item.failure or item.broken for item in verdicts if item.broken}

@@ -27,7 +27,9 @@ from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
 from shadercache.render.variant_runner import OriginalRunner
 from shadercache.source import Source
-from shadercache.verify.verifier import Verdict, Verifier
+from shadercache.verify.laws import judge
+from shadercache.verify.verdict import Verdict
+from shadercache.verify.verifier import Verifier
 from tests.configured import DEFAULT, configured, rewritten, variant
 
 pytestmark = pytest.mark.xdist_group("gl")
@@ -70,9 +72,9 @@ def verifier(gpu: Gpu, name: str, settings: str = "") -> Verifier:
     cached = with_settings(DEFAULT, [settings] if settings else [])
     if name.startswith("surface"):
         scene, mesh = body_scene("trashcan", 3.0), body_mesh("trashcan")
-        return Verifier(gpu, scene, analysed(name), SIZE, mesh=mesh, configuration=cached)
+        return Verifier(gpu, (scene, analysed(name)), SIZE, mesh=mesh, configuration=cached)
     scene, _ = open_scene(FOLDER / f"{name}.frag", mapping="screen")
-    return Verifier(gpu, scene, analysed(name), SIZE, configuration=cached)
+    return Verifier(gpu, (scene, analysed(name)), SIZE, configuration=cached)
 
 
 def world(gpu: Gpu, name: str) -> RenderScene:
@@ -104,7 +106,7 @@ def test_laws_2_to_4(gpu: Gpu, name: str, text: str) -> None:
     node = next(node for node in analysed(name).nodes if node.legal and node.text == text)
     with closing(verifier(gpu, name)) as checks:
         verdict = checks.check(node, plain=False)
-    assert set(verdict.always) == set(ALL)
+    assert verdict.algorithms == set(ALL)
     assert verdict.broken == [], verdict.failure or verdict.cause
 
 
@@ -135,8 +137,8 @@ def test_the_laws_notice_another_value_in_its_place(gpu: Gpu) -> None:
         verdict = checks.check(
             next(node for node in analysed(name).nodes if node.id == made.node("id")), plain=False
         )
-        verdict.always.clear()
-        checks.check_bundle(made, verdict)
+        verdict.laws["always"].clear()
+        judge(checks.references, made, verdict)
     assert "law 2 (3-pass)" in verdict.broken
 
 
@@ -225,8 +227,8 @@ def test_the_algorithms_agree_on_what_a_filter_makes(
     )
     verdict = Verdict(made.node("id"), "", "", True)
     with closing(verifier(gpu, name)) as checks:
-        checks.check_bundle(made, verdict)
-    assert all(found.exact for found in verdict.agreeing.values()), verdict.reasons
+        judge(checks.references, made, verdict)
+    assert all(found.exact for found in verdict.laws["agreeing"].values()), verdict.reasons
 
 
 WEIGHED = re.compile(r"weights\.([xyzw]) > 0\.0 \? weights\.\1 \* ([abcd]) : vec4\(0\.0\)")

@@ -30,6 +30,6 @@ def test_laws_2_to_4(path: Path, gpu: Gpu) -> None:
     legal = [node for node in analysis.nodes if node.legal]
     nodes = legal[:: -(-len(legal) // NODES)]
     assert len(nodes) >= 2
-    with closing(Verifier(gpu, scene, analysis, SIZE)) as verifier:
+    with closing(Verifier(gpu, (scene, analysis), SIZE)) as verifier:
         verdicts = [verifier.check(node, plain=False) for node in nodes]
     assert not {item.text: item.failure or item.broken for item in verdicts if item.broken}

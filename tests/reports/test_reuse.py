@@ -20,7 +20,8 @@ from shadercache.linking.scene_shaders import open_scene
 from shadercache.render.bound_pass import FrameInputs
 from shadercache.render.bundle import Bundle
 from shadercache.render.variant_runner import DrawItem, VariantRunner
-from shadercache.verify.verifier import Verdict, Verifier
+from shadercache.verify.verdict import Verdict
+from shadercache.verify.verifier import Verifier
 from tests.cases.scenery import ring
 from tests.configured import DEFAULT
 
@@ -53,7 +54,7 @@ class Judge:
     def __init__(self, gpu: Gpu, scene: Path, cache: str = "") -> None:
         made, analysis = open_scene(scene)
         options = with_settings(DEFAULT, [cache] if cache else [])
-        self.verifier = Verifier(gpu, made, analysis, (48, 48), configuration=options)
+        self.verifier = Verifier(gpu, (made, analysis), (48, 48), configuration=options)
         marked = next(line for line in analysis.fragment.text.splitlines() if "// the node" in line)
         wanted = re.split(r" \+?= ", marked)[1].partition(";")[0]
         self.node = next(node for node in analysis.nodes if node.legal and node.text == wanted)
@@ -71,7 +72,7 @@ class Judge:
 
 def patch_files(patch: pytest.MonkeyPatch, edit: Edit) -> None:
     """Break what the compiler emits of variants. One file at least must become another."""
-    rewritten = Verifier._rewritten
+    rewritten = Verifier.rewritten
 
     def broken(verifier: Verifier, nodes: object, mode: object) -> Bundle:
         bundle = rewritten(verifier, nodes, mode)  # type: ignore[arg-type]
@@ -79,7 +80,7 @@ def patch_files(patch: pytest.MonkeyPatch, edit: Edit) -> None:
         assert files != bundle.files
         return Bundle(bundle.manifest, files)
 
-    patch.setattr(Verifier, "_rewritten", broken)
+    patch.setattr(Verifier, "rewritten", broken)
 
 
 @pytest.fixture(scope="module", params=SHADERS)
@@ -130,7 +131,7 @@ def hits_not_stored(name: str, text: str) -> str:
 def test_nothing_is_wrong(judge: Judge) -> None:
     verdict = judge.verdict()
     assert not verdict.reasons
-    assert set(verdict.always) == set(ALL)
+    assert verdict.algorithms == set(ALL)
 
 
 @pytest.mark.parametrize("edit", [twins_swapped, twins_undefined])

@@ -85,9 +85,9 @@ def test_each_value_comes_from_its_place(
 @pytest.mark.parametrize("name", ["only_outputs", "arrays", "nameless_structs", "crossed"])
 def test_laws_2_to_4(name: str, gpu: Gpu, folder: Path) -> None:
     analysis = analysed(FOLDER, name)
-    with closing(Verifier(gpu, scene_of(folder, name, analysis), analysis, (40, 40))) as verifier:
+    with closing(Verifier(gpu, (scene_of(folder, name, analysis), analysis), (40, 40))) as verifier:
         verdict = verifier.check(payload(analysis), plain=False)
-        assert verifier.covered[0].mean() > 0.1
+        assert verifier.references.covered[0].mean() > 0.1
     assert not verdict.broken, verdict.failure
 
 

@@ -9,7 +9,8 @@ import pytest
 
 from shadercache.diagnostics import GraphicsError
 from shadercache.verify import parallel
-from shadercache.verify.verifier import Verdict
+from shadercache.verify.parallel import VerifiedScene
+from shadercache.verify.verdict import Verdict
 
 NODES = tuple("abcdefgh")
 POISON = "d"
@@ -49,7 +50,7 @@ def test_what_a_crash_left_is_done(
     monkeypatch.setattr(parallel, "_start", starts)
     told: list[str] = []
     verdicts = parallel.verify_in_parallel(
-        tmp_path, NODES, 2, told=lambda verdict: told.append(verdict.node)
+        VerifiedScene(tmp_path), NODES, 2, heard=lambda verdict: told.append(verdict.node)
     )
     assert [verdict.node for verdict in verdicts] == list(NODES)
     assert sorted(told) == list(NODES), "each is told once"
@@ -63,4 +64,4 @@ def test_a_driver_that_always_crashes_is_given_up(
     monkeypatch.setattr(parallel, "_work", all_die)
     monkeypatch.setattr(parallel, "_start", starts)
     with pytest.raises(GraphicsError, match="SC606"):
-        parallel.verify_in_parallel(tmp_path, NODES, 2)
+        parallel.verify_in_parallel(VerifiedScene(tmp_path), NODES, 2)

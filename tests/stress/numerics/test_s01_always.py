@@ -12,7 +12,8 @@ from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.paths import data_path
 from shadercache.scene.description import load_scene
-from shadercache.verify.verifier import PERIOD, Verifier
+from shadercache.verify.verdict import PERIOD
+from shadercache.verify.verifier import Verifier
 from tests.configured import DEFAULT
 
 from .criteria import Criteria
@@ -67,7 +68,7 @@ def test_always_refreshed_is_the_original(gpu: Gpu, stress: Criteria, settings: 
         scene, analysis = analyse_scene(load_scene(data_path("corpus", name)))
         nodes = [node for node in analysis.nodes if node.offered]
         few = nodes[:: max(1, len(nodes) // (24 if stress.deep else 1))]
-        with closing(Verifier(gpu, scene, analysis, (64, 64), configuration=cache)) as verifier:
+        with closing(Verifier(gpu, (scene, analysis), (64, 64), configuration=cache)) as verifier:
             for node in few:
                 verdict = verifier.check(node, plain=False)
                 checked += 1

@@ -1,0 +1,308 @@
+"""Options that several subcommands share, each declared once.
+
+A group of options is a frozen dataclass. A command takes a group as one parameter; ``expanded``
+gives typer the group's fields in its place.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import MISSING, dataclass, fields, is_dataclass, replace
+from functools import wraps
+from inspect import Parameter, Signature, signature
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias, TypeVar, get_type_hints
+
+import typer
+
+from shadercache.analysis.mapping import MappingKind
+from shadercache.caching import configuration as cached
+from shadercache.caching.algorithms import ALGORITHMS
+from shadercache.caching.settings import cache_choices
+from shadercache.cli.scenes import configured, find_scene
+from shadercache.diagnostics import usage_error
+from shadercache.front.read_options import MAX_TOKENS, Dialect, ReadOptions
+from shadercache.transform.hoist_fetches import FetchForm
+
+if TYPE_CHECKING:
+    from shadercache.compiler import Analysis
+    from shadercache.scene.description import Scene
+
+R = TypeVar("R")
+
+PASSES = (*(algorithm.word for algorithm in ALGORITHMS), "all")
+"""What ``--passes`` takes."""
+
+_MACRO = re.compile(r"[A-Za-z_]\w*(\([^()]*\))?", re.ASCII)
+_FIXED_MACROS = frozenset(("defined", "__LINE__", "__FILE__", "__VERSION__"))
+
+StageName: TypeAlias = Literal["fragment", "vertex"]
+
+FragmentArgument: TypeAlias = Annotated[
+    str, typer.Argument(metavar="FRAG", help="Fragment shader; - is stdin.")
+]
+UnprofitableOption: TypeAlias = Annotated[
+    bool, typer.Option("--unprofitable", help="Also nodes that cost less than a fetch.")
+]
+FormatOption: TypeAlias = Annotated[
+    cached.CacheFormat, typer.Option("--format", help="Texel format of the cache.")
+]
+SettingsOption: TypeAlias = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--cache",
+        metavar="KEY=VALUE,...",
+        help="How the cache works: "
+        + "; ".join(f"{key}: {', '.join(words)}" for key, words in cache_choices().items())
+        + ". The first of each is the default.",
+    ),
+]
+
+
+@dataclass(frozen=True, kw_only=True)
+class SourceOptions:
+    """How the text of a shader is read."""
+
+    define: Annotated[
+        list[str] | None,
+        typer.Option(
+            "-D", "--define", metavar="NAME[=VALUE]", help="Define a macro, as 1 without a value."
+        ),
+    ] = None
+    undefine: Annotated[
+        list[str] | None,
+        typer.Option("-U", "--undefine", metavar="NAME", help="Leave a macro undefined."),
+    ] = None
+    include: Annotated[
+        list[Path] | None,
+        typer.Option("-I", "--include", metavar="DIR", help="#include may read files from here."),
+    ] = None
+    dialect: Annotated[
+        Dialect,
+        typer.Option(help="auto takes a file with mainImage and without main for Shadertoy's."),
+    ] = "glsl"
+    max_tokens: Annotated[
+        int, typer.Option(min=1, metavar="N", help="Tokens a shader may have, macros expanded.")
+    ] = MAX_TOKENS
+
+    def read_options(self) -> ReadOptions:
+        """What the options ask for. Of two definitions of a macro the later one holds.
+
+        Raises:
+            UsageError: SC008, the name of a macro is not one, or a folder does not exist.
+        """
+        defines = dict(map(_definition, self.define or ()))
+        for name in self.undefine or ():
+            _check_macro(name, "-U")
+        for folder in self.include or ():
+            if not folder.is_dir():
+                what = "is not a folder" if folder.exists() else "there is no such folder"
+                raise usage_error("SC008", f"-I {folder}: {what}")
+        return ReadOptions(
+            defines=tuple(defines.items()),
+            undefined=tuple(self.undefine or ()),
+            include_folders=tuple(self.include or ()),
+            max_tokens=self.max_tokens,
+            dialect=self.dialect,
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class ShaderOptions(SourceOptions):
+    """How a shader is read and analysed."""
+
+    mapping: Annotated[
+        MappingKind | None,
+        typer.Option(
+            help="Where reused values lie: on the surface (where there is one), at the same pixel "
+            "of the screen, or where the shader's scPreviousClip() says."
+        ),
+    ] = None
+    unroll: Annotated[
+        bool,
+        typer.Option("--unroll", help="Take loops of few trips apart; their sums are nodes."),
+    ] = False
+
+    def read_options(self) -> ReadOptions:
+        return replace(super().read_options(), unroll=self.unroll)
+
+
+@dataclass(frozen=True, kw_only=True)
+class SceneOptions(ShaderOptions):
+    """Which scene, and how its shaders are read and analysed."""
+
+    target: Annotated[
+        str, typer.Argument(metavar="SCENE|FRAG", help="Scene, or a full-screen shader.")
+    ]
+
+    def open(self) -> tuple[Scene, Analysis]:
+        """The scene with its analysed shaders. Raises as :func:`open_scene`."""
+        from shadercache.linking.scene_shaders import open_scene
+
+        reading = self.read_options()
+        return open_scene(find_scene(self.target), reading, self.mapping)
+
+
+@dataclass(frozen=True, kw_only=True)
+class CacheOptions:
+    """How payloads are stored and looked up."""
+
+    cache_format: FormatOption = "rgba16f"
+    fetches: Annotated[
+        FetchForm,
+        typer.Option(
+            help="What one pass does ahead of its branch of the payload's texture fetches: all of "
+            "it; its level (needs isotropic filtering, GLSL 4.00)."
+        ),
+    ] = "whole"
+    cache: SettingsOption = None
+
+    @property
+    def base(self) -> cached.Configuration:
+        """The configuration without what ``--cache`` sets."""
+        storage = cached.Storage(self.cache_format)
+        return cached.Configuration(storage=storage, fetches=self.fetches)
+
+
+@dataclass(frozen=True, kw_only=True)
+class PictureOptions:
+    """How large a scene is drawn, and which mesh.
+
+    Raises :class:`UsageError` SC007 for what is not a size, before anything is compiled.
+    """
+
+    size: Annotated[str, typer.Option(metavar="W[xH]", help="Picture size.")] = "1024"
+    mesh: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Draw this mesh (.npz) instead.")
+    ] = None
+
+    def __post_init__(self) -> None:
+        parse_size(self.size)
+
+
+@dataclass(frozen=True, kw_only=True)
+class DrawOptions(CacheOptions, PictureOptions):
+    """How variants are drawn and weighed against the original."""
+
+    epsilon: Annotated[float, typer.Option(min=0.0, help="Depth tolerance, relative to 1/w.")] = (
+        cached.DEFAULT_EPSILON
+    )
+    weigh: Annotated[
+        bool,
+        typer.Option(
+            "--weigh/--no-weigh",
+            help="Of several objects, leave those to their originals where caching gains nothing.",
+        ),
+    ] = True
+
+    def configured(self, scene: Scene) -> cached.Configuration:
+        """The configuration in a scene. Raises :class:`UsageError` SC028."""
+        base = replace(self.base, hit_test=cached.HitTest(epsilon=self.epsilon))
+        return configured(scene, base, self.cache)
+
+
+def expanded(command: Callable[..., R]) -> Callable[..., R]:
+    """A command as typer reads it: the fields of a group stand in the place of the group.
+
+    The default of a field is that of the parameter's default, where it has one.
+    """
+    groups: dict[str, Any] = {}
+    shown: list[Parameter] = []
+    for parameter in signature(command, eval_str=True).parameters.values():
+        group = parameter.annotation
+        if not is_dataclass(group):
+            shown.append(parameter.replace(kind=Parameter.KEYWORD_ONLY))
+            continue
+        groups[parameter.name] = group
+        hints = get_type_hints(group, include_extras=True)
+        for field in fields(group):
+            default = getattr(parameter.default, field.name, field.default)
+            if default is MISSING:
+                default = Parameter.empty
+            kind = Parameter.KEYWORD_ONLY
+            shown.append(Parameter(field.name, kind, default=default, annotation=hints[field.name]))
+
+    @wraps(command)
+    def call(**values: Any) -> R:
+        for name, group in groups.items():
+            given = {field.name: values.pop(field.name) for field in fields(group)}
+            values[name] = group(**given)
+        return command(**values)
+
+    call.__signature__ = Signature(shown)  # type: ignore[attr-defined]
+    return call
+
+
+def one_of(words: Sequence[str]) -> Callable[[str], str]:
+    """A parser of an option that takes one of these words."""
+
+    def word(text: str) -> str:
+        if text not in words:
+            raise typer.BadParameter(f"'{text}' is not one of {', '.join(words)}")
+        return text
+
+    return word
+
+
+def parse_size(text: str) -> tuple[int, int]:
+    """``1024`` or ``1280x720`` as (width, height). Raises :class:`UsageError` SC007."""
+    parts = text.lower().split("x")
+    if len(parts) in (1, 2) and all(part.isdecimal() and 0 < int(part) <= 16384 for part in parts):
+        return int(parts[0]), int(parts[-1])
+    raise usage_error("SC007", f"'{text}' is not a size", "give 1024 or 1280x720, in pixels")
+
+
+def parse_passes(text: str) -> tuple[str, ...]:
+    """The names of algorithms, from ``all`` or their words, such as ``1,2``.
+
+    Raises :class:`UsageError` SC008.
+    """
+    known = {algorithm.word: algorithm.name for algorithm in ALGORITHMS}
+    words = list(known) if text == "all" else _parts(text)
+    if words and all(word in known for word in words):
+        return tuple(known[word] for word in words)
+    hint = f"give 'all', or some of {', '.join(known)}, separated by commas"
+    raise usage_error("SC008", f"'{text}' is no value for --passes", hint)
+
+
+def parse_periods(text: str) -> list[int]:
+    """Refresh periods in frames (the look-up's arithmetic ends at 65,535)."""
+    return _numbers(text, "--period", 1, 65_535)
+
+
+def parse_blocks(text: str) -> list[int]:
+    """Block edges in pixels: even, so that blocks hold whole 2x2 quads."""
+    blocks = _numbers(text, "--block", 2, 4096)
+    if any(block % 2 for block in blocks):
+        raise usage_error("SC008", f"'{text}' is no value for --block", "blocks are even")
+    return blocks
+
+
+def _numbers(text: str, name: str, least: int, most: int) -> list[int]:
+    """``1,4,32`` as numbers. Raises :class:`UsageError` SC008 for one out of its range."""
+    parts = _parts(text)
+    if parts and all(part.isdecimal() and least <= int(part) <= most for part in parts):
+        return [int(part) for part in parts]
+    hint = f"give whole numbers from {least} to {most}, separated by commas"
+    raise usage_error("SC008", f"'{text}' is no value for {name}", hint)
+
+
+def _parts(text: str) -> list[str]:
+    return [part for part in text.split(",") if part]
+
+
+def _definition(text: str) -> tuple[str, str]:
+    name, equals, value = text.partition("=")
+    _check_macro(name, "-D")
+    if "\n" in value or "\r" in value:
+        raise usage_error("SC008", f"-D: the value of '{name}' has more than one line")
+    return name, value if equals else "1"
+
+
+def _check_macro(name: str, option: str) -> None:
+    if name in _FIXED_MACROS:
+        raise usage_error("SC008", f"{option}: the macro '{name}' belongs to the language")
+    if _MACRO.fullmatch(name) is None:
+        hint = "a value follows '=': -D NAME=VALUE" if option == "-D" and " " in name else None
+        raise usage_error("SC008", f"{option}: '{name}' cannot be the name of a macro", hint)

@@ -1,0 +1,113 @@
+"""Laws 2 to 4 and 7 of DESIGN section 4, for the variants of one bundle in proof mode."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from shadercache.caching.configuration import Mode
+from shadercache.render.bundle import Bundle
+from shadercache.verify.references import MOVING, References
+from shadercache.verify.reuse_checks import DEPTH, Look, Reuse
+from shadercache.verify.verdict import PERIOD, Difference, Image, Verdict, difference, worst_of
+
+ALWAYS = range(3)
+RESTING = range(5)
+AGEING = range(3 * PERIOD)
+
+Frames = list[tuple[Image, Image]]
+"""Colour and cache of each frame of a run."""
+
+
+def judge(references: References, bundle: Bundle, verdict: Verdict) -> None:
+    """Laws 2 to 4 for a proof-mode bundle, and 7 where it keeps ages, into ``verdict``."""
+    reuse, laws = Reuse(references, bundle), verdict.laws
+    first: Frames = []
+    for name in bundle.algorithms:
+        laws["always"][name] = refreshed(references, bundle, name, "proof")
+        laws["resting"][name], resting_fault = _resting(reuse, name)
+        frames, moving_fault = _reusing(reuse, name)
+        first = first or frames
+        laws["agreeing"][name] = _agreement(references, frames, first)
+        for law, fault in (("law 3", resting_fault), ("law 4", moving_fault)):
+            if fault:
+                verdict.faults[f"{law} ({name})"] = fault
+        if bundle.age_channel is not None:
+            verdict.ages[name] = _oldest(references, bundle, name, bundle.age_channel)
+
+
+def apart(references: References, mode: Mode, images: Iterable[Image]) -> Difference:
+    """How far images of a run, from frame 0 on, are from the original's."""
+    pairs = zip(images, references.images[mode], references.covered, strict=False)
+    return worst_of(difference(image, original, covered) for image, original, covered in pairs)
+
+
+def refreshed(references: References, bundle: Bundle, name: str, mode: Mode) -> Difference:
+    """Law 2: with everything refreshed in every frame a variant is the original.
+
+    In plain mode it need not be; this is what that changes.
+    """
+    images = []
+    with references.run(bundle, name, period=1) as runner:
+        for frame in ALWAYS:
+            # A reset draws the passes that compute, and not those that would find nothing to reuse:
+            # compiling these takes a third of the time.
+            if mode == "plain" or not bundle.refreshes:
+                runner.reset("cut")
+            images.append(runner.image(frame))
+    return apart(references, mode, images)
+
+
+def _resting(reuse: Reuse, name: str) -> tuple[Difference, str]:
+    """Law 3: while nothing moves a variant is the original, however often it reuses.
+
+    And it reuses all that is not due. What it reuses that it should not, or does not, in words.
+    """
+    references, masks, differences = reuse.references, [], []
+    still, covered = references.images["proof"][0], references.covered[0]
+    with references.run(reuse.bundle, name, moving=False) as runner:
+        for frame in RESTING:
+            if frame > 0:
+                masks.append(runner.hit_mask(frame))
+            differences.append(difference(runner.image(frame), still, covered))
+        return worst_of(differences), reuse.rest_fault(runner, masks, RESTING.stop)
+
+
+def _reusing(reuse: Reuse, name: str) -> tuple[Frames, str]:
+    """A short run in motion, and what is wrong with what it reuses there, in words."""
+    frames: Frames = []
+    looks: list[Look] = []
+    fault = ""
+    with reuse.references.run(reuse.bundle, name) as runner:
+        for frame in MOVING:
+            look = reuse.look(runner, frame) if frame > 0 else None
+            if look is not None:
+                looks.append(look)
+                fault = fault or reuse.previous_fault(runner, frame)
+            frames.append((runner.image(frame), runner.cache()))
+        return frames, fault or reuse.motion_fault(runner, looks)
+
+
+def _agreement(references: References, frames: Frames, first: Frames) -> Difference:
+    """Law 4: the algorithms agree on colour and cache.
+
+    Equal caches before a frame follow from equal caches after the one before.
+    """
+    pairs = zip(frames, first, references.covered, strict=True)
+    return worst_of(
+        difference(image, reference, covered)
+        for own, other, covered in pairs
+        for image, reference in zip(own, other, strict=True)
+    )
+
+
+def _oldest(references: References, bundle: Bundle, name: str, channel: int) -> float:
+    """Law 7: the greatest age that is stored in a run in motion."""
+    ages = []
+    with references.run(bundle, name) as runner:
+        for frame in AGEING:
+            runner.draw(frame)
+            cache = runner.cache()
+            ages.append(np.max(cache[..., channel][cache[..., DEPTH] > 0.0], initial=0.0))
+    return float(max(ages))

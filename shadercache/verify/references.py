@@ -1,0 +1,80 @@
+"""A scene drawn by its originals: what every variant of it is compared with."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cached_property
+
+import numpy as np
+
+from shadercache.caching.configuration import Mode
+from shadercache.compiler import Analysis
+from shadercache.gpu.context import Gpu
+from shadercache.gpu.resource import Resource
+from shadercache.linking.linker import Linker
+from shadercache.linking.user_places import at_home
+from shadercache.render.bundle import Bundle
+from shadercache.render.drawable import Drawable
+from shadercache.render.pass_runners import CoverageRunner, render_original
+from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import VariantRunner
+from shadercache.scene.description import Scene
+from shadercache.scene.mesh import Mesh
+from shadercache.verify.surfaces import Surfaces
+from shadercache.verify.verdict import PERIOD, Image
+
+MOVING = range(4)
+"""The frames that are drawn."""
+
+
+class References(Resource):
+    """The originals' images by mode, and the pixels that count, frame by frame.
+
+    Everything is drawn small (the laws are about bits, not about looks) in RGBA32F, with a low
+    resolution stand-in for the mesh where the scene has one. ``covered`` leaves out pixels where
+    two fragments tie for the front; ``ties`` is their share (law 4). ``proven``: vertex shaders
+    whose previous positions have been found right.
+    """
+
+    def __init__(
+        self,
+        gpu: Gpu,
+        opened: tuple[Scene, Analysis],
+        size: tuple[int, int],
+        mesh: Mesh | None = None,
+    ) -> None:
+        """Render the originals. Raises as ``RenderScene`` and ``BoundPass``."""
+        scene, self.analysis = opened
+        self.linker = Linker(scene, self.analysis)
+        self.world = RenderScene(gpu, self.linker.scene, size, "rgba32f", mesh, small=True)
+        self.images: dict[Mode, list[Image]] = {}
+        modes: tuple[Mode, ...] = ("plain", "proof")
+        with at_home(self.analysis):
+            for mode in modes:
+                originals = self.linker.originals(mode)
+                self.images[mode] = render_original(self.world, originals, MOVING)
+        with CoverageRunner(self.world, *self.linker.originals("proof")) as runner:
+            ties = [runner.ties(frame) for frame in MOVING]
+            self.covered = [
+                runner.coverage(frame) & ~tie for frame, tie in zip(MOVING, ties, strict=True)
+            ]
+        self.ties = float(np.mean(ties))
+        self.proven: set[tuple[Drawable, str]] = set()
+
+    @cached_property
+    def surfaces(self) -> Surfaces:
+        """What each pixel shows."""
+        return Surfaces(self.world, self.linker.originals("proof"))
+
+    def run(
+        self, bundle: Bundle, algorithm: str, period: int = PERIOD, moving: bool = True
+    ) -> VariantRunner:
+        """A run of a bundle's variant, with the other objects' own."""
+        assignment = self.linker.assign(
+            replace(bundle.configuration, algorithm=algorithm).with_refresh(period)
+        )
+        return VariantRunner(self.world, *self.linker.link(assignment, bundle), moving=moving)
+
+    def release(self) -> None:
+        """Free everything on the GPU."""
+        self.world.release()
