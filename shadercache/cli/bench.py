@@ -12,51 +12,21 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from shadercache.caching.configuration import (
-    DEFAULT_EPSILON,
-    CacheFormat,
-    Configuration,
-    HitTest,
-    Storage,
-)
+from shadercache.cli import options
 from shadercache.cli.io import folder
-from shadercache.cli.measuring import (
-    PASSES,
-    WeighOption,
-    parse_blocks,
-    parse_passes,
-    parse_periods,
-    parse_size,
-    result_table,
-    step_progress,
-    summary,
-)
-from shadercache.cli.reading import (
-    CacheOption,
-    DefineOption,
-    DialectOption,
-    FetchesOption,
-    IncludeOption,
-    MappingOption,
-    TokensOption,
-    UndefineOption,
-    UnrollOption,
-    read_options,
-)
-from shadercache.cli.scenes import choose_nodes, configured, find_scene, split_list
+from shadercache.cli.measuring import measured, result_table, summary
+from shadercache.cli.scenes import choose_nodes
 from shadercache.cli.tables import shorten
-from shadercache.front.read_options import MAX_TOKENS
 
 if TYPE_CHECKING:
     from shadercache.analysis.candidates import Candidate
     from shadercache.measure.measurement import Measurement, NodeResult
-    from shadercache.measure.subjects import VariantSubject
+
+SMALL = options.DrawOptions(size="512")
 
 
 def command(
-    target: Annotated[
-        str, typer.Argument(metavar="SCENE|FRAG", help="Scene, or a full-screen shader.")
-    ],
+    source: options.SceneOptions,
     nodes: Annotated[
         list[str] | None,
         typer.Option(
@@ -66,30 +36,13 @@ def command(
     every_node: Annotated[
         bool, typer.Option("--every-node", help="Also nodes of the same value as another.")
     ] = False,
-    passes: Annotated[str, typer.Option(metavar=",".join(PASSES[:-1]), help="Algorithms.")] = "all",
+    passes: Annotated[
+        str, typer.Option(metavar=",".join(options.PASSES[:-1]), help="Algorithms.")
+    ] = "all",
     period: Annotated[str, typer.Option(metavar="N,...", help="Refresh periods, frames.")] = "32",
     block: Annotated[str, typer.Option(metavar="K,...", help="Block edges, pixels.")] = "4",
-    size: Annotated[str, typer.Option(metavar="W[xH]", help="Picture size.")] = "512",
     frames: Annotated[int, typer.Option(min=2, help="Frames of each run.")] = 16,
-    cache_format: Annotated[
-        CacheFormat, typer.Option("--format", help="Texel format of the cache.")
-    ] = "rgba16f",
-    epsilon: Annotated[
-        float, typer.Option(min=0.0, help="Depth tolerance, relative to 1/w.")
-    ] = DEFAULT_EPSILON,
-    mesh: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Draw this mesh (.npz) instead.")
-    ] = None,
-    define: DefineOption = None,
-    undefine: UndefineOption = None,
-    include: IncludeOption = None,
-    dialect: DialectOption = "glsl",
-    mapping: MappingOption = None,
-    max_tokens: TokensOption = MAX_TOKENS,
-    unroll: UnrollOption = False,
-    fetches: FetchesOption = "whole",
-    cache: CacheOption = None,
-    weigh: WeighOption = True,
+    draw: options.DrawOptions = SMALL,
     out: Annotated[
         Path,
         typer.Option(
@@ -108,63 +61,45 @@ def command(
     rate of every frame.
     """
     from shadercache.analysis.value_numbering import one_of_each
-    from shadercache.gpu.context import open_context
     from shadercache.linking.linker import Linker
-    from shadercache.linking.scene_shaders import open_scene
-    from shadercache.linking.user_places import at_home
-    from shadercache.measure.measure import measure
     from shadercache.measure.measurement import MeasureOptions
-    from shadercache.measure.result_files import environment, to_json
-    from shadercache.measure.subjects import subjects_of, with_refreshes
-    from shadercache.render.render_scene import RenderScene
-    from shadercache.scene.mesh import replacement_mesh
+    from shadercache.measure.result_files import to_json
+    from shadercache.measure.subjects import subjects_of
 
-    algorithms, extent = parse_passes(passes), parse_size(size)
-    periods, blocks = parse_periods(period), parse_blocks(block)
-    reading = read_options(define, undefine, include, dialect, max_tokens, unroll)
-    scene, analysis = open_scene(find_scene(target), reading, mapping)
+    algorithms = options.parse_passes(passes)
+    periods, blocks = options.parse_periods(period), options.parse_blocks(block)
+    scene, analysis = source.open()
     equal: dict[Candidate, int] = {}
     chosen: list[tuple[str, tuple[Candidate, ...]]]
     if nodes:
-        chosen = choose_nodes(scene, analysis, split_list(nodes))
+        wanted = [part for text in nodes for part in text.split(",") if part]
+        chosen = choose_nodes(scene, analysis, wanted)
     else:
         offered = [node for node in analysis.nodes if node.offered]
         equal = one_of_each(offered, analysis.groups)
         chosen = [(node.id, (node,)) for node in (offered if every_node else equal)]
-    base = configured(
-        scene,
-        Configuration(
-            hit_test=HitTest(epsilon=epsilon), storage=Storage(cache_format), fetches=fetches
-        ),
-        cache,
-    )
+    base = draw.configured(scene)
+    kinds = [
+        replace(base, algorithm=name).with_refresh(every, edge)
+        for every in periods
+        for edge in blocks
+        for name in algorithms
+    ]
     linker = Linker(scene, analysis)
-    subjects: list[VariantSubject] = []
-    for label, found in chosen:
-        payload = replace(base, nodes=tuple(item.id for item in found))
-        wanted = [
-            replace(one, algorithm=name)
-            for one in with_refreshes(payload, periods, blocks)
-            for name in algorithms
-        ]
-        count = 1 if every_node else equal.get(found[0], 1)
-        subjects += subjects_of(linker, label, wanted, count)
-    replacement = replacement_mesh(scene, mesh)
-    how = MeasureOptions(frames, weigh=weigh)
-    with (
-        open_context() as gpu,
-        at_home(analysis),
-        RenderScene(gpu, linker.scene, extent, mesh=replacement) as world,
-    ):
-        with step_progress(scene.name) as tell:
-            measured = measure(world, linker.originals(), subjects, how, tell)
-        report = to_json(measured, environment(gpu))
-    _store(out, measured, report)
+    subjects = []
+    for label, payload in chosen:
+        ids = tuple(node.id for node in payload)
+        count = 1 if every_node else equal.get(payload[0], 1)
+        subjects += subjects_of(linker, label, [replace(kind, nodes=ids) for kind in kinds], count)
+    how = MeasureOptions(frames, weigh=draw.weigh)
+    results, where = measured(linker, subjects, how, draw, scene.name)
+    report = to_json(results, where)
+    _store(out, results, report)
     if as_json:
         print(json.dumps(report, indent=1))
     else:
         print(f"mapping: {analysis.mapping}")
-        print(f"{summary(measured)}\n\n{result_table(measured, _label)}\n")
+        print(f"{summary(results)}\n\n{result_table(results, _label)}\n")
 
 
 def _label(node: NodeResult) -> str:
@@ -174,16 +109,16 @@ def _label(node: NodeResult) -> str:
     return f"{node.label}{mark} {shorten(node.text, 32)}"
 
 
-def _store(out: Path, found: Measurement, report: dict[str, Any]) -> None:
+def _store(out: Path, results: Measurement, report: dict[str, Any]) -> None:
     from shadercache.files import write_bytes
     from shadercache.measure.result_files import to_csv, write_json
     from shadercache.report.plots import plot_error, plot_hits, plot_time
 
-    stem = found.scene
+    stem = results.scene
     write_json(out / f"{stem}.json", report)
-    write_bytes(out / f"{stem}.csv", to_csv(found).encode())
-    write_bytes(out / f"{stem}-time.png", plot_time(found))
-    write_bytes(out / f"{stem}-error.png", plot_error(found))
-    hits = plot_hits(found)
+    write_bytes(out / f"{stem}.csv", to_csv(results).encode())
+    write_bytes(out / f"{stem}-time.png", plot_time(results))
+    write_bytes(out / f"{stem}-error.png", plot_error(results))
+    hits = plot_hits(results)
     if hits is not None:
         write_bytes(out / f"{stem}-hits.png", hits)

@@ -11,17 +11,9 @@ from typing import Annotated, Any
 import typer
 
 from shadercache.cli.io import read_source
-from shadercache.cli.reading import (
-    DefineOption,
-    DialectOption,
-    IncludeOption,
-    StageName,
-    TokensOption,
-    UndefineOption,
-    read_options,
-)
+from shadercache.cli.options import SourceOptions, StageName
 from shadercache.diagnostics import Diagnostic, InputError, Severity
-from shadercache.front.read_options import MAX_TOKENS, ReadOptions
+from shadercache.front.read_options import ReadOptions
 from shadercache.source import Source
 
 _AT_ONCE = 50
@@ -30,9 +22,11 @@ _AT_ONCE = 50
 VERTEX_SUFFIXES = frozenset((".vert", ".vs", ".vsh"))
 """Files of every other name are fragment shaders: .frag, .fs, .fsh, .glsl, stdin."""
 
+READ = SourceOptions()
+
 
 @dataclass(frozen=True, slots=True)
-class Checked:
+class CheckedFile:
     """A file and what there is to say of it; it has no source if it cannot be read."""
 
     file: str
@@ -42,7 +36,7 @@ class Checked:
 
     def count(self, severity: Severity) -> int:
         """How many diagnostics are of this kind."""
-        return sum(item.severity is severity for item in self.diagnostics)
+        return sum(diagnostic.severity is severity for diagnostic in self.diagnostics)
 
 
 def command(
@@ -52,11 +46,7 @@ def command(
         StageName | None,
         typer.Option(help="Of all files; if left out, by suffix: .vert, .vs, .vsh."),
     ] = None,
-    define: DefineOption = None,
-    undefine: UndefineOption = None,
-    include: IncludeOption = None,
-    dialect: DialectOption = "glsl",
-    max_tokens: TokensOption = MAX_TOKENS,
+    reading: SourceOptions = READ,
     glslang: Annotated[
         bool, typer.Option(help="Ask glslangValidator as well, where it is installed.")
     ] = True,
@@ -67,8 +57,8 @@ def command(
     Diagnostics go to stderr and a summary to stdout; with --json all goes to stdout. Exit status 1
     if there is an error in any file.
     """
-    options = read_options(define, undefine, include, dialect, max_tokens)
-    results: list[Checked] = []
+    options = reading.read_options()
+    results: list[CheckedFile] = []
     for first in range(0, len(shaders), _AT_ONCE):
         names = shaders[first : first + _AT_ONCE]
         checked = [_check(name, stage or _stage_of(name), options) for name in names]
@@ -86,7 +76,7 @@ def _stage_of(name: str) -> StageName:
     return "fragment" if VERTEX_SUFFIXES.isdisjoint(Path(name).suffixes) else "vertex"
 
 
-def _check(name: str, stage: StageName, options: ReadOptions) -> Checked:
+def _check(name: str, stage: StageName, options: ReadOptions) -> CheckedFile:
     from shadercache.ast.large import allow_deep_trees
     from shadercache.valid.read import read
 
@@ -96,11 +86,11 @@ def _check(name: str, stage: StageName, options: ReadOptions) -> Checked:
         source = read_source(name)
         _, facts = read(source, stage, options)
     except InputError as error:
-        return Checked(name, stage, error.diagnostics, source)
-    return Checked(name, stage, facts.warnings, source)
+        return CheckedFile(name, stage, error.diagnostics, source)
+    return CheckedFile(name, stage, facts.warnings, source)
 
 
-def _with_findings(checked: Sequence[Checked], options: ReadOptions) -> list[Checked]:
+def _with_findings(checked: Sequence[CheckedFile], options: ReadOptions) -> list[CheckedFile]:
     """The files with what the reference compiler finds as well, in the order of the source."""
     from shadercache.valid.reference_compiler import Question, ask_compiler, find_compiler
 
@@ -112,17 +102,16 @@ def _with_findings(checked: Sequence[Checked], options: ReadOptions) -> list[Che
         for item in checked
     ]
     return [
-        replace(item, diagnostics=_merged(item.diagnostics, findings)) if findings else item
+        replace(item, diagnostics=_in_order(item.diagnostics, findings)) if findings else item
         for item, findings in zip(checked, ask_compiler(tool, questions, options), strict=True)
     ]
 
 
-def _merged(*diagnostics: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
-    whole = [item for part in diagnostics for item in part]
-    return tuple(sorted(whole, key=lambda item: item.span.start if item.span else 0))
+def _in_order(own: Sequence[Diagnostic], more: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
+    return tuple(sorted((*own, *more), key=lambda item: item.span.start if item.span else 0))
 
 
-def summary(results: Sequence[Checked]) -> str:
+def summary(results: Sequence[CheckedFile]) -> str:
     """``12 files: 11 ok, 1 with 3 errors, 2 warnings``, without what there is none of."""
     errors = [count for item in results if (count := item.count(Severity.ERROR))]
     warnings = sum(item.count(Severity.WARNING) for item in results)
@@ -140,7 +129,7 @@ def _counted(number: int, noun: str) -> str:
     return f"{number} {noun}{'' if number == 1 else 's'}"
 
 
-def _to_json(results: Sequence[Checked]) -> dict[str, Any]:
+def _to_json(results: Sequence[CheckedFile]) -> dict[str, Any]:
     return {
         "files": [
             {

@@ -11,19 +11,9 @@ import typer
 from shadercache.analysis.mapping import PREVIOUS_CLIP
 from shadercache.cli.io import read_source
 from shadercache.cli.nodes_json import changes_of, print_nodes
-from shadercache.cli.reading import (
-    DefineOption,
-    DialectOption,
-    IncludeOption,
-    MappingOption,
-    TokensOption,
-    UndefineOption,
-    UnrollOption,
-    read_options,
-)
+from shadercache.cli.options import FragmentArgument, ShaderOptions
 from shadercache.cli.scenes import find_scene
 from shadercache.cli.tables import format_table, shorten, terminal_width
-from shadercache.front.read_options import MAX_TOKENS
 
 if TYPE_CHECKING:
     from shadercache.analysis.candidates import Candidate
@@ -35,14 +25,14 @@ MAPPINGS = {
     "user": f"a value is reused from where {PREVIOUS_CLIP}() says",
 }
 HEADER = ("id", "path", "at", "type", "cost", "P/T", "twice", "verdict", "inputs", "text")
-CHANGES = "changes with"
 INPUTS_WIDTH = 24
 TEXT_WIDTH = 60
+READ = ShaderOptions()
 
 
 def command(
     context: typer.Context,
-    fragment: Annotated[str, typer.Argument(metavar="FRAG", help="Fragment shader; - is stdin.")],
+    fragment: FragmentArgument,
     vert: Annotated[
         str | None, typer.Option(metavar="FILE", help="Vertex shader that goes with it.")
     ] = None,
@@ -56,13 +46,7 @@ def command(
     sort: Annotated[
         Literal["source", "ratio"], typer.Option(help="By call path and place, or by P/T.")
     ] = "source",
-    define: DefineOption = None,
-    undefine: UndefineOption = None,
-    include: IncludeOption = None,
-    dialect: DialectOption = "glsl",
-    mapping: MappingOption = None,
-    max_tokens: TokensOption = MAX_TOKENS,
-    unroll: UnrollOption = False,
+    reading: ShaderOptions = READ,
     as_json: Annotated[bool, typer.Option("--json", help="The same as JSON.")] = False,
 ) -> None:
     """List every value of a shader, its cost, and whether it may be cached.
@@ -79,24 +63,22 @@ def command(
     from shadercache.compiler import analyse
     from shadercache.scene.description import load_scene
 
-    options = read_options(define, undefine, include, dialect, max_tokens, unroll)
-    source = read_source(fragment)
+    options, source = reading.read_options(), read_source(fragment)
     given = load_scene(find_scene(scene)) if scene else None
-    mapping = mapping or (given.mapping if given else None)
+    changes = given.changes if given else None
+    mapping = reading.mapping or (given.mapping if given else None)
     analysis = analyse(source, read_source(vert) if vert else None, options, mapping)
     context.obj.show(analysis.kept_loops)
-    nodes = analysis.nodes
-    changes = given.changes if given else None
-    shown = [node for node in nodes if node.offered or not offered]
+    shown = [node for node in analysis.nodes if node.offered or not offered]
     if sort == "ratio":
         shown.sort(key=lambda node: node.ratio)
     if as_json:
         print(print_nodes(analysis, shown, changes))
         return
     rows = [_row(analysis, node, changes) for node in shown]
-    header = HEADER if changes is None else (*HEADER[:-1], CHANGES, HEADER[-1])
+    header = HEADER if changes is None else (*HEADER[:-1], "changes with", HEADER[-1])
     print(format_table(header, rows, right="at cost P/T twice", width=terminal_width()))
-    print(f"\n{_summary(nodes)}")
+    print(f"\n{_summary(analysis.nodes)}")
     print(f"\nmapping: {analysis.mapping}, {MAPPINGS[analysis.mapping]}")
 
 
@@ -104,7 +86,7 @@ def _row(analysis: Analysis, node: Candidate, changes: Mapping[str, str] | None)
     line, column = analysis.fragment.position(node.expr.span.start)
     parts = analysis.parts(node) if node.legal else None
     causes = {} if changes is None else changes_of(node, changes)
-    told = "; ".join(f"{cause}: {' '.join(names)}" for cause, names in causes.items())
+    changing = "; ".join(f"{cause}: {' '.join(names)}" for cause, names in causes.items())
     return (
         node.id,
         node.path,
@@ -115,7 +97,7 @@ def _row(analysis: Analysis, node: Candidate, changes: Mapping[str, str] | None)
         f"{parts.overlap / (parts.whole or 1.0):.3f}" if parts else "",
         node.refusal.code.code if node.refusal else "offered",
         shorten(" ".join(sorted(node.inputs)), INPUTS_WIDTH),
-        *(() if changes is None else (shorten(told, INPUTS_WIDTH),)),
+        *(() if changes is None else (shorten(changing, INPUTS_WIDTH),)),
         shorten(node.text, TEXT_WIDTH),
     )
 
@@ -123,8 +105,7 @@ def _row(analysis: Analysis, node: Candidate, changes: Mapping[str, str] | None)
 def _summary(nodes: Sequence[Candidate]) -> str:
     """How many nodes are offered, and how many are refused for which reason."""
     reasons = Counter(node.refusal.code for node in nodes if node.refusal)
-    offered = len(nodes) - reasons.total()
-    lines = [f"{len(nodes)} nodes, {offered} offered"]
-    for code, count in sorted(reasons.items(), key=lambda item: item[0].code):
+    lines = [f"{len(nodes)} nodes, {len(nodes) - reasons.total()} offered"]
+    for code, count in sorted(reasons.items(), key=lambda reason: reason[0].code):
         lines.append(f"{count:6} {code.code}: {code.sentence}")
     return "\n".join(lines)

@@ -9,12 +9,10 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Hashable, Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from shadercache.analysis.candidates import Candidate
-    from shadercache.analysis.refusals import Refusal
     from shadercache.compiler import Analysis
 
 SCHEMA_VERSION = 2
@@ -22,77 +20,66 @@ SCHEMA_VERSION = 2
 Changes = Mapping[str, str]
 """Which inputs change from frame to frame, and with what."""
 
-
-@dataclass(slots=True)
-class _Table:
-    """Values, each once, with their numbers."""
-
-    values: list[Any] = field(default_factory=list)
-    _numbers: dict[Hashable, int] = field(default_factory=dict)
-
-    def number(self, key: Hashable, make: Callable[[], Any]) -> int:
-        """The number of what ``key`` stands for; ``make`` gives its value when it is new."""
-        found = self._numbers.get(key)
-        if found is None:
-            found = self._numbers[key] = len(self.values)
-            self.values.append(make())
-        return found
+_encode = json.JSONEncoder().encode
 
 
 def print_nodes(analysis: Analysis, nodes: Sequence[Candidate], changes: Changes | None) -> str:
     """The JSON text: the tables and the nodes have a line for each entry."""
     writer = _Writer(analysis, changes)
-    groups = analysis.groups
     places = {node: number for number, node in enumerate(nodes)}
-    found = [writer.node(node, places[groups[node].first]) for node in nodes]
-    head: dict[str, Any] = {"schema_version": SCHEMA_VERSION, "mapping": analysis.mapping}
-    head["whole"] = _plain(analysis.whole)
-    parts = [f" {json.dumps(name)}: {json.dumps(value)}" for name, value in head.items()]
-    parts += [_list(name, table.values) for name, table in writer.tables.items()]
-    return "{\n" + ",\n".join([*parts, _list("nodes", found)]) + "\n}"
-
-
-def _list(name: str, values: Sequence[Any]) -> str:
-    lines = ",\n".join(f"  {_ENCODER.encode(value)}" for value in values)
-    return f" {json.dumps(name)}: [\n{lines}\n ]" if values else f" {json.dumps(name)}: []"
-
-
-_ENCODER = json.JSONEncoder()
+    written = [writer.node(node, places[analysis.groups[node].first]) for node in nodes]
+    head = {
+        "schema_version": SCHEMA_VERSION,
+        "mapping": analysis.mapping,
+        "whole": _plain(analysis.whole),
+    }
+    parts = [f" {_encode(name)}: {_encode(value)}" for name, value in head.items()]
+    for name, values in {**writer.tables, "nodes": written}.items():
+        lines = ",\n".join(f"  {_encode(value)}" for value in values)
+        parts.append(f" {_encode(name)}: [\n{lines}\n ]" if values else f" {_encode(name)}: []")
+    return "{\n" + ",\n".join(parts) + "\n}"
 
 
 def changes_of(node: Candidate, changes: Changes) -> dict[str, list[str]]:
     """The inputs of a node that change from frame to frame, by what they change with."""
-    found: dict[str, list[str]] = {}
+    by_cause: dict[str, list[str]] = {}
     for name in sorted(node.inputs & changes.keys()):
-        found.setdefault(changes[name], []).append(name)
-    return found
+        by_cause.setdefault(changes[name], []).append(name)
+    return by_cause
 
 
 class _Writer:
-    """Fills the tables while the nodes are told."""
+    """Fills the tables while nodes are written."""
 
     def __init__(self, analysis: Analysis, changes: Changes | None) -> None:
         self._analysis, self._changes = analysis, changes
-        self.tables = {
-            name: _Table() for name in ("expressions", "paths", "inputs", "refusals", "on_cpu")
-        }
+        names = ("expressions", "paths", "inputs", "refusals", "on_cpu")
+        self.tables: dict[str, list[Any]] = {name: [] for name in names}
+        self._numbers: dict[str, dict[Hashable, int]] = {name: {} for name in names}
 
     def node(self, node: Candidate, group: int) -> dict[str, Any]:
         """One node; ``group`` is the number of the one that stands for its value."""
+        expression = (node.expr.span, node.type)
         return {
             "id": node.id,
-            "path": self.tables["paths"].number(node.path, lambda: node.path),
-            "expression": self.tables["expressions"].number(
-                (node.expr.span, node.type), lambda: self._expression(node)
-            ),
+            "path": self._number("paths", node.path, lambda: node.path),
+            "expression": self._number("expressions", expression, lambda: self._expression(node)),
             "cost": _plain(node.cost),
             "ratio": round(node.ratio, 6),
             **self._passes(node),
-            "inputs": self.tables["inputs"].number(node.inputs, lambda: self._inputs(node)),
+            "inputs": self._number("inputs", node.inputs, lambda: self._inputs(node)),
             "group": group,
             "offered": node.offered,
             **self._verdict(node),
         }
+
+    def _number(self, table: str, key: Hashable, make: Callable[[], Any]) -> int:
+        """The place in a table of what ``key`` stands for; ``make`` gives it when it is new."""
+        numbers = self._numbers[table]
+        if key not in numbers:
+            numbers[key] = len(numbers)
+            self.tables[table].append(make())
+        return numbers[key]
 
     def _passes(self, node: Candidate) -> dict[str, float]:
         if not node.legal:
@@ -124,22 +111,23 @@ class _Writer:
         refusal = node.refusal
         if refusal is None:
             return {}
-        key = (refusal.code, refusal.detail)
-        found = {"refusal": self.tables["refusals"].number(key, lambda: _refusal(refusal))}
+        verdict = {
+            "refusal": self._number(
+                "refusals",
+                (refusal.code, refusal.detail),
+                lambda: {
+                    "code": refusal.code.code,
+                    "sentence": refusal.sentence,
+                    "unprofitable": refusal.unprofitable,
+                },
+            )
+        }
         text = self._analysis.on_cpu(node)
         if text is not None:
-            found["on_cpu"] = self.tables["on_cpu"].number(text, lambda: text)
-        return found
+            verdict["on_cpu"] = self._number("on_cpu", text, lambda: text)
+        return verdict
 
 
 def _plain(cost: float) -> float:
     """A cost without the ``.0`` that most of them end in."""
     return int(cost) if cost.is_integer() else cost
-
-
-def _refusal(refusal: Refusal) -> dict[str, Any]:
-    return {
-        "code": refusal.code.code,
-        "sentence": refusal.sentence,
-        "unprofitable": refusal.unprofitable,
-    }

@@ -30,22 +30,21 @@ def progress(label: str, total: int) -> Iterator[Advance]:
             task = bar.add_task(label, total=total)
             yield lambda steps: bar.advance(task, steps)
     else:
-        yield _Log(label, total).advance
+        yield _log(label, total)
 
 
-class _Log:
-    def __init__(self, label: str, total: int) -> None:
-        self._label = label
-        self._total = total
-        self._done = 0
-        self._started = self._spoke = time.monotonic()
+def _log(label: str, total: int) -> Advance:
+    done = 0
+    started = spoke = time.monotonic()
 
-    def advance(self, steps: int) -> None:
-        self._done += steps
+    def advance(steps: int) -> None:
+        nonlocal done, spoke
+        done += steps
         now = time.monotonic()
-        if now - self._spoke < LOG_SECONDS or not self._done:
-            return
-        self._spoke = now
-        left = (now - self._started) / self._done * max(0, self._total - self._done)
-        line = f"{self._label}: {self._done} of {self._total}, about {left:.0f} s left"
-        print(line, file=sys.stderr, flush=True)
+        if now - spoke >= LOG_SECONDS and done:
+            spoke = now
+            left = (now - started) / done * max(0, total - done)
+            line = f"{label}: {done} of {total}, about {left:.0f} s left"
+            print(line, file=sys.stderr, flush=True)
+
+    return advance

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -36,7 +36,7 @@ def find_scene(target: str) -> Path:
         path = data_path("corpus", target, SCENE_FILE)
     if path.is_file():
         return path
-    known = ", ".join(sorted(item.parent.name for item in data_path("corpus").glob("*/*.toml")))
+    known = ", ".join(sorted(path.parent.name for path in data_path("corpus").glob("*/*.toml")))
     hint = f"give a scene file, its folder, a shader beside a {SCENE_FILE}, or one of: {known}"
     raise usage_error("SC006", f"no scene is meant by '{target}'", hint)
 
@@ -65,12 +65,9 @@ def choose_nodes(
 def configured(
     scene: Scene, configuration: Configuration, settings: Sequence[str] | None
 ) -> Configuration:
-    """A configuration with the settings of ``--cache``. Objects that share a cache are told apart
-    by their numbers, unless ``ids=off`` is said. Raises :class:`UsageError` SC028."""
-    several = ["ids=on"] if sum(item.cached for item in scene.objects) > 1 else []
+    """A configuration with the settings of ``--cache``. Raises :class:`UsageError` SC028.
+
+    Objects that share a cache are told apart by their numbers, unless ``ids=off`` is said.
+    """
+    several = ["ids=on"] if sum(thing.cached for thing in scene.objects) > 1 else []
     return with_settings(configuration, [*several, *(settings or ())])
-
-
-def split_list(values: Iterable[str]) -> list[str]:
-    """Flatten repeated options that may hold commas: ``-n a,b -n c``."""
-    return [part for value in values for part in value.split(",") if part]

@@ -8,6 +8,7 @@ see the same drift of the machine. Nothing is printed; progress goes to a callba
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack
 from functools import partial
 from itertools import groupby
 from time import monotonic
@@ -16,10 +17,10 @@ import numpy as np
 
 from shadercache.diagnostics import usage_error
 from shadercache.gpu.clock import Clock, no_collection, pick_clock
-from shadercache.measure.hit_curves import outcome_curves, skipped_of
-from shadercache.measure.measurement import Group, Measurement, MeasureOptions, NodeResult, Shot
-from shadercache.measure.statistics import timing
-from shadercache.measure.stopping import COMPARED
+from shadercache.gpu.resource import Resource
+from shadercache.measure import measurement as results
+from shadercache.measure.hit_curves import outcome_curves
+from shadercache.measure.statistics import COMPARED, timing
 from shadercache.measure.subjects import Subject, VariantSubject
 from shadercache.measure.timed_runs import TimedOriginal, TimedParts, TimedSubject, TimedVariant
 from shadercache.measure.worth_caching import weigh
@@ -37,16 +38,16 @@ def measure(
     world: RenderScene,
     original: Sequence[Bundle],
     subjects: Sequence[Subject],
-    options: MeasureOptions,
+    options: results.MeasureOptions,
     progress: Progress | None = None,
-) -> Measurement:
+) -> results.Measurement:
     """Draw and time every subject beside the original.
 
     Args:
         original: what all are compared with, as ``Linker.originals`` gives it; one stands for all
             objects.
         subjects: those of one label are drawn in the same turns.
-        progress: told after each frame; there is nothing to see otherwise for minutes.
+        progress: called after each frame; there is nothing to see otherwise for minutes.
 
     Raises:
         UsageError: SC027, nothing to measure or too few frames; else as ``Subject.prepare`` and
@@ -55,27 +56,27 @@ def measure(
     if not subjects or options.frames < 2:
         raise usage_error("SC027", "a measurement needs a node with a variant, and two frames")
     clock = pick_clock(world.gpu)
-    variants = [item for item in subjects if isinstance(item, VariantSubject)]
+    variants = [subject for subject in subjects if isinstance(subject, VariantSubject)]
     gains = weigh(world, variants, clock) if options.weigh else ()
     dropped = {name for gain in gains if not gain.pays for name in gain.objects}
     drawn = [
-        item.with_originals(world, dropped) if isinstance(item, VariantSubject) else item
-        for item in subjects
+        subject.with_originals(world, dropped) if isinstance(subject, VariantSubject) else subject
+        for subject in subjects
     ]
-    curves = len({item.label for item in variants}) <= options.curves
+    with_curves = len({subject.label for subject in variants}) <= options.curves
     runs: list[_GroupRun] = []
-    groups: list[Group] = []
+    groups: list[results.Group] = []
     batches = list(_batches(drawn, options.group))
+    steps = options.frames + 1  # one for the warm-up
     for number, batch in enumerate(batches):
-        run = _GroupRun(world, original, batch, options, clock)
-        runs.append(run)
-        try:
-            run.draw_all(_teller(progress, number, len(batches), options))
-            groups.append(run.result(curves))
-        finally:
-            run.release()
+        with _GroupRun(world, original, batch, options, clock) as run:
+            for step, what in enumerate(run.draw_all(), start=number * steps):
+                if progress is not None:
+                    progress(step, len(batches) * steps, what)
+            groups.append(run.result(with_curves))
+            runs.append(run)
     covered = [share for run in runs for share in run.covered]
-    return Measurement(
+    return results.Measurement(
         scene=world.scene.name,
         size=world.size,
         options=options,
@@ -86,9 +87,9 @@ def measure(
         notes=tuple(dict.fromkeys(note for run in runs for note in run.notes)),
         gains=gains,
         assignments={
-            item.configuration: item.assignment
-            for item in drawn
-            if isinstance(item, VariantSubject) and item.assignment is not None
+            subject.configuration: subject.assignment
+            for subject in drawn
+            if isinstance(subject, VariantSubject) and subject.assignment is not None
         },
     )
 
@@ -96,28 +97,16 @@ def measure(
 def _batches(subjects: Sequence[Subject], most: int) -> Iterator[list[Subject]]:
     """Split so that no batch has more than ``most`` subjects, but at least those of one label."""
     batch: list[Subject] = []
-    for _, same in groupby(subjects, key=lambda item: item.label):
-        found = list(same)
-        if batch and len(batch) + len(found) > most:
+    for _, group in groupby(subjects, key=lambda subject: subject.label):
+        same = list(group)
+        if batch and len(batch) + len(same) > most:
             yield batch
             batch = []
-        batch = batch + found
+        batch = batch + same
     yield batch
 
 
-def _teller(
-    progress: Progress | None, number: int, batches: int, options: MeasureOptions
-) -> Callable[[int, str], None]:
-    steps = options.frames + 1  # one for the warm-up
-
-    def tell(step: int, what: str) -> None:
-        if progress is not None:
-            progress(number * steps + step, batches * steps, what)
-
-    return tell
-
-
-class _GroupRun:
+class _GroupRun(Resource):
     """One batch of subjects, drawn together."""
 
     def __init__(
@@ -125,95 +114,94 @@ class _GroupRun:
         world: RenderScene,
         original: Sequence[Bundle],
         subjects: list[Subject],
-        options: MeasureOptions,
+        options: results.MeasureOptions,
         clock: Clock,
     ) -> None:
-        self._world = world
-        self._options = options
-        self._clock = clock
-        self.shots: list[Shot] = []
+        self._world, self._options, self._clock = world, options, clock
+        self.shots: list[results.Shot] = []
         self.covered: list[float] = []
         self._parts: dict[str, TimedParts] = {}
-        self._lanes: list[TimedSubject] = []
+        self._subjects: list[TimedSubject] = []
+        self._held = ExitStack()
         self._reference = TimedOriginal(world, original)
+        self._held.callback(self._reference.release)
         try:
             for subject in subjects:
+                self._held.callback(subject.release)  # also of one that cannot be prepared
                 self._add(subject)
         except BaseException:
-            subject.release()
             self.release()
             raise
 
     def _add(self, subject: Subject) -> None:
         if not isinstance(subject, VariantSubject):
-            self._lanes.append(TimedSubject(self._world, subject))
+            self._subjects.append(TimedSubject(self._world, subject))
             return
         if subject.label not in self._parts:
-            self._parts[subject.label] = TimedParts(self._world, subject)
-        self._lanes.append(TimedVariant(self._world, subject))
+            parts = self._parts[subject.label] = TimedParts(self._world, subject)
+            self._held.callback(parts.release)
+        self._subjects.append(TimedVariant(self._world, subject))
 
     @property
     def _variants(self) -> list[TimedVariant]:
-        return [lane for lane in self._lanes if isinstance(lane, TimedVariant)]
+        return [timed for timed in self._subjects if isinstance(timed, TimedVariant)]
 
-    def draw_all(self, tell: Callable[[int, str], None]) -> None:
-        """Warm up, then run all frames."""
-        tell(0, "compiling programs")
+    @property
+    def notes(self) -> list[str]:
+        """What the runs gave away."""
+        return [str(seen) for timed in self._variants for seen in timed.runner.cuts.suspicions]
+
+    def draw_all(self) -> Iterator[str]:
+        """Warm up, then run all frames; says before each step what it does."""
+        yield "compiling programs"
         self._reference.warm_up(0)
-        for lane in self._lanes:
-            lane.warm_up(0)
+        for timed in self._subjects:
+            timed.warm_up(0)
         for parts in self._parts.values():
             parts.warm_up(0, self._clock)
-        tell(1, "timing")
+        yield "timing"
         begun = monotonic()
         with no_collection():
             for frame in range(self._options.frames):
                 self._draw(frame)
-                tell(frame + 2, "timing")
+                yield "timing"
                 if self._may_stop(frame, monotonic() - begun):
                     break
             for frame in self._few_frames:
-                for lane in self._variants:
-                    lane.time_reset(self._clock, frame, self._reference)
+                for variant in self._variants:
+                    variant.time_reset(self._clock, frame, self._reference)
 
     def _draw(self, frame: int) -> None:
-        compared = frame >= self._options.first_compared
-        shown = frame == self._options.picture_frame
-        self._reference.time_geometry(self._clock, frame)
-        self._reference.time_original(self._clock, frame)
+        options, reference = self._options, self._reference
+        compared, probed = frame >= options.first_compared, options.is_probed(frame)
+        shown = frame == options.picture_frame
+        reference.time_geometry(self._clock, frame)
+        reference.time_original(self._clock, frame)
         if compared or shown:
-            self._reference.keep_image(frame)
-            self.covered.append(float(self._reference.covered.mean()))
-        for lane in self._lanes:
-            self._draw_lane(lane, frame)
+            reference.keep_image(frame)
+            self.covered.append(float(reference.covered.mean()))
+        for timed in self._subjects:
+            if isinstance(timed, TimedVariant):
+                if probed:
+                    timed.probe(frame)
+                elif shown:
+                    timed.look(frame)
+            timed.time(self._clock, frame)
             if compared:
-                lane.compare(self._reference)
-            if shown and isinstance(lane, TimedVariant):
-                self.shots.append(self._shot(lane))
+                timed.compare(reference)
+            if shown and isinstance(timed, TimedVariant):
+                self.shots.append(timed.shot(reference))
         for parts in self._parts.values():
-            if self._options.times_payload(frame):
+            if options.times_payload(frame):
                 parts.time_payload(self._clock, frame)
-            if self._options.is_probed(frame):
+            if probed:
                 parts.probe(self._clock, frame)
 
     def _may_stop(self, frame: int, elapsed: float) -> bool:
         stop = self._options.stop
         if stop is None or frame + 1 < self._options.first_compared + COMPARED:
             return False
-        return stop.is_met(elapsed, (lane.speedup(self._reference) for lane in self._lanes))
-
-    def _draw_lane(self, lane: TimedSubject, frame: int) -> None:
-        if isinstance(lane, TimedVariant):
-            if self._options.is_probed(frame):
-                lane.probe(frame)
-            elif frame == self._options.picture_frame:
-                lane.look(frame)
-        lane.time(self._clock, frame)
-
-    def _shot(self, lane: TimedVariant) -> Shot:
-        cached, original = self._world.targets.pixels(), self._reference.pixels
-        subject = lane.variant
-        return Shot(subject.label, subject.configuration, original, cached, lane.outcome)
+        return stop.is_met(elapsed, (timed.speedup(self._reference) for timed in self._subjects))
 
     @property
     def _few_frames(self) -> list[int]:
@@ -221,38 +209,44 @@ class _GroupRun:
         first, end = self._options.first_compared, self._options.frames
         return list(range(first, end, max(1, (end - first) // RESETS)))
 
-    def result(self, curves: bool) -> Group:
-        """What was measured; with ``curves`` the outcomes of every frame are counted now."""
-        reference, lanes = self._reference, self._variants
-        original = [seconds for frame, seconds in reference.original.items() if frame > 0]
-        others = [lane for lane in self._lanes if not isinstance(lane, TimedVariant)]
-        uncached = sum(role.caches is None for role in lanes[0].runner.roles) if lanes else 0
-        with no_collection():
-            slowed = partial(reference.time_all_objects, self._clock)
-            skipped = skipped_of(self._world, uncached, self._few_frames, slowed)
-        return Group(
-            timing(original),
-            timing(list(reference.geometry.values())),
-            tuple(self._node(label, curves) for label in self._parts),
-            tuple(lane.beside(reference) for lane in others),
-            skipped,
+    def result(self, with_curves: bool) -> results.Group:
+        """What was measured; with curves the outcomes of every frame are counted now."""
+        reference, variants = self._reference, self._variants
+        nodes = []
+        for label, parts in self._parts.items():
+            of_node = [timed for timed in variants if timed.variant.label == label]
+            subjects = [timed.variant for timed in of_node] if with_curves else []
+            curves = tuple(outcome_curves(self._world, subjects, self._options.frames))
+            nodes.append(parts.result(reference, of_node, curves))
+        return results.Group(
+            original=timing([time for frame, time in reference.original.items() if frame > 0]),
+            geometry=timing(list(reference.geometry.values())),
+            nodes=tuple(nodes),
+            others=tuple(
+                timed.beside(reference)
+                for timed in self._subjects
+                if not isinstance(timed, TimedVariant)
+            ),
+            skipped=self._skipped() if self._world.scene.objects else None,
         )
 
-    def _node(self, label: str, curves: bool) -> NodeResult:
-        lanes = [lane for lane in self._variants if lane.variant.label == label]
-        subjects = [lane.variant for lane in lanes] if curves else []
-        counted = list(outcome_curves(self._world, subjects, self._options.frames))
-        return self._parts[label].result(self._reference, lanes, counted)
-
-    @property
-    def notes(self) -> list[str]:
-        """What the runs gave away."""
-        return [str(seen) for lane in self._variants for seen in lane.runner.cuts.suspicions]
+    def _skipped(self) -> results.Skipped:
+        """What a scene of several objects does without, at a few frames."""
+        world, variants = self._world, self._variants
+        outside = {
+            frame: len(world.drawables) - len(world.drawn(frame)) for frame in self._few_frames
+        }
+        slowed = partial(self._reference.time_all_objects, self._clock)
+        with no_collection():
+            ratios = [slowed(frame) for frame, count in outside.items() if count]
+        roles = variants[0].runner.roles if variants else ()
+        return results.Skipped(
+            objects=len(world.drawables),
+            outside=float(np.mean(list(outside.values()))),
+            uncached=sum(role.caches is None for role in roles),
+            saved=float(np.median(ratios)) - 1.0 if ratios else 0.0,
+        )
 
     def release(self) -> None:
         """Give everything back to the render scene."""
-        for lane in self._lanes:
-            lane.subject.release()
-        for parts in self._parts.values():
-            parts.release()
-        self._reference.release()
+        self._held.close()

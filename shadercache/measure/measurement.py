@@ -7,13 +7,12 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from shadercache.caching.assignment import Assignment
 from shadercache.caching.configuration import Configuration
 from shadercache.measure.image_error import ErrorStats, Pixels
-from shadercache.measure.probe import Probe
-from shadercache.measure.statistics import Ratio, Timing
-from shadercache.measure.stopping import StopRule
+from shadercache.measure.statistics import Ratio, StopRule, Timing
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +59,27 @@ class MeasureOptions:
     def _falls_on(self, frame: int, every: int) -> bool:
         since = frame - self.first_compared
         return since >= 0 and since % max(1, every) == 0
+
+
+@dataclass(frozen=True, eq=False)
+class Probe:
+    """What became of each pixel of a frame, as its debug program and its cache say.
+
+    ``mask`` (h, w): 0 where nothing is drawn, else one of ``values`` by outcome. ``ages`` (h, w):
+    in frames, where the cache keeps them; ``period`` is the refresh period.
+    """
+
+    mask: NDArray[np.uint8]
+    values: Mapping[str, int]
+    ages: NDArray[np.float32] | None
+    period: int
+
+    @property
+    def shares(self) -> dict[str, float]:
+        """Of the pixels where something is drawn, the share of each outcome."""
+        counts = np.bincount(self.mask.ravel(), minlength=256)
+        covered = max(1, self.mask.size - int(counts[0]))
+        return {name: float(counts[value]) / covered for name, value in self.values.items()}
 
 
 @dataclass(frozen=True, eq=False)

@@ -27,33 +27,6 @@ from shadercache.measure.measurement import Group, Measurement, NodeResult, Vari
 
 SCHEMA_VERSION = 2
 
-COLUMNS = (
-    "label",
-    "node",
-    "algorithm",
-    "period",
-    "block",
-    "configuration",
-    "p_over_t",
-    "original_ms",
-    "time_ms",
-    "minimum_ms",
-    "p95_ms",
-    "p99_ms",
-    "reset_over_original",
-    "speedup",
-    "speedup_low",
-    "speedup_high",
-    "hit_rate",
-    "refresh_burst",
-    "rmse",
-    "p99",
-    "maximum",
-    "psnr_db",
-    "floor_ms",
-    "efficiency",
-)
-
 
 def environment(gpu: Gpu) -> dict[str, Any]:
     """Where the numbers come from: date (UTC), renderer, processor, Python."""
@@ -116,7 +89,7 @@ def read_json(path: Path) -> dict[str, Any]:
 
 
 def rows(measurement: Measurement) -> list[dict[str, Any]]:
-    """One row for each variant with the values of ``COLUMNS`` (None where there is none)."""
+    """One row for each variant, values by column (None where there is none)."""
     return [
         _row(group, node, variant)
         for group in measurement.groups
@@ -127,41 +100,42 @@ def rows(measurement: Measurement) -> list[dict[str, Any]]:
 
 def to_csv(measurement: Measurement) -> str:
     """The rows as CSV with a heading; lines end in a line feed."""
+    table = rows(measurement)
     buffer = io.StringIO()
-    writer = csv.DictWriter(buffer, COLUMNS, lineterminator="\n")
+    writer = csv.DictWriter(buffer, table[0] if table else (), lineterminator="\n")
     writer.writeheader()
-    writer.writerows(rows(measurement))
+    writer.writerows(table)
     return buffer.getvalue()
 
 
 def _row(group: Group, node: NodeResult, variant: VariantResult) -> dict[str, Any]:
-    values = (
-        node.label,
-        node.node_id,
-        variant.configuration.algorithm,
-        variant.configuration.refresh.period,
-        variant.configuration.refresh.block,
-        variant.configuration.key,
-        node.ratio,
-        group.original.median * 1e3,
-        variant.timing.median * 1e3,
-        variant.timing.minimum * 1e3,
-        variant.timing.p95 * 1e3,
-        variant.timing.p99 * 1e3,
-        variant.reset,
-        variant.speedup.median,
-        variant.speedup.low,
-        variant.speedup.high,
-        variant.hit_rate,
-        variant.burst,
-        variant.error.rmse,
-        variant.error.p99,
-        variant.error.maximum,
-        variant.error.psnr,
-        None if variant.floor is None else variant.floor * 1e3,
-        variant.efficiency,
-    )
-    return dict(zip(COLUMNS, values, strict=True))
+    configuration, error = variant.configuration, variant.error
+    return {
+        "label": node.label,
+        "node": node.node_id,
+        "algorithm": configuration.algorithm,
+        "period": configuration.refresh.period,
+        "block": configuration.refresh.block,
+        "configuration": configuration.key,
+        "p_over_t": node.ratio,
+        "original_ms": group.original.median * 1e3,
+        "time_ms": variant.timing.median * 1e3,
+        "minimum_ms": variant.timing.minimum * 1e3,
+        "p95_ms": variant.timing.p95 * 1e3,
+        "p99_ms": variant.timing.p99 * 1e3,
+        "reset_over_original": variant.reset,
+        "speedup": variant.speedup.median,
+        "speedup_low": variant.speedup.low,
+        "speedup_high": variant.speedup.high,
+        "hit_rate": variant.hit_rate,
+        "refresh_burst": variant.burst,
+        "rmse": error.rmse,
+        "p99": error.p99,
+        "maximum": error.maximum,
+        "psnr_db": error.psnr,
+        "floor_ms": None if variant.floor is None else variant.floor * 1e3,
+        "efficiency": variant.efficiency,
+    }
 
 
 def _plain(value: Any) -> Any:

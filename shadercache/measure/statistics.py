@@ -1,13 +1,16 @@
-"""Numbers about samples of time: median, tail, and the ratio of two series with its interval."""
+"""Numbers about samples of time: median, tail, the ratio of two series, and when it is known."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 RESAMPLES = 2000
+
+COMPARED = 8
+"""A run ends no sooner than so many images have been compared."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,6 +40,28 @@ class Ratio:
     low: float
     high: float
     total: float
+
+
+@dataclass(frozen=True, slots=True)
+class StopRule:
+    """Stop when every ratio is known to within ``half_width`` of itself, or after ``seconds``.
+
+    Whoever stops when the intervals are narrow does so more often when chance has made them so: a
+    95 % interval then holds slightly less than 95 %. That is right for a demonstration; a benchmark
+    draws a fixed number of frames.
+    """
+
+    half_width: float
+    seconds: float
+
+    def is_met(self, elapsed: float, ratios: Iterable[Ratio]) -> bool:
+        """Whether a run that has taken ``elapsed`` seconds and found ``ratios`` may end."""
+        return elapsed >= self.seconds or widest(ratios) <= self.half_width
+
+
+def widest(ratios: Iterable[Ratio]) -> float:
+    """Half of the widest interval, as a share of its ratio."""
+    return max((ratio.high - ratio.low) / (2.0 * ratio.median) for ratio in ratios)
 
 
 def timing(samples: Sequence[float]) -> Timing:

@@ -113,17 +113,19 @@ class VariantSubject:
             LinkedObject(item.bundle) if drawable.item.name in names else item
             for drawable, item in zip(world.drawables, many, strict=True)
         ]
-        told = self.assignment and self.assignment.with_originals(names)
-        return VariantSubject(self.label, self.configuration, objects, told, self.equal)
+        assignment = self.assignment and self.assignment.with_originals(names)
+        return VariantSubject(self.label, self.configuration, objects, assignment, self.equal)
 
     def at_rest(self, period: int) -> tuple[LinkedObject, ...] | None:
-        """Its objects by the algorithm that has a pass for hits alone, refreshed that rarely; None
-        where there is none."""
-        found = self.bundle.hit_pass
-        if found is None:
+        """Its objects by the algorithm that has a pass for hits alone, refreshed that rarely.
+
+        None where no algorithm has such a pass.
+        """
+        hit_pass = self.bundle.hit_pass
+        if hit_pass is None:
             return None
         return tuple(
-            LinkedObject(item.bundle, item.configuration.with_refresh(period)).by(found[0])
+            LinkedObject(item.bundle, item.configuration.with_refresh(period)).by(hit_pass[0])
             if item.configuration is not None
             else item
             for item in self.objects
@@ -137,18 +139,11 @@ def subjects_of(
 
     Raises as :meth:`Linker.link`.
     """
-    have = linker.algorithms(configurations[0])
-    found = []
+    fitting = linker.algorithms(configurations[0])
+    subjects = []
     for configuration in configurations:
-        if configuration.algorithm in have:
+        if configuration.algorithm in fitting:
             assignment = linker.assign(configuration)
             objects = linker.link(assignment)
-            found.append(VariantSubject(label, configuration, objects, assignment, equal))
-    return found
-
-
-def with_refreshes(
-    configuration: Configuration, periods: Sequence[int], blocks: Sequence[int]
-) -> list[Configuration]:
-    """The same at each period and block."""
-    return [configuration.with_refresh(period, block) for period in periods for block in blocks]
+            subjects.append(VariantSubject(label, configuration, objects, assignment, equal))
+    return subjects

@@ -1,6 +1,6 @@
 """What runs side by side in a measurement: the original, each subject, each part of the floor.
 
-A lane draws, keeps its samples, and turns them into a result in the end.
+Each draws, keeps its samples, and turns them into a result in the end.
 """
 
 from __future__ import annotations
@@ -13,8 +13,14 @@ from numpy.typing import NDArray
 
 from shadercache.gpu.clock import Clock
 from shadercache.measure.image_error import ErrorSum, Pixels
-from shadercache.measure.measurement import Curve, NodeResult, OtherResult, VariantResult
-from shadercache.measure.probe import Probe
+from shadercache.measure.measurement import (
+    Curve,
+    NodeResult,
+    OtherResult,
+    Probe,
+    Shot,
+    VariantResult,
+)
 from shadercache.measure.statistics import Ratio, Timing, paired_ratio, timing
 from shadercache.measure.subjects import Subject, VariantSubject
 from shadercache.render.bundle import Bundle
@@ -36,6 +42,7 @@ class TimedOriginal:
         self._original = OriginalRunner(world, *bundles)
         self._geometry = GeometryRunner(world, *bundles)
         self._coverage = CoverageRunner(world, *bundles)
+        self._runners = (self._original, self._geometry, self._coverage)
         self._world = world
         self.original: dict[int, float] = {}
         self.geometry: dict[int, float] = {}
@@ -44,16 +51,16 @@ class TimedOriginal:
 
     def warm_up(self, frame: int) -> None:
         """Draw everything once: the first draw of a program compiles it."""
-        for runner in (self._original, self._geometry, self._coverage):
+        for runner in self._runners:
             runner.draw(frame)
 
     def time_original(self, clock: Clock, frame: int) -> None:
         """Time the original; its image stays in the colour target."""
-        self._world.prepare(frame)
-        self.original[frame] = clock.time(partial(self._original.draw, frame))
+        self.original[frame] = self.time_again(clock, frame)
 
     def time_again(self, clock: Clock, frame: int) -> float:
         """The time of the original, which is not kept."""
+        # Uploads to the GPU are no part of what is compared.
         self._world.prepare(frame)
         return clock.time(partial(self._original.draw, frame))
 
@@ -86,7 +93,7 @@ class TimedOriginal:
 
     def release(self) -> None:
         """Give the programs back."""
-        for runner in (self._original, self._geometry, self._coverage):
+        for runner in self._runners:
             runner.release()
 
 
@@ -141,7 +148,6 @@ class TimedVariant(TimedSubject):
         super().__init__(world, subject)
         self.variant = subject
         self.mask: NDArray[np.uint8] = np.zeros((0, 0), np.uint8)
-        self._hit_rates: list[float] = []
         self._outcomes: list[dict[str, float]] = []
         self._work: list[dict[str, int]] = []
         self._resets: list[float] = []
@@ -152,10 +158,19 @@ class TimedVariant(TimedSubject):
         return self.variant.runner
 
     @property
-    def outcome(self) -> Probe:
+    def _outcome(self) -> Probe:
         """What the frame that was looked at last shows."""
         values, period = self.variant.bundle.mask_values, self.variant.configuration.refresh.period
         return Probe(self.mask, values, self.runner.ages(), period)
+
+    @property
+    def _hit_rates(self) -> list[float]:
+        return [shares.get("hit", 0.0) for shares in self._outcomes]
+
+    def shot(self, reference: TimedOriginal) -> Shot:
+        """The pictures of the frame that was just drawn and looked at."""
+        subject, cached = self.variant, self._world.targets.pixels()
+        return Shot(subject.label, subject.configuration, reference.pixels, cached, self._outcome)
 
     def warm_up(self, frame: int) -> None:
         """Draw a reset frame and one more, so that every pass has been drawn, then forget."""
@@ -176,30 +191,28 @@ class TimedVariant(TimedSubject):
     def probe(self, frame: int) -> None:
         """Count outcomes and work of the frame that is about to be drawn."""
         self.look(frame)
-        shares = self.outcome.shares
-        self._outcomes.append(shares)
-        self._hit_rates.append(shares.get("hit", 0.0))
+        self._outcomes.append(self._outcome.shares)
         self.runner.note_hits(frame, self._hit_rates[-1])
         self._work.append(self.runner.work(frame))
 
     def result(self, reference: TimedOriginal, hit: dict[int, float]) -> VariantResult:
         """What was measured; ``hit`` are the seconds of the hit part at the probed frames."""
-        found = self.beside(reference)
-        original = timing([reference.original[frame] for frame in self.times if frame > 0])
+        whole = self.beside(reference)
+        original = np.median([reference.original[frame] for frame in self.times if frame > 0])
         floor = self._floor(reference, hit)
         return VariantResult(
             configuration=self.variant.configuration,
-            timing=found.timing,
-            speedup=found.speedup,
+            timing=whole.timing,
+            speedup=whole.speedup,
             reset=float(np.median(self._resets)),
             outcomes=_mean(self._outcomes),
             burst=max((shares.get("refresh", 0.0) for shares in self._outcomes), default=0.0),
             hit_rates=tuple(self._hit_rates),
             work=_mean(self._work),
-            error=found.error,
-            frame_rmse=found.frame_rmse,
-            floor=None if floor is None else floor * original.median,
-            efficiency=None if floor is None else floor * found.speedup.median,
+            error=whole.error,
+            frame_rmse=whole.frame_rmse,
+            floor=None if floor is None else floor * float(original),
+            efficiency=None if floor is None else floor * whole.speedup.median,
         )
 
     def _floor(self, reference: TimedOriginal, hit: dict[int, float]) -> float | None:
@@ -219,6 +232,7 @@ class TimedParts:
         self.payload: dict[int, float] = {}
         self.hit: dict[int, float] = {}
         self.subject = subject
+        # Ages in half floats count no further, so the period may be no longer.
         never = NEVER if subject.bundle.age_channel is None else OLDEST_IN_HALF
         objects = subject.at_rest(never)
         self._payload = PayloadRunner(world, *subject.objects)
@@ -240,11 +254,11 @@ class TimedParts:
 
         It sees a cache that was filled at the same frame, so that every pixel is a hit.
         """
-        found = self.subject.bundle.hit_pass
-        if self._hit is not None and found is not None:
+        hit_pass = self.subject.bundle.hit_pass
+        if self._hit is not None and hit_pass is not None:
             self._hit.reset()
             self._hit.draw(frame)
-            self.hit[frame] = clock.time(partial(self._hit.draw_pass, frame, found[1]))
+            self.hit[frame] = clock.time(partial(self._hit.draw_pass, frame, hit_pass[1]))
 
     def release(self) -> None:
         """Give programs and caches back."""
@@ -253,7 +267,10 @@ class TimedParts:
             self._hit.release()
 
     def result(
-        self, reference: TimedOriginal, lanes: Sequence[TimedVariant], curves: Sequence[Curve]
+        self,
+        reference: TimedOriginal,
+        variants: Sequence[TimedVariant],
+        curves: tuple[Curve, ...],
     ) -> NodeResult:
         """The payload with all its variants."""
         bundle = self.subject.bundle
@@ -267,9 +284,9 @@ class TimedParts:
             ratio=self._ratio(reference),
             payload=_timing(self.payload),
             hit=_timing(self.hit),
-            variants=tuple(lane.result(reference, self.hit) for lane in lanes),
+            variants=tuple(timed.result(reference, self.hit) for timed in variants),
             equal=self.subject.equal,
-            curves=tuple(curves),
+            curves=curves,
         )
 
     def _ratio(self, reference: TimedOriginal) -> float | None:

@@ -37,12 +37,12 @@ def weigh(
         return ()
     same = [item for item in subjects if item.label == subjects[0].label]
     firsts = {item.configuration.algorithm: item for item in reversed(same)}
-    found = []
+    gains = []
     for shader, names in _own_shaders(world, subjects[0]).items():
         ratios = {name: _ratio(world, item, names, clock) for name, item in firsts.items()}
         best = max(ratios, key=lambda name: ratios[name].median)
-        found.append(CachingGain(shader.name, tuple(names), best, ratios[best]))
-    return tuple(found)
+        gains.append(CachingGain(shader.name, tuple(names), best, ratios[best]))
+    return tuple(gains)
 
 
 def _own_shaders(world: RenderScene, subject: VariantSubject) -> dict[Path, list[str]]:

@@ -18,7 +18,6 @@ from shadercache.gpu.context import Gpu
 from shadercache.measure.measure import measure
 from shadercache.measure.measurement import Measurement, MeasureOptions
 from shadercache.measure.result_files import (
-    COLUMNS,
     environment,
     read_json,
     rows,
@@ -198,7 +197,8 @@ def test_json_holds_everything(gpu: Gpu, measurement: Measurement, tmp_path: Pat
 
 def test_csv_has_a_row_for_each_variant(measurement: Measurement) -> None:
     lines = to_csv(measurement).splitlines()
-    assert lines[0] == ",".join(COLUMNS)
+    assert lines[0].startswith("label,node,algorithm,period,block,configuration,p_over_t,")
+    assert lines[0].endswith("rmse,p99,maximum,psnr_db,floor_ms,efficiency")
     assert len(lines) == 1 + 6 == 1 + len(rows(measurement))
     assert {row["period"] for row in rows(measurement)} == {4}
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from shadercache.measure.statistics import Ratio
-from shadercache.measure.stopping import StopRule, widest
+from shadercache.measure.statistics import Ratio, StopRule, widest
 
 NARROW, WIDE = Ratio(2.0, 1.96, 2.04, 2.0), Ratio(0.5, 0.45, 0.55, 0.5)
 

@@ -7,7 +7,7 @@ import pytest
 
 from shadercache.caching.outcomes import OUTCOMES
 from shadercache.diagnostics import UsageError
-from shadercache.measure.probe import Probe
+from shadercache.measure.measurement import Probe
 from shadercache.report.debug_views import (
     AGED,
     TOO_OLD,
