@@ -34,7 +34,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Generic, TypeVar
 
-from shadercache.analysed import Analysis
+from shadercache.analysed import Analysis, VertexStage, depends_on, unchanged_for
 from shadercache.analysis.candidates import (
     Candidate,
     Origin,
@@ -47,9 +47,9 @@ from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.mapping import MappingKind
 from shadercache.analysis.restrictions import check_depth, check_size, find_color
 from shadercache.analysis.screen.screen_inputs import Marks, screen_marks
-from shadercache.analysis.screen.screen_varyings import ScreenVaryings, screen_varyings
+from shadercache.analysis.screen.screen_varyings import screen_varyings
 from shadercache.analysis.screen.user_mapping import check_user_mapping
-from shadercache.analysis.stages import Pairs, StageSide, aligned, links_of, match_stages
+from shadercache.analysis.stages import StageSide, aligned, match_stages
 from shadercache.analysis.vertex_checks import POSITION, check_position, check_vertex
 from shadercache.ast import nodes as n
 from shadercache.ast.large import allow_deep_trees
@@ -92,15 +92,15 @@ USUAL_RANGE = (0.1, 100.0)
 __all__ = ["Analysis", "Emission", "analyse", "emit_needed", "emit_original", "rewrite"]
 
 
-Told = TypeVar("Told", Manifest, OriginalManifest, NeededManifest)
+AManifest = TypeVar("AManifest", Manifest, OriginalManifest, NeededManifest)
 
 
 @dataclass(frozen=True, slots=True)
-class Emission(Generic[Told]):
+class Emission(Generic[AManifest]):
     """What a rewrite yields: the texts by file name, the manifest, and what is to be known."""
 
     files: dict[str, str]
-    manifest: Told
+    manifest: AManifest
     notes: tuple[Diagnostic, ...] = ()
 
 
@@ -119,32 +119,18 @@ def analyse(
     Raises :class:`InputError` with every diagnostic of the first stage that finds any.
     """
     allow_deep_trees()
-    reading = reading or ReadOptions()
-    if vertex is not None and (
-        is_webgl(fragment, reading) or is_webgl(vertex, replace(reading, dialect="glsl"))
-    ):
-        reading = replace(reading, webgl=True)  # Both stages are.
-    texts = (fragment.text, vertex.text if vertex else "")
-    prefix = fresh_prefix(*texts)
-    trees = [_checked(fragment, "fragment", reading)]
-    check_size(trees[0].module, fragment)
-    if vertex is not None:
-        trees.append(_checked(vertex, "vertex", replace(reading, dialect="glsl")))
-    raised = [
-        _with_parameters(stage, tree, prefix)
-        for stage, tree in zip(
-            raise_versions(trees, fresh_prefix(*texts, stem="legacy")), trees, strict=True
-        )
-    ]
+    reading = _read_alike(fragment, vertex, reading or ReadOptions())
+    prefix = fresh_prefix(fragment.text, vertex.text if vertex else "")
+    trees, raised = _raised(fragment, vertex, reading, prefix)
     named = _named(raised[0].module, raised[0].facts, fragment, "fragment")
     module, facts = _lowered(*named, fragment)
     original, kept_loops = module, tuple[Diagnostic, ...]()
     if reading.unroll:
-        made = unroll_loops(*named, fragment)
-        kept_loops = made.notes
-        if made.module is not named[0]:
-            flat = _named(made.module, infer(made.module, fragment), fragment, "fragment")
-            module, facts = _lowered(*flat, fragment)
+        unrolled = unroll_loops(*named, fragment)
+        kept_loops = unrolled.notes
+        if unrolled.module is not named[0]:
+            flat = infer(unrolled.module, fragment)
+            module, facts = _lowered(*_named(unrolled.module, flat, fragment, "fragment"), fragment)
     color = find_color(module, fragment)
     printed = _printed(trees[0].module, module)
     if mapping is None:
@@ -159,44 +145,51 @@ def analyse(
     program = FragmentProgram(
         raised[0].module, module, facts, candidates, color, prefix, original, mapping
     )
-    pairs = () if stage is None else stage.pairs
-    return Analysis(
-        fragment,
-        vertex,
-        candidates,
-        program,
-        tuple(raised),
-        None if stage is None else stage.module,
-        links_of(pairs),
-        reading,
-        kept_loops,
-        None if stage is None else stage.facts,
-    )
+    return Analysis(fragment, vertex, candidates, program, raised, stage, reading, kept_loops)
 
 
-@dataclass(frozen=True, slots=True)
-class _VertexStage:
-    """The vertex shader as it is worked on, and what it passes on."""
+def _read_alike(fragment: Source, vertex: Source | None, reading: ReadOptions) -> ReadOptions:
+    """Where one stage is WebGL's, both are."""
+    if vertex is None:
+        return reading
+    other = replace(reading, dialect="glsl")
+    webgl = is_webgl(fragment, reading) or is_webgl(vertex, other)
+    return replace(reading, webgl=True) if webgl else reading
 
-    module: n.Module
-    facts: Facts
-    pairs: Pairs
-    screen: ScreenVaryings
+
+def _raised(
+    fragment: Source, vertex: Source | None, reading: ReadOptions, prefix: str
+) -> tuple[list[StageTree], tuple[Raised, ...]]:
+    """Passes 1 to 3: both stages as they were checked, and in versions to write variants in."""
+    trees = [_checked(fragment, "fragment", reading)]
+    check_size(trees[0].module, fragment)
+    if vertex is not None:
+        trees.append(_checked(vertex, "vertex", replace(reading, dialect="glsl")))
+    stem = fresh_prefix(*(tree.source.text for tree in trees), stem="legacy")
+    stages: list[Raised] = []
+    for raised, tree in zip(raise_versions(trees, stem), trees, strict=True):
+        # Mesa wants names for the parameters of prototypes as well.
+        module = name_parameters(raised.module, prefix)
+        if module is not raised.module:
+            facts = infer(module, tree.source, tree.stage)
+            raised = replace(raised, module=module, facts=facts)
+        stages.append(raised)
+    return trees, tuple(stages)
 
 
 def _vertex_stage(
     raised: Raised, source: Source, fragment: StageSide, mapping: MappingKind
-) -> _VertexStage:
+) -> VertexStage:
     side = StageSide(*_named(raised.module, raised.facts, source, "vertex"), source)
     check_vertex(side.module, source)
     pairs = match_stages(fragment, side)
     if mapping == "surface":
         check_position(remove_dead(side.module, (POSITION,)), source)
     screen = screen_varyings(side.module, side.facts)
-    return _VertexStage(aligned(side, fragment), side.facts, pairs, screen)
+    return VertexStage(aligned(side, fragment), side.facts, pairs, screen)
 
 
-def _marks(fragment: StageSide, mapping: MappingKind, vertex: _VertexStage | None) -> Marks:
+def _marks(fragment: StageSide, mapping: MappingKind, vertex: VertexStage | None) -> Marks:
     """What binds values to the screen; nothing where the place on the screen is no obstacle."""
     if "gl_FragCoord" in reused_builtins(fragment.module, mapping):
         return {}
@@ -234,15 +227,18 @@ def rewrite(
     _check_room(analysis, nodes, chosen)
     programs = program_set.emit_programs(analysis.program, analysis.vertex_emitter, nodes, wanted)
     if not programs.variants:
-        raise InputError(_unfit(analysis, nodes, programs))
+        name, reason = next(iter(programs.refused.items()))
+        texts = " and ".join(f"'{node.text}'" for node in nodes)
+        message = f"{texts} cannot be cached by {name}: {reason}"
+        raise InputError(Diagnostic("SC407", message, analysis.fragment, nodes[0].expr.span))
     setting = Setting(
         analysis.fragment,
         analysis.vertex_source,
         analysis.mapping,
         analysis.full_screen,
         analysis.inputs,
-        analysis.dependencies(*nodes),
-        analysis.unchanged_for(*nodes),
+        depends_on(analysis, nodes),
+        unchanged_for(analysis, nodes),
         analysis.renamed,
     )
     manifest = build_manifest(nodes, chosen, programs, setting)
@@ -267,9 +263,9 @@ def emit_needed(analysis: Analysis, configuration: Configuration) -> Emission[Ne
 
     It is part of no variant: who counts hits needs it to know how many there must be.
     """
-    vertex = analysis.vertex_emitter
     nodes = analysis.nodes_of("+".join(configuration.nodes))
-    programs = program_set.emit_needed(analysis.program, vertex, nodes, configuration)
+    program, vertex = analysis.program, analysis.vertex_emitter
+    programs = program_set.emit_needed(program, vertex, nodes, configuration)
     manifest = needed_manifest(programs, configuration.mode, analysis.inputs)
     return Emission(programs.files, manifest)
 
@@ -284,8 +280,8 @@ def _check_names(analysis: Analysis, mode: Mode, queries: bool = False) -> None:
     stages: list[tuple[n.Module, Source]] = []
     if mode == "proof" or queries:
         stages.append((fragment, analysis.fragment))
-    if mode == "proof" and analysis.vertex_module is not None and analysis.vertex is not None:
-        stages.append((analysis.vertex_module, analysis.vertex))
+    if mode == "proof" and analysis.stage is not None and analysis.vertex is not None:
+        stages.append((analysis.stage.module, analysis.vertex))
     problems: list[Diagnostic] = []
     for module, source in stages:
         later = later_keywords(module)
@@ -331,15 +327,6 @@ def _check_room(
     raise InputError(Diagnostic("SC430", message, analysis.fragment, nodes[0].expr.span, hint))
 
 
-def _unfit(
-    analysis: Analysis, nodes: Sequence[Candidate], programs: program_set.ProgramSet
-) -> Diagnostic:
-    name, reason = next(iter(programs.refused.items()))
-    texts = " and ".join(f"'{node.text}'" for node in nodes)
-    message = f"{texts} cannot be cached by {name}: {reason}"
-    return Diagnostic("SC407", message, analysis.fragment, nodes[0].expr.span)
-
-
 def _checked(source: Source, stage: Stage, reading: ReadOptions) -> StageTree:
     module, facts = read(source, stage, reading, needs_main=True)
     check_depth(facts, source)
@@ -347,14 +334,6 @@ def _checked(source: Source, stage: Stage, reading: ReadOptions) -> StageTree:
     if plain is not module:
         module, facts = plain, infer(plain, source, stage)
     return StageTree(module, facts, source, stage)
-
-
-def _with_parameters(raised: Raised, tree: StageTree, prefix: str) -> Raised:
-    """Pass 3, where parameters have no names: Mesa wants them."""
-    module = name_parameters(raised.module, prefix)
-    if module is raised.module:
-        return raised
-    return replace(raised, module=module, facts=infer(module, tree.source, tree.stage))
 
 
 def _named(module: n.Module, facts: Facts, source: Source, stage: Stage) -> tuple[n.Module, Facts]:
@@ -380,7 +359,7 @@ def _printed(parsed: n.Module, module: n.Module) -> dict[str, str]:
     """
     old = [d for d in parsed.decls if isinstance(d, n.FunctionDef)]
     new = [d for d in module.decls if isinstance(d, n.FunctionDef)]
-    printed = {item.name: print_node(was) for was, item in zip(old, new, strict=True)}
+    printed = {named.name: print_node(was) for was, named in zip(old, new, strict=True)}
     for decl in module.decls:
         if isinstance(decl, n.VarDecl):
             printed |= {i.name: print_node(i.init) for i in decl.declarators if i.init is not None}

@@ -84,7 +84,7 @@ def command(
 
 def _row(analysis: Analysis, node: Candidate, changes: Mapping[str, str] | None) -> tuple[str, ...]:
     line, column = analysis.fragment.position(node.expr.span.start)
-    parts = analysis.parts(node) if node.legal else None
+    parts = analysis.shared_work.parts((node,)) if node.legal else None
     causes = {} if changes is None else changes_of(node, changes)
     changing = "; ".join(f"{cause}: {' '.join(names)}" for cause, names in causes.items())
     return (

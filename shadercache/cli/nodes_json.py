@@ -31,7 +31,7 @@ def print_nodes(analysis: Analysis, nodes: Sequence[Candidate], changes: Changes
     head = {
         "schema_version": SCHEMA_VERSION,
         "mapping": analysis.mapping,
-        "whole": _plain(analysis.whole),
+        "whole": _plain(analysis.shared_work.whole),
     }
     parts = [f" {_encode(name)}: {_encode(value)}" for name, value in head.items()]
     for name, values in {**writer.tables, "nodes": written}.items():
@@ -84,7 +84,7 @@ class _Writer:
     def _passes(self, node: Candidate) -> dict[str, float]:
         if not node.legal:
             return {}
-        parts = self._analysis.parts(node)
+        parts = self._analysis.shared_work.parts((node,))
         return {"payload": _plain(parts.payload), "remainder": _plain(parts.remainder)}
 
     def _expression(self, node: Candidate) -> dict[str, Any]:
@@ -96,12 +96,15 @@ class _Writer:
         }
 
     def _inputs(self, node: Candidate) -> dict[str, Any]:
-        from shadercache.analysis.input_reads import by_kind
+        from shadercache.analysed import unchanged_for
+        from shadercache.analysis.input_reads import by_kind, input_kinds
 
-        unchanged = self._analysis.unchanged_for(node)
+        program = self._analysis.program
+        kinds = input_kinds(program.module, program.facts)
+        unchanged = unchanged_for(self._analysis, (node,))
         return {
             "names": sorted(node.inputs),
-            "depends_on": by_kind(node.inputs, self._analysis.input_kinds),
+            "depends_on": by_kind(node.inputs, kinds),
             **({} if unchanged is None else {"exact_while_unchanged": list(unchanged)}),
             **({} if self._changes is None else {"changes_with": changes_of(node, self._changes)}),
         }
@@ -111,6 +114,8 @@ class _Writer:
         refusal = node.refusal
         if refusal is None:
             return {}
+        from shadercache.analysed import on_cpu
+
         verdict = {
             "refusal": self._number(
                 "refusals",
@@ -122,7 +127,7 @@ class _Writer:
                 },
             )
         }
-        text = self._analysis.on_cpu(node)
+        text = on_cpu(self._analysis, node)
         if text is not None:
             verdict["on_cpu"] = self._number("on_cpu", text, lambda: text)
         return verdict

@@ -56,6 +56,7 @@ def command(
     refresh: up to seven channels in all. How to run them is in manifest.json, which is written
     last.
     """
+    from shadercache.analysed import carrying, overlap_notes
     from shadercache.compiler import analyse, rewrite
     from shadercache.manifest.codec import encode
 
@@ -66,8 +67,8 @@ def command(
         raise usage_error("SC005", "the vertex shader is missing", hint)
     nodes = analysis.nodes_of("+".join(node))
     analysis.require_all(nodes, unprofitable)
-    overlaps = () if carry else analysis.overlap_notes(nodes)
-    payload = tuple(item.id for item in (analysis.carrying(nodes) if carry else nodes))
+    overlaps = () if carry else overlap_notes(analysis, nodes)
+    payload = tuple(item.id for item in (carrying(analysis, nodes) if carry else nodes))
     chosen = replace(caching.base, nodes=payload, mode=mode)
     chosen = with_settings(chosen, caching.cache or ())
     wanted = [replace(chosen, algorithm=name) for name in options.parse_passes(passes)]

@@ -10,6 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from shadercache.analysed import written
 from shadercache.analysis.candidates import Candidate
 from shadercache.caching.configuration import Configuration, Mode, by_every_algorithm
 from shadercache.caching.layout import Layout, precision_of
@@ -63,9 +64,10 @@ class Verifier:
         version.
         """
         analysis, references = self.analysis, self.references
-        if analysis.reads_fixed_function or analysis.written is None:
+        text = written(analysis)
+        if text is None:
             return None
-        files = {"original.vert": analysis.vertex_source.text, "original.frag": analysis.written}
+        files = {"original.vert": analysis.vertex_source.text, "original.frag": text}
         bundle = Bundle(emit_original(analysis, "plain").manifest, files)
         try:
             runner = OriginalRunner(references.world, *references.linker.originals(bundle=bundle))

@@ -9,6 +9,7 @@ from laws.slices import amount, day_slice, seed
 from shaders import analysed as analysed_body
 from shaders import find
 
+from shadercache.analysed import carrying, overlap_notes
 from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.costs.cost import FETCH, CostTable
 from shadercache.analysis.value_numbering import one_of_each
@@ -50,7 +51,7 @@ for a truth and four floats that some fragments lack."""
 
 def test_what_both_passes_need_is_told() -> None:
     analysis = analysed_body(BODY, NOISE)
-    once, at = (analysis.parts(find(analysis, text, "main")) for text in (ONCE, AT))
+    once, at = (analysis.shared_work.parts((find(analysis, text, "main"),)) for text in (ONCE, AT))
     assert once.overlap == at.payload > 0.0
     assert once.payload + once.remainder - once.whole == once.overlap
     assert at.overlap == 0.0
@@ -58,7 +59,7 @@ def test_what_both_passes_need_is_told() -> None:
 
 def test_what_travels_along_is_not_computed_twice() -> None:
     analysis = analysed_body(BODY, NOISE)
-    both = analysis.parts(*(find(analysis, text, "main") for text in (ONCE, AT)))
+    both = analysis.shared_work.parts([find(analysis, text, "main") for text in (ONCE, AT)])
     assert both.overlap == 0.0
     assert both.payload < both.whole
 
@@ -66,11 +67,11 @@ def test_what_travels_along_is_not_computed_twice() -> None:
 def test_what_saves_most_is_carried_along() -> None:
     analysis = analysed_body(BODY, NOISE)
     once, at = find(analysis, ONCE, "main"), find(analysis, AT, "main")
-    (note,) = analysis.overlap_notes([once])
+    (note,) = overlap_notes(analysis, [once])
     assert note.code == "SC423" and at.id in note.message
-    assert analysis.carrying([once]) == (once, at)
-    assert analysis.carrying([at]) == (at,) and not analysis.overlap_notes([at])
-    assert analysis.carrying([once, at]) == (once, at)
+    assert carrying(analysis, [once]) == (once, at)
+    assert carrying(analysis, [at]) == (at,) and not overlap_notes(analysis, [at])
+    assert carrying(analysis, [once, at]) == (once, at)
 
 
 def test_what_does_not_fit_is_not_carried() -> None:
@@ -81,9 +82,9 @@ def test_what_does_not_fit_is_not_carried() -> None:
     body = body.replace("at * once", "at * wide[0].x").replace(", 1.0);", ", wide[1].y);")
     analysis = analysed_body(body, NOISE)
     wide = find(analysis, "mat2(noise(at + 1.0))", "main")
-    carried = analysis.carrying([wide])
+    carried = carrying(analysis, [wide])
     assert [node.text for node in carried] == [wide.text, AT]  # 4 + 3 channels
-    both = analysis.carrying([*carried])
+    both = carrying(analysis, [*carried])
     assert both == carried
 
 
@@ -126,7 +127,7 @@ def can_be_cached(analysis: Analysis, nodes: tuple[Candidate, ...]) -> bool:
 
 def compare(analysis: Analysis, *nodes: Candidate) -> None:
     """No pass costs more than the original and its look-ups; one pass also what is done twice."""
-    parts, prefix = analysis.parts(*nodes), analysis.program.prefix
+    parts, prefix = analysis.shared_work.parts(nodes), analysis.program.prefix
     assert parts.payload <= parts.whole and parts.remainder <= parts.whole
     # What a guard compares is no part of any slice.
     builder = PassBuilder(analysis.program, nodes, configured(guard="off"))

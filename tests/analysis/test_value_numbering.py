@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from shaders import analysed, find
 
+from shadercache.analysed import on_cpu
 from shadercache.analysis.value_numbering import one_of_each
 from shadercache.compiler import Analysis
 
@@ -116,7 +117,7 @@ def test_text_for_the_cpu() -> None:
     analysis = analysed(body, declarations)
 
     def cpu(text: str) -> str | None:
-        return analysis.on_cpu(find(analysis, text))
+        return on_cpu(analysis, find(analysis, text))
 
     assert cpu("sin(m)") == "sin((u_time * 3.0 + 1.0) * 0.5)"
     assert cpu("f * 2.0") == "float(int((u_time * 3.0 + 1.0) * 0.5)) * 2.0"
@@ -132,6 +133,6 @@ def test_long_chains_of_definitions_end() -> None:
     analysis = analysed(
         f"float k0 = u_time; {chain} o_color = vec4(k1999 * v_uv.x, k3 + 1.0, v_uv);"
     )
-    assert analysis.on_cpu(find(analysis, "k3 + 1.0")) is not None
-    assert analysis.on_cpu(find(analysis, "k1998 * 1.5")) is None
+    assert on_cpu(analysis, find(analysis, "k3 + 1.0")) is not None
+    assert on_cpu(analysis, find(analysis, "k1998 * 1.5")) is None
     assert len(analysis.groups) == len(analysis.nodes)

@@ -8,6 +8,7 @@ import pytest
 from jsonschema import Draft202012Validator
 from manifests import SCHEMA, plain
 
+from shadercache.analysis.input_reads import input_kinds
 from shadercache.diagnostics import InputError
 from tests.cases.cases import NAMES, analysed
 from tests.configured import rewritten
@@ -32,5 +33,5 @@ def test_what_is_declared_and_depended_on_is_listed(name: str) -> None:
         assert known.issuperset((*item["uniforms"], *item["attributes"]))
     for item in manifest["depends_on"]:
         assert item["name"] in given or item["kind"] == "built-in"
-    if node.inputs & analysis.input_kinds.keys():
+    if node.inputs & input_kinds(analysis.program.module, analysis.program.facts).keys():
         assert manifest["depends_on"]

@@ -113,11 +113,11 @@ def _original(analysis: Analysis) -> Shader:
 
 
 def _files(analysis: Analysis, fragment: Shader) -> dict[str, str]:
-    assert analysis.vertex_module is not None
+    assert analysis.stage is not None
     prefix = analysis.program.prefix
     raised = analysis.raised[1].module
     memo = analysis.program.memo
-    vertex = VertexEmitter(raised, analysis.vertex_module, prefix, memo).for_fragment(fragment)
+    vertex = VertexEmitter(raised, analysis.stage.module, prefix, memo).for_fragment(fragment)
     return {"original.frag": _text(fragment), "original.vert": _text(vertex)}
 
 

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from vertex_stages import REPORTS, analysed, made_scene, names, scene_of, without_position
 
+from shadercache.analysed import unchanged_for
 from shadercache.analysis.candidates import Candidate
 from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import InputError
@@ -98,9 +99,9 @@ def test_what_a_value_depends_on_is_found_through_places() -> None:
         for name in ("crossed.frag", "crossed.vert")
     )
     analysis = analyse(fragment, vertex, mapping="screen")
-    assert analysis.unchanged_for(payload(analysis)) == ("a_position", "u_mvp")
+    assert unchanged_for(analysis, (payload(analysis),)) == ("a_position", "u_mvp")
     normal = next(node for node in analysis.nodes if node.text.startswith("max("))
-    assert analysis.unchanged_for(normal) == ("a_normal", "a_position", "u_mvp")
+    assert unchanged_for(analysis, (normal,)) == ("a_normal", "a_position", "u_mvp")
 
 
 WRONG = {

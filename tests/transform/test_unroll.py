@@ -144,7 +144,7 @@ def test_nothing_changes_unless_asked_for() -> None:
     assert find(analysis, "vec4(a)").offered, "the value of a whole loop needs no unrolling"
     inside = find(analysis, "wave(v_uv.x + float(i))")
     with pytest.raises(InputError, match="SC301") as raised:
-        analysis.require(inside)
+        analysis.require_all([inside])
     assert "--unroll" in str(raised.value.diagnostics[0].hint)
 
 
