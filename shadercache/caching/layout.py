@@ -26,6 +26,9 @@ from shadercache.caching.configuration import CacheFormat, Configuration
 from shadercache.lang.types import FLOAT, INT, Type
 
 XYZW = "xyzw"
+TEXELS = (range(FIRST_TEXEL), range(FIRST_TEXEL, FIRST_TEXEL + SECOND_TEXEL))
+"""The channels of payloads that lie in each texel."""
+
 _NARROWEST = {1: "r", 2: "rg", 3: "rgba", 4: "rgba"}
 
 
@@ -38,6 +41,11 @@ class Leaf:
     type: Type
     start: int
     flag: str | None
+
+    @property
+    def channels(self) -> range:
+        """The channels that it takes."""
+        return range(self.start, self.start + self.type.components_or_one)
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,13 +100,11 @@ def empty_depth(layout: Layout, configuration: Configuration) -> float:
     """
     ndc = configuration.storage.depth == "ndc"
     if layout.bits:
-        return float(BITS_OF_TWO) if ndc else 0.0
+        return float(0x40000000) if ndc else 0.0  # The bits of 2.
     if configuration.filter.marks_depths:
         return 0.0
     return 2.0 if ndc else -1.0
 
-
-BITS_OF_TWO = 0x40000000
 
 ID, AGE = Extra("id", INT, "object"), Extra("age", FLOAT, "age")
 
@@ -145,35 +151,7 @@ class Layout:
     def channels(self) -> tuple[int, ...]:
         """How many channels of each texel are taken."""
         taken = self.used + len(self.extras)
-        if taken <= FIRST_TEXEL:
-            return (taken,)
-        return (FIRST_TEXEL, taken - FIRST_TEXEL)
-
-    @property
-    def payload_channels(self) -> tuple[int, int]:
-        """How many channels of the first and of the second texel the payloads take."""
-        return min(self.used, FIRST_TEXEL), max(self.used - FIRST_TEXEL, 0)
-
-    @property
-    def extra_places(self) -> dict[str, tuple[int, str]]:
-        """Of each extra the number of its texel, 0 or 1, and its channel there."""
-        return {
-            extra.name: _place(channel)
-            for channel, extra in enumerate(self.extras, start=self.used)
-        }
-
-    @property
-    def places(self) -> tuple[tuple[str, str], ...]:
-        """The channels of each payload: in the first texel, and in the second."""
-        found: list[tuple[str, str]] = []
-        start = 0
-        for kind in self.types:
-            end = start + kind.components_or_one
-            letters = (XYZW[:FIRST_TEXEL] + XYZW)[start:end]
-            split = max(0, FIRST_TEXEL - start)
-            found.append((letters[:split], letters[split:]))
-            start = end
-        return tuple(found)
+        return (taken,) if taken <= FIRST_TEXEL else (FIRST_TEXEL, taken - FIRST_TEXEL)
 
     @property
     def second(self) -> bool:
@@ -181,18 +159,49 @@ class Layout:
         return len(self.channels) == 2
 
     @property
+    def extra_places(self) -> dict[str, tuple[int, str]]:
+        """Of each extra the number of its texel, 0 or 1, and its channel there."""
+        return {extra.name: place(at) for at, extra in enumerate(self.extras, start=self.used)}
+
+    @property
+    def places(self) -> tuple[tuple[str, str], ...]:
+        """The channels of each payload: in the first texel, and in the second."""
+        places: list[tuple[str, str]] = []
+        start = 0
+        for kind in self.types:
+            texels = ["", ""]
+            for texel, channel in map(place, range(start, start + kind.components_or_one)):
+                texels[texel] += channel
+            places.append((texels[0], texels[1]))
+            start += kind.components_or_one
+        return tuple(places)
+
+    @cached_property
+    def _discrete(self) -> tuple[bool, ...]:
+        """Of each channel that is taken: does it hold an integer or a boolean?"""
+        return tuple(leaf.type.base != "float" for leaf in self.stored("") for _ in leaf.channels)
+
+    @property
     def read_back(self) -> tuple[tuple[int, bool], ...]:
         """Of each scalar of the payloads its channel in what is read back of both texels, and
         whether it is an integer or a boolean. (The first texel's last channel is the depth.)"""
-        whole = [
-            leaf.type.base != "float"
-            for leaf in self.leaves("")
-            for _ in range(leaf.type.components_or_one)
-        ]
         return tuple(
             (channel + int(channel >= FIRST_TEXEL), discrete)
-            for channel, discrete in enumerate(whole)
+            for channel, discrete in enumerate(self._discrete[: self.used])
         )
+
+    def integers(self, texel: int) -> tuple[bool, ...]:
+        """Which channels of a texel, 0 or 1, hold integers or booleans."""
+        held = [self._discrete[at] for at in TEXELS[texel] if at < len(self._discrete)]
+        return (*held, *[False] * (4 - len(held)))
+
+    def has_integers(self, texel: int) -> bool:
+        """Are there any of the payloads in it?"""
+        return any(self._discrete[at] for at in TEXELS[texel] if at < self.used)
+
+    def has_floats(self, texel: int) -> bool:
+        """Are there any floats in it? The depth is one."""
+        return texel == 0 or not all(self._discrete[FIRST_TEXEL:])
 
     def variables(self, name: str) -> tuple[str, ...]:
         """What is there for each payload: ``name`` itself, or in a set ``name_1``, ``name_2``..."""
@@ -210,15 +219,16 @@ class Layout:
 
         ``masked``: may each of them be there or not?
         """
-        found: list[Leaf] = []
+        leaves: list[Leaf] = []
         start = 0
-        names = zip(
-            self.variables(f"{prefix}payload"), self.variables(f"{prefix}valid"), strict=True
-        )
-        for kind, (name, flag) in zip(self.types, names, strict=True):
-            found += _leaves(kind, name, start, flag if masked else None)
-            start += kind.components_or_one
-        return found
+        flags = self.variables(f"{prefix}valid")
+        for kind, name, flag in zip(
+            self.types, self.variables(f"{prefix}payload"), flags, strict=True
+        ):
+            for path, part in _parts(kind, name):
+                leaves.append(Leaf(path, part, start, flag if masked else None))
+                start += part.components_or_one
+        return leaves
 
     def stored(self, prefix: str, masked: bool = False) -> list[Leaf]:
         """The same with the extras behind them: all that lies in a texel beside the depth."""
@@ -228,63 +238,30 @@ class Layout:
         )
         return [*self.leaves(prefix, masked), *extras]
 
-    def integers(self, target: int) -> tuple[bool, ...]:
-        """Which channels of a texel, 0 or 1, hold integers or booleans."""
-        return _marks(self.stored(""), target)
-
-    def has_integers(self, target: int) -> bool:
-        """Are there any of the payloads in it?"""
-        return any(_marks(self.leaves(""), target))
-
-    def has_floats(self, target: int) -> bool:
-        """Are there any floats in it? The depth is one."""
-        return target == 0 or any(
-            leaf.type.base == "float" and leaf.start + leaf.type.components_or_one > FIRST_TEXEL
-            for leaf in self.stored("")
-        )
-
     @cached_property
     def structs(self) -> tuple[str, ...]:
         """The names of the structs that the payloads are made of."""
         return tuple(dict.fromkeys(name for kind in self.types for name in _structs(kind)))
 
 
-def _place(channel: int) -> tuple[int, str]:
+def place(channel: int) -> tuple[int, str]:
     """The texel of a channel, 0 or 1, and the channel's name in it."""
-    if channel < FIRST_TEXEL:
-        return 0, XYZW[channel]
-    return 1, XYZW[channel - FIRST_TEXEL]
+    texel = int(channel >= FIRST_TEXEL)
+    return texel, XYZW[channel - TEXELS[texel].start]
 
 
-def _marks(leaves: list[Leaf], target: int) -> tuple[bool, ...]:
-    """Which channels of a texel hold integers or booleans."""
-    start, end = channels_of(target)
-    marks = [False] * 4
-    for leaf in leaves:
-        for channel in range(leaf.start, leaf.start + leaf.type.components_or_one):
-            if start <= channel < end:
-                marks[channel - start] = leaf.type.base != "float"
-    return tuple(marks)
-
-
-def channels_of(target: int) -> tuple[int, int]:
-    """The first channel of the payloads that may lie in a texel, and the one behind the last."""
-    return (FIRST_TEXEL, FIRST_TEXEL + SECOND_TEXEL) if target else (0, FIRST_TEXEL)
-
-
-def _leaves(kind: Type, path: str, start: int, flag: str | None) -> Iterator[Leaf]:
+def _parts(kind: Type, path: str) -> Iterator[tuple[str, Type]]:
     """The scalars and vectors (of a matrix: its columns) inside a value, in order."""
     if kind.is_array or kind.is_matrix:
         count = kind.dims[0] or 0 if kind.is_array else kind.cols
-        inner = [(kind.element, f"{path}[{i}]") for i in range(count)]
+        inside = [(f"{path}[{i}]", kind.element) for i in range(count)]
     elif kind.struct is not None:
-        inner = [(field, f"{path}.{name}") for name, field in kind.struct.fields.items()]
+        inside = [(f"{path}.{name}", field) for name, field in kind.struct.fields.items()]
     else:
-        yield Leaf(path, kind, start, flag)
+        yield path, kind
         return
-    for field, below in inner:
-        yield from _leaves(field, below, start, flag)
-        start += field.components_or_one
+    for below, part in inside:
+        yield from _parts(part, below)
 
 
 def _structs(kind: Type) -> Iterator[str]:

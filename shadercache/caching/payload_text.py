@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from itertools import groupby
 
 from shadercache.analysis.refusal_rules import FIRST_TEXEL
-from shadercache.caching.layout import XYZW, Layout, Leaf, channels_of
+from shadercache.caching.layout import TEXELS, XYZW, Layout, Leaf, place
 from shadercache.lang.types import Type
 
 
@@ -106,10 +106,8 @@ class _Text:
 
     def _fetched(self, leaf: Leaf) -> list[str]:
         parts: list[str] = []
-        channels = range(leaf.start, leaf.start + leaf.type.components_or_one)
-        for number, group in groupby(channels, key=lambda channel: int(channel >= FIRST_TEXEL)):
-            first = FIRST_TEXEL if number else 0
-            text = f"{self.texels[number]}.{''.join(XYZW[channel - first] for channel in group)}"
+        for texel, channels in groupby(map(place, leaf.channels), key=lambda where: where[0]):
+            text = f"{self.texels[texel]}.{''.join(channel for _, channel in channels)}"
             as_float = self.layout.bits and leaf.type.base == "float"
             parts.append(f"uintBitsToFloat({text})" if as_float else text)
         return parts
@@ -158,19 +156,17 @@ class _Text:
 
     def packed(self, target: int) -> str:
         """The channels of a texel, those of one vector together, and zeros behind them."""
-        start, end = channels_of(target)
         taken = self.layout.used + len(self.layout.extras)
-        padding = [self._zero(1)] * (end - max(start, min(end, taken)))
-        return ", ".join([*self._parts(start, end), *padding])
+        padding = [self._zero(1) for channel in TEXELS[target] if channel >= taken]
+        return ", ".join([*self._parts(TEXELS[target]), *padding])
 
-    def _parts(self, start: int, end: int) -> Iterator[str]:
+    def _parts(self, channels: range) -> Iterator[str]:
         for leaf in self.layout.stored(self.prefix, self.masked):
-            count = leaf.type.components_or_one
-            inside = [i for i in range(count) if start <= leaf.start + i < end]
+            inside = [i for i, channel in enumerate(leaf.channels) if channel in channels]
             if not inside:
                 continue
             text = leaf.path
-            if len(inside) < count:
+            if len(inside) < len(leaf.channels):
                 text += "." + "".join(XYZW[i] for i in inside)
             if self.layout.es and leaf.type.base == "int":
                 text = f"{self.prefix}wide_{len(inside)}({text})"

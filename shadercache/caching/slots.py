@@ -1,7 +1,7 @@
 """What can be chosen in each slot, and the files of ``glsl/`` that it means.
 
-To add a value is to add a file and a line here (docs/TRANSFORMATIONS.md). All files of a slot have
-the same functions with the same parameters.
+Where a slot's value is one file, the file has its name; the tables say what else a value means. All
+files of a slot have the same functions with the same parameters (docs/TRANSFORMATIONS.md).
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 from shadercache.analysis.mapping import MappingKind
 from shadercache.caching.configuration import DEFAULT_EPSILON, Configuration
-from shadercache.caching.layout import MOST_OF_HALF, Layout
+from shadercache.caching.layout import MOST_OF_HALF, Layout, empty_depth
 from shadercache.caching.outcomes import INTERPOLATION, LEAST_WEIGHT, SPREAD
 
 NUMBERS = {
@@ -28,28 +28,6 @@ LOCATE = {
     "user": ("locate/user_pixel", "locate/by_motion"),
     "user, current": ("locate/user", "locate/by_motion"),
 }
-
-DUE = {
-    "stratified": ("due/by_turn", "due/stratified"),
-    "random": ("due/by_turn", "due/random"),
-    "tiled": ("due/by_turn", "due/tiled"),
-    "surface": ("due/by_turn", "due/surface"),
-    "none": (),
-}
-
-DEPTH = {"inverse-w": "depth/inverse_w", "ndc": "depth/ndc", "linear": "depth/linear"}
-
-TOLERANCE = {
-    "relative": "tolerance/relative",
-    "akeley-su": "tolerance/akeley_su",
-    "fixed": "tolerance/fixed",
-}
-
-STORE = {"miss": "store/miss", "clamp": "store/clamp", "off": "store/off"}
-
-COMBINE = {"reuse": "combine/reuse"}
-
-RATE = {"full": "rate/full"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,9 +87,8 @@ class Choice:
     def _resampling(self) -> Resampling:
         """The filter, and what it comes to where integers lie in the texels: none of them lies
         between two others, and the nearest one by itself may belong to something else."""
-        integers = self.layout.has_integers(0) or self.layout.has_integers(1)
         chosen = RESAMPLE[self.configuration.filter.kind]
-        if integers:
+        if self.layout.bits:
             return RESAMPLE["bilinear"] if chosen.fetch == "fetch/nearest" else chosen
         if self.configuration.filter.fallback and chosen.test == "test/together":
             return replace(chosen, test="test/apart", part=_FALLBACK)
@@ -126,26 +103,26 @@ class Choice:
     def files(self) -> tuple[str, ...]:
         """The files that all passes have."""
         chosen = self.configuration
+        turns = chosen.refresh.schedule != "none"
         return (
             "globals",
             "wide",
             "texel/bits" if self.layout.bits else "texel/floats",
-            *DUE[chosen.refresh.schedule],
+            *(("due/by_turn", f"due/{chosen.refresh.schedule}") if turns else ()),
             *self.located.files,
             "frame/viewport" if chosen.hit_test.viewport else "frame/whole",
-            DEPTH[chosen.storage.depth],
-            TOLERANCE[chosen.hit_test.tolerance],
+            f"depth/{chosen.storage.depth}",
+            f"tolerance/{chosen.hit_test.tolerance}",
             *self._look_up(),
             *self._storage(),
-            COMBINE[chosen.combine],
-            RATE[chosen.payload_rate],
+            f"combine/{chosen.combine}",
+            f"rate/{chosen.payload_rate}",
             "payload/sometimes" if self.whole else "payload/always",
         )
 
     def _look_up(self) -> tuple[str, ...]:
         chosen, screen = self.configuration, self.located.mapping == "screen"
         how = _PIXEL if screen else self._resampling
-        integers = self.layout.has_integers(0) or self.layout.has_integers(1)
         tests = {
             "test/turn": chosen.refresh.schedule != "none" and not chosen.refresh.age,
             "test/opt_out": chosen.hit_test.mask,
@@ -153,7 +130,7 @@ class Choice:
             "test/magnification": chosen.hit_test.magnification and not screen,
             how.test: True,
         }
-        between = ("resample/integers",) if integers and how.fetch == "fetch/four" else ()
+        between = ("resample/integers",) if self.layout.bits and how.fetch == "fetch/four" else ()
         found = "marked" if how.part else "unmarked"
         return (
             "look_up",
@@ -170,7 +147,7 @@ class Choice:
         judged = "age/alone" if chosen.refresh.schedule == "none" else "age/in_turn"
         return (
             "store/texels",
-            STORE[chosen.storage.guard],
+            f"store/{chosen.storage.guard}",
             "opt_out/asked" if chosen.hit_test.mask else "opt_out/never",
             *(("age/kept", judged) if chosen.refresh.age else ("age/none",)),
         )
@@ -187,9 +164,9 @@ class Choice:
         Where a sign is a mark they have one too, so that no slope can lead to them: they are never
         taken alone.
         """
-        ndc, marks = self.configuration.storage.depth == "ndc", self._marks
         if self.layout.bits:
+            ndc = self.configuration.storage.depth == "ndc"
             return ("0x40000000u" if ndc else "0u"), "0xFF000000u"
-        empty = "0.0" if marks else "2.0" if ndc else "-1.0"
-        small = marks and self.configuration.storage.depth == "linear"
-        return empty, "-0.00006103515625" if small else f"-{MOST_OF_HALF}"
+        small = self._marks and self.configuration.storage.depth == "linear"
+        poison = "-0.00006103515625" if small else f"-{MOST_OF_HALF}"
+        return str(empty_depth(self.layout, self.configuration)), poison

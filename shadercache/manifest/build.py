@@ -11,8 +11,9 @@ from msgspec import UNSET, convert
 from shadercache import __version__
 from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.costs.payload_sets import is_skipped
+from shadercache.analysis.refusal_rules import FIRST_TEXEL
 from shadercache.caching.configuration import Configuration, Mode
-from shadercache.caching.layout import Layout, empty_depth, extras_of
+from shadercache.caching.layout import XYZW, Layout, empty_depth, extras_of
 from shadercache.caching.outcomes import outcomes
 from shadercache.caching.settings import written_settings
 from shadercache.emit.program_set import Pass, ProgramSet
@@ -32,8 +33,6 @@ _DEPTHS = {"inverse-w": "16/w", "ndc": "z/w", "linear": "w"}
 
 _ALWAYS = ("previous-cache", "current-cache", "previous-cache-2", "current-cache-2", "epsilon")
 """Roles that are told whether or not a program of the variants at hand has them."""
-
-_CHANNELS = ("x", "xy", "xyz", "xyzw")
 
 # Three vertices without attributes: the vertex shaders make their positions.
 _FULL_SCREEN = pass_model.TriangleEntry(mode="triangles", vertices=3)
@@ -172,7 +171,6 @@ def _targets(cache: cache_model.CacheEntry) -> dict[TargetName, cache_model.Targ
 
 def _cache(layout: Layout, configuration: Configuration) -> cache_model.CacheEntry:
     formats = layout.formats(configuration.storage.format)
-    first, rest = layout.payload_channels
     depth = _DEPTHS[configuration.storage.depth]
     cache: dict[str, Any] = {
         "format": formats[0],
@@ -180,12 +178,14 @@ def _cache(layout: Layout, configuration: Configuration) -> cache_model.CacheEnt
         "clear": (0.0, 0.0, 0.0, empty_depth(layout, configuration)),
         "filter": "nearest",
         "wrap": "clamp-to-edge",
-        "channels": {"payload": _CHANNELS[first - 1], "depth": "w"} | _extras(layout, 0),
+        "channels": {"payload": XYZW[: min(layout.used, FIRST_TEXEL)], "depth": "w"}
+        | _extras(layout, 0),
         "depth_encoding": f"floatBitsToUint({depth})" if layout.bits else depth,
         "options": written_settings(configuration),
     }
     if layout.second:
-        payload = {"payload": _CHANNELS[rest - 1]} if rest else {}
+        rest = XYZW[: max(layout.used - FIRST_TEXEL, 0)]
+        payload = {"payload": rest} if rest else {}
         channels = payload | _extras(layout, 1)
         cache["second"] = {"format": formats[1], "clear": (0.0,) * 4, "channels": channels}
     return convert(cache, cache_model.CacheEntry)
