@@ -10,38 +10,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
-from shadercache.ast.nodes import (
-    Block,
-    BlockDecl,
-    Case,
-    Declarator,
-    DeclStmt,
-    Directive,
-    DoWhile,
-    ExprStmt,
-    For,
-    FunctionDef,
-    FunctionProto,
-    If,
-    Jump,
-    LayoutItem,
-    Module,
-    Node,
-    Param,
-    PrecisionDecl,
-    QualifierDecl,
-    Qualifiers,
-    Return,
-    Stmt,
-    StructDef,
-    Switch,
-    TypeSpec,
-    VarDecl,
-    While,
-)
 from shadercache.ast.walk import EXPRESSIONS
-from shadercache.emit.make_expressions import (
+from shadercache.emit.print_expressions import (
     print_dims,
     print_expression,
     print_layout_item,
@@ -53,7 +25,7 @@ from shadercache.source import NOWHERE
 
 _INDENT = "    "
 _EXPRESSIONS = frozenset(EXPRESSIONS)
-_HOLDERS = (Block, If, For, While, DoWhile, Switch, FunctionDef, BlockDecl)
+_HOLDERS = (n.Block, n.If, n.For, n.While, n.DoWhile, n.Switch, n.FunctionDef, n.BlockDecl)
 """Nodes that hold statements or fields; comments in them belong to these."""
 
 
@@ -68,7 +40,7 @@ class _Output:
         self.lines += [indent + text for text in comments]
 
 
-def print_module(module: Module, memo: Memo | None = None) -> str:
+def print_module(module: n.Module, memo: Memo | None = None) -> str:
     """The text of a whole shader, ending in a newline.
 
     What a declaration looks like is kept in ``memo`` for other programs that have it.
@@ -92,125 +64,106 @@ def print_module(module: Module, memo: Memo | None = None) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _declaration(decl: Node, comments: Comments, memo: Memo) -> list[str]:
+def _declaration(decl: n.Node, comments: Comments, memo: Memo) -> list[str]:
     """The lines of a declaration at global level."""
-    kept: dict[Node, _Printed] = memo.table("printed declarations")
-    found = kept.get(decl)
-    if found is None:
+    kept: dict[n.Node, tuple[list[str], frozenset[int]]] = memo.table("printed declarations")
+    if decl not in kept:
         every = comments.anew()
-        found = kept[decl] = _Printed(_lines(decl, every), every.taken)
-    if comments.take_all(found.comments):
-        return found.lines
-    return _lines(decl, comments)
+        kept[decl] = _lines(decl, every), every.taken
+    lines, taken = kept[decl]
+    # Another declaration may have printed its comments: a clone has those of what it is made of.
+    return lines if comments.take_all(taken) else _lines(decl, comments)
 
 
-@dataclass(frozen=True, slots=True)
-class _Printed:
-    """A declaration with all of its comments."""
-
-    lines: list[str]
-    comments: frozenset[int]
-
-
-def _lines(decl: Node, comments: Comments) -> list[str]:
+def _lines(decl: n.Node, comments: Comments) -> list[str]:
     out = _Output(comments=comments)
     _print_lines(decl, "", out)
     return out.lines
 
 
-def _version(module: Module) -> str:
+def _version(module: n.Module) -> str:
     """The ``#version`` line; 100 is a version of GLSL ES and must not say so."""
     profile = module.profile if module.version >= 150 else None
     return f"#version {module.version} {profile}" if profile else f"#version {module.version}"
 
 
-def print_node(node: Node) -> str:
+def print_node(node: n.Node) -> str:
     """The text of any node, without a newline at its end unless it is a module."""
     if type(node) in _EXPRESSIONS:
         return print_expression(node)
     match node:
-        case Module():
+        case n.Module():
             return print_module(node)
-        case Qualifiers():
+        case n.Qualifiers():
             return print_qualifiers(node).rstrip()
-        case TypeSpec():
+        case n.TypeSpec():
             return _type(node, "", Comments())
-        case Declarator():
+        case n.Declarator():
             return _declarator(node)
-        case Param():
+        case n.Param():
             return _param(node)
-        case LayoutItem():
+        case n.LayoutItem():
             return print_layout_item(node)
-        case StructDef():
+        case n.StructDef():
             return _struct(node, "", Comments())
-        case Directive():
+        case n.Directive():
             return node.text
     out = _Output()
     _print_lines(node, "", out)
     return "\n".join(out.lines)
 
 
-# --- types and declarations -----------------------------------------------------------------------
-
-
-def _type(node: TypeSpec, indent: str, comments: Comments) -> str:
+def _type(node: n.TypeSpec, indent: str, comments: Comments) -> str:
     name = node.name if node.struct is None else _struct(node.struct, indent, comments)
     return name + print_dims(node.dims)
 
 
-def _fields(fields: tuple[VarDecl, ...], end: int, indent: str, comments: Comments) -> str:
+def _fields(fields: tuple[n.VarDecl, ...], end: int, indent: str, comments: Comments) -> str:
     """The fields of a struct or block, which ends at ``end``, in braces."""
     out = _Output(["{"], comments)
-    for item in fields:
-        _print_lines(item, indent + _INDENT, out)
+    for field_decl in fields:
+        _print_lines(field_decl, indent + _INDENT, out)
     if comments and fields:
         out.add_comments(comments.within(fields[-1].span.end, end), indent + _INDENT)
     return "\n".join([*out.lines, indent + "}"])
 
 
-def _struct(node: StructDef, indent: str, comments: Comments) -> str:
+def _struct(node: n.StructDef, indent: str, comments: Comments) -> str:
     name = f" {node.name}" if node.name else ""
     return f"struct{name} {_fields(node.fields, node.span.end, indent, comments)}"
 
 
-def _declarator(node: Declarator) -> str:
+def _declarator(node: n.Declarator) -> str:
     init = "" if node.init is None else f" = {print_expression(node.init, ASSIGN)}"
     return f"{node.name}{print_dims(node.dims)}{init}"
 
 
-def _variables(node: VarDecl, indent: str, comments: Comments) -> str:
+def _variables(node: n.VarDecl, indent: str, comments: Comments) -> str:
     """A declaration of variables, without the ``;``."""
     names = ", ".join(map(_declarator, node.declarators))
     text = f"{print_qualifiers(node.qualifiers)}{_type(node.type, indent, comments)}"
     return f"{text} {names}" if names else text
 
 
-def _param(node: Param) -> str:
+def _param(node: n.Param) -> str:
     name = f" {node.name}" if node.name else ""
     type_text = _type(node.type, "", Comments())
     return f"{print_qualifiers(node.qualifiers)}{type_text}{name}{print_dims(node.dims)}"
 
 
-def _proto(node: FunctionProto, indent: str) -> str:
+def _proto(node: n.FunctionProto, indent: str) -> str:
     params = ", ".join(map(_param, node.params))
     type_text = _type(node.type, indent, Comments())
     return f"{print_qualifiers(node.qualifiers)}{type_text} {node.name}({params})"
 
 
-def _block(node: BlockDecl, indent: str, comments: Comments) -> str:
+def _block(node: n.BlockDecl, indent: str, comments: Comments) -> str:
     instance = f" {node.instance}{print_dims(node.dims)}" if node.instance else ""
     fields = _fields(node.fields, node.span.end, indent, comments)
     return f"{print_qualifiers(node.qualifiers, block=True)}{node.name} {fields}{instance};"
 
 
-def _qualifier_decl(node: QualifierDecl) -> str:
-    return f"{print_qualifiers(node.qualifiers)}{', '.join(node.names)}".rstrip() + ";"
-
-
-# --- statements -----------------------------------------------------------------------------------
-
-
-def _print_lines(node: Node, indent: str, out: _Output) -> None:
+def _print_lines(node: n.Node, indent: str, out: _Output) -> None:
     """Append the lines of a statement or declaration, with its comments."""
     if not out.comments:
         _print_plain(node, indent, out)
@@ -225,63 +178,67 @@ def _print_lines(node: Node, indent: str, out: _Output) -> None:
         out.lines[-1] = " ".join([out.lines[-1], *behind])
 
 
-def _defines_struct(node: Node) -> bool:
-    decl = node.decl if isinstance(node, DeclStmt) else node
-    return isinstance(decl, VarDecl) and decl.type.struct is not None
+def _defines_struct(node: n.Node) -> bool:
+    decl = node.decl if isinstance(node, n.DeclStmt) else node
+    return isinstance(decl, n.VarDecl) and decl.type.struct is not None
 
 
-def _print_plain(node: Node, indent: str, out: _Output) -> None:
+def _print_plain(node: n.Node, indent: str, out: _Output) -> None:
     """Append the lines of a statement or declaration."""
     lines = out.lines
     match node:
-        case ExprStmt():
+        case n.ExprStmt():
             lines.append(f"{indent}{'' if node.expr is None else print_expression(node.expr)};")
-        case DeclStmt():
+        case n.DeclStmt():
             _print_plain(node.decl, indent, out)
-        case VarDecl():
+        case n.VarDecl():
             lines += f"{indent}{_variables(node, indent, out.comments)};".split("\n")
-        case Block():
+        case n.Block():
             lines.append(indent + "{")
             _print_inside(node, indent, out)
             lines.append(indent + "}")
-        case If():
+        case n.If():
             _print_if(node, indent, out)
-        case Return():
+        case n.Return():
             value = "" if node.value is None else f" {print_expression(node.value)}"
             lines.append(f"{indent}return{value};")
-        case Jump():
+        case n.Jump():
             lines.append(f"{indent}{node.word};")
-        case For():
-            _print_body(indent + _for_head(node), node.span.start, node.body, indent, out)
-        case While():
+        case n.For():
+            condition = "" if node.condition is None else f" {_condition(node.condition)}"
+            step = "" if node.step is None else f" {print_expression(node.step)}"
+            line = f"{indent}for ({print_node(node.init)}{condition};{step})"
+            _print_body(line, node.span.start, node.body, indent, out)
+        case n.While():
             line = f"{indent}while ({_condition(node.condition)})"
             _print_body(line, node.span.start, node.body, indent, out)
-        case DoWhile():
+        case n.DoWhile():
             _print_body(indent + "do", node.span.start, node.body, indent, out)
             line = _continue_line(node.body, indent, lines)
             lines.append(f"{line}while ({print_expression(node.condition)});")
-        case Switch():
+        case n.Switch():
             _print_switch(node, indent, out)
-        case FunctionDef():
+        case n.FunctionDef():
             line = indent + _proto(node.proto, indent)
             _print_body(line, node.span.start, node.body, indent, out)
-        case FunctionProto():
+        case n.FunctionProto():
             lines.append(f"{indent}{_proto(node, indent)};")
-        case BlockDecl():
+        case n.BlockDecl():
             lines += f"{indent}{_block(node, indent, out.comments)}".split("\n")
-        case PrecisionDecl():
+        case n.PrecisionDecl():
             type_text = _type(node.type, indent, out.comments)
             lines.append(f"{indent}precision {node.precision} {type_text};")
-        case QualifierDecl():
-            lines.append(indent + _qualifier_decl(node))
-        case Case():
+        case n.QualifierDecl():
+            names = ", ".join(node.names)
+            lines.append(f"{indent}{print_qualifiers(node.qualifiers)}{names}".rstrip() + ";")
+        case n.Case():
             value = "default" if node.value is None else f"case {print_expression(node.value)}"
             lines.append(f"{indent}{value}:")
         case _:
             raise TypeError(f"{type(node).__name__} cannot be printed")
 
 
-def _print_inside(block: Block, indent: str, out: _Output) -> None:
+def _print_inside(block: n.Block, indent: str, out: _Output) -> None:
     """The statements of a block, and the comments before its closing brace."""
     for node in block.body:
         _print_lines(node, indent + _INDENT, out)
@@ -289,51 +246,51 @@ def _print_inside(block: Block, indent: str, out: _Output) -> None:
         out.add_comments(out.comments.before(block.span.end - 1), indent + _INDENT)
 
 
-def _print_body(line: str, start: int, body: Node, indent: str, out: _Output) -> None:
+def _print_body(line: str, start: int, body: n.Node, indent: str, out: _Output) -> None:
     """A statement that holds another: a block begins on its line, anything else on the next.
 
     The comments between ``start``, where the statement begins, and its body come first in the body.
     """
-    is_block = isinstance(body, Block)
+    is_block = isinstance(body, n.Block)
     out.lines.append(line + " {" if is_block else line)
     if out.comments and start != NOWHERE.start:
         out.add_comments(out.comments.within(start, body.span.start), indent + _INDENT)
-    if isinstance(body, Block):
+    if isinstance(body, n.Block):
         _print_inside(body, indent, out)
         out.lines.append(indent + "}")
     else:
         _print_lines(body, indent + _INDENT, out)
 
 
-def _continue_line(body: Node, indent: str, lines: list[str]) -> str:
+def _continue_line(body: n.Node, indent: str, lines: list[str]) -> str:
     """What a line begins with after the body of a statement: its brace where it has one."""
-    return lines.pop() + " " if isinstance(body, Block) else indent
+    return lines.pop() + " " if isinstance(body, n.Block) else indent
 
 
-def _print_if(node: If, indent: str, out: _Output) -> None:
+def _print_if(node: n.If, indent: str, out: _Output) -> None:
     """``if`` with all its ``else if``; these are printed in a loop, for a chain may be long."""
     line = f"{indent}if ({print_expression(node.condition)})"
     start = node.span.start
     while True:
-        then: Stmt = node.then
+        then: n.Stmt = node.then
         if node.other is not None and _ends_in_open_if(then):
-            then = Block(then.span, (then,))  # Else the `else` would belong to the inner `if`.
+            then = n.Block(then.span, (then,))  # Else the `else` would belong to the inner `if`.
         _print_body(line, start, then, indent, out)
         if node.other is None:
             return
         line = _continue_line(then, indent, out.lines) + "else"
         start = then.span.end
-        if not isinstance(node.other, If):
+        if not isinstance(node.other, n.If):
             _print_body(line, start, node.other, indent, out)
             return
         node = node.other
         line += f" if ({print_expression(node.condition)})"
 
 
-def _ends_in_open_if(node: Node) -> bool:
+def _ends_in_open_if(node: n.Node) -> bool:
     """Would an ``else`` after this statement belong to an ``if`` inside it?"""
-    while isinstance(node, If | For | While):
-        if not isinstance(node, If):
+    while isinstance(node, n.If | n.For | n.While):
+        if not isinstance(node, n.If):
             node = node.body
         elif node.other is None:
             return True
@@ -342,21 +299,16 @@ def _ends_in_open_if(node: Node) -> bool:
     return False
 
 
-def _condition(node: Node) -> str:
-    return _variables(node, "", Comments()) if isinstance(node, VarDecl) else print_expression(node)
+def _condition(node: n.Node) -> str:
+    return (
+        _variables(node, "", Comments()) if isinstance(node, n.VarDecl) else print_expression(node)
+    )
 
 
-def _for_head(node: For) -> str:
-    init = print_node(node.init)
-    condition = "" if node.condition is None else f" {_condition(node.condition)}"
-    step = "" if node.step is None else f" {print_expression(node.step)}"
-    return f"for ({init}{condition};{step})"
-
-
-def _print_switch(node: Switch, indent: str, out: _Output) -> None:
+def _print_switch(node: n.Switch, indent: str, out: _Output) -> None:
     out.lines.append(f"{indent}switch ({print_expression(node.selector)}) {{")
     for statement in node.body:
-        inner = _INDENT if isinstance(statement, Case) else 2 * _INDENT
+        inner = _INDENT if isinstance(statement, n.Case) else 2 * _INDENT
         _print_lines(statement, indent + inner, out)
     if out.comments:
         out.add_comments(out.comments.before(node.span.end - 1), indent + 2 * _INDENT)

@@ -113,7 +113,7 @@ def operations(inner: st.SearchStrategy[Expr]) -> st.SearchStrategy[Expr]:
     args = st.lists(inner, max_size=3).map(tuple)
     types = st.sampled_from(["float", "vec3"])
     sizes = st.one_of(st.just(()), st.just((None,)), inner.map(lambda size: (size,)))
-    specs = st.builds(TypeSpec, st.just(NOWHERE), types, sizes)
+    specs = st.builds(TypeSpec, st.just(NOWHERE), types, dims=sizes)
 
     def build(kind: Any, *parts: st.SearchStrategy[Any]) -> st.SearchStrategy[Expr]:
         return st.builds(kind, st.just(NOWHERE), *parts)

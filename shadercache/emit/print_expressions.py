@@ -6,26 +6,7 @@ Everything is printed with an explicit stack, so the length of an operator chain
 
 from __future__ import annotations
 
-from shadercache.ast.nodes import (
-    Assign,
-    Binary,
-    Call,
-    Comma,
-    Conditional,
-    Construct,
-    Dims,
-    Index,
-    InitList,
-    LayoutItem,
-    Length,
-    Literal,
-    Member,
-    Name,
-    Node,
-    Postfix,
-    Qualifiers,
-    Unary,
-)
+from shadercache.ast import nodes as n
 from shadercache.lang.words import (
     ASSIGN,
     COMMA,
@@ -39,17 +20,17 @@ from shadercache.lang.words import (
 )
 
 
-def print_expression(node: Node, least: int = COMMA) -> str:
+def print_expression(node: n.Node, least: int = COMMA) -> str:
     """The text of an expression, in parentheses where it binds looser than ``least``."""
     out: list[str] = []
-    stack: list[str | tuple[Node, int]] = [(node, least)]
+    stack: list[str | tuple[n.Node, int]] = [(node, least)]
     while stack:
         item = stack.pop()
         if isinstance(item, str):
             out.append(item)
             continue
         node, least = item
-        if isinstance(node, Name):
+        if isinstance(node, n.Name):
             out.append(node.name)
             continue
         precedence, parts = _parts(node)
@@ -60,51 +41,51 @@ def print_expression(node: Node, least: int = COMMA) -> str:
     return "".join(out)
 
 
-_Parts = list["str | tuple[Node, int]"]
+_Parts = list["str | tuple[n.Node, int]"]
 
 
-def _parts(node: Node) -> tuple[int, _Parts]:
+def _parts(node: n.Node) -> tuple[int, _Parts]:
     """How tight an expression binds, and its text with the operands left to print.
 
     Each operand goes with the least precedence that stands there without parentheses.
     """
     match node:
-        case Binary(op=op, left=left, right=right):
+        case n.Binary(op=op, left=left, right=right):
             own = PRECEDENCE[op]
             return own, [(left, own), f" {op} ", (right, own + 1)]
-        case Name(name=name):
+        case n.Name(name=name):
             return PRIMARY, [name]
-        case Literal(text=text):
+        case n.Literal(text=text):
             # `1.x` and `-1[0]` are other tokens or another tree, hence not PRIMARY.
             return UNARY, [text]
-        case Member(object=inner, name=name):
+        case n.Member(object=inner, name=name):
             return POSTFIX, [(inner, POSTFIX), f".{name}"]
-        case Call(name=name, args=args):
+        case n.Call(name=name, args=args):
             return PRIMARY, [f"{name}(", *_arguments(args)]
-        case Construct(type=type_spec, args=args):
+        case n.Construct(type=type_spec, args=args):
             return PRIMARY, [type_spec.name, *_sizes(type_spec.dims), "(", *_arguments(args)]
-        case Index(object=inner, index=index):
+        case n.Index(object=inner, index=index):
             return POSTFIX, [(inner, POSTFIX), "[", (index, COMMA), "]"]
-        case Unary(op=op, operand=operand):
+        case n.Unary(op=op, operand=operand):
             return UNARY, [op + _gap(op, operand), (operand, UNARY)]
-        case Assign(op=op, target=target, value=value):
+        case n.Assign(op=op, target=target, value=value):
             return ASSIGN, [(target, UNARY), f" {op} ", (value, ASSIGN)]
-        case Conditional(condition=condition, then=then, other=other):
+        case n.Conditional(condition=condition, then=then, other=other):
             above = CONDITIONAL + 1
             parts: _Parts = [(condition, above), " ? ", (then, CONDITIONAL)]
             return CONDITIONAL, [*parts, " : ", (other, CONDITIONAL)]
-        case Postfix(op=op, operand=operand):
+        case n.Postfix(op=op, operand=operand):
             return POSTFIX, [(operand, POSTFIX), op]
-        case Length(object=inner):
+        case n.Length(object=inner):
             return POSTFIX, [(inner, POSTFIX), ".length()"]
-        case InitList(items=items):
+        case n.InitList(items=items):
             return ASSIGN, ["{", *_arguments(items, "}")]
-        case Comma(left=left, right=right):
+        case n.Comma(left=left, right=right):
             return COMMA, [(left, COMMA), ", ", (right, ASSIGN)]
     raise TypeError(f"{type(node).__name__} is not an expression")
 
 
-def _arguments(args: tuple[Node, ...], closing: str = ")") -> _Parts:
+def _arguments(args: tuple[n.Node, ...], closing: str = ")") -> _Parts:
     parts: _Parts = []
     for arg in args:
         parts += [(arg, ASSIGN), ", "]
@@ -112,35 +93,35 @@ def _arguments(args: tuple[Node, ...], closing: str = ")") -> _Parts:
     return parts
 
 
-def _sizes(dims: Dims) -> _Parts:
+def _sizes(dims: n.Dims) -> _Parts:
     parts: _Parts = []
     for size in dims:
         parts += ["[]"] if size is None else ["[", (size, ASSIGN), "]"]
     return parts
 
 
-def _gap(op: str, operand: Node) -> str:
+def _gap(op: str, operand: n.Node) -> str:
     """A blank where the operator would run into a sign that the operand begins with."""
-    if isinstance(operand, Unary):
+    if isinstance(operand, n.Unary):
         begin = operand.op
     else:
-        begin = operand.text if isinstance(operand, Literal) else ""
+        begin = operand.text if isinstance(operand, n.Literal) else ""
     return " " if begin[:1] == op[0] else ""
 
 
-def print_dims(dims: Dims) -> str:
+def print_dims(dims: n.Dims) -> str:
     """The text of array sizes: ``[2][]``."""
     return "".join("[]" if size is None else f"[{print_expression(size, ASSIGN)}]" for size in dims)
 
 
-def print_layout_item(node: LayoutItem) -> str:
+def print_layout_item(node: n.LayoutItem) -> str:
     """``name`` or ``name = value``."""
     if node.value is None:
         return node.name
     return f"{node.name} = {print_expression(node.value, ASSIGN)}"
 
 
-def print_qualifiers(node: Qualifiers, block: bool = False) -> str:
+def print_qualifiers(node: n.Qualifiers, block: bool = False) -> str:
     """The qualifiers of a variable or ``block``, each with a blank after it: the layout, the words.
 
     The words are put in the order that every version takes, whatever order a pass left them in.
