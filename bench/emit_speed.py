@@ -18,32 +18,23 @@ from __future__ import annotations
 import argparse
 import json
 import os
-import resource
 import statistics
-import subprocess
 import sys
 import tempfile
 import time
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Any
 
 from bench.nodes_speed import listing, listing_table, listing_targets
-from shadercache.ast.large import allow_deep_trees
+from bench.speed import HERE, PUBLIC, ROOT, Sample, child_seconds, target, time_and_store
 from shadercache.caching.configuration import Configuration, Mode, by_every_algorithm
 from shadercache.cli.tables import format_table
 from shadercache.compiler import Analysis, analyse, rewrite
-from shadercache.gpu.context import open_context
-from shadercache.measure.result_files import environment, machine_name, write_json
 from shadercache.source import Source
 
-HERE = Path(__file__).resolve().parent
-ROOT = HERE.parent
-PUBLIC = ROOT / "out" / "public" / "shaders" / "three" / "ShaderLib"
 OWN = (HERE / "shaders" / "weathered.frag", ROOT / "corpus" / "dragon" / "dragon.frag")
-VERIFIED = HERE / "shaders" / "lantern.toml"
-
 PUBLIC_NAMES = ("standard.shadowed", "phong.textured", "phong.mirroring")
+VERIFIED = HERE / "shaders" / "lantern.toml"
 MODES: tuple[Mode, ...] = ("plain", "proof")
 STAGES = 8, 16, 32, 64
 """Copies of :data:`PIECE` in the made shaders."""
@@ -59,35 +50,29 @@ float wave_NUMBER(vec3 p) {
 """
 HEAD = "#version 330\nin vec3 v_position;\nuniform float u_scale;\nout vec4 f_color;\n"
 
-Sample = dict[str, Any]
-
 
 # --- emission -------------------------------------------------------------------------------------
 
 
-def shaders() -> Iterator[tuple[str, Source, Source]]:
-    """Name, fragment shader and vertex shader of what is rewritten."""
-    found = [*OWN, *(PUBLIC / f"{name}.frag" for name in PUBLIC_NAMES)]
-    for path in found:
+def shaders() -> Iterator[tuple[Source, Source]]:
+    """Fragment and vertex shader of what is rewritten."""
+    for path in (*OWN, *(PUBLIC / f"{name}.frag" for name in PUBLIC_NAMES)):
         if path.exists():
-            fragment, vertex = (_source(path.with_suffix(end)) for end in (".frag", ".vert"))
-            yield path.stem, fragment, vertex
-
-
-def _source(path: Path) -> Source:
-    return Source(path.name, path.read_text(encoding="utf-8"))
+            texts = (path.with_suffix(end).read_text("utf-8") for end in (".frag", ".vert"))
+            fragment, vertex = (Source(path.stem, text) for text in texts)
+            yield fragment, vertex
 
 
 def emission(nodes: int, rounds: int) -> list[Sample]:
     """Seconds for a program, by shader and mode: one figure for each node, the least of its
     rounds."""
     rows = []
-    for name, fragment, vertex in shaders():
+    for fragment, vertex in shaders():
         for mode in MODES:
             times = [_emit(analyse(fragment, vertex), mode, nodes) for _ in range(rounds)]
             seconds = [min(of_node) for of_node in zip(*times, strict=True)]
-            lines = fragment.text.count("\n")
-            rows.append({"shader": name, "lines": lines, "mode": mode, "seconds": seconds})
+            about = {"shader": fragment.name, "lines": fragment.text.count("\n"), "mode": mode}
+            rows.append(about | {"seconds": seconds})
     return rows
 
 
@@ -103,20 +88,15 @@ def _emit(analysis: Analysis, mode: Mode, count: int) -> list[float]:
 
 
 def emission_table(rows: Sequence[Sample]) -> str:
-    """Milliseconds for a program."""
+    """Milliseconds for a program; the first of a shader is the one for which nothing is kept."""
     head = ("shader", "lines", "mode", "nodes", "median", "largest", "first")
     lines = []
     for row in rows:
-        times = [f"{1e3 * value:.1f}" for value in _three(row["seconds"])]
-        lines.append(
-            (row["shader"], str(row["lines"]), row["mode"], str(len(row["seconds"])), *times)
-        )
+        seconds = row["seconds"]
+        times = (statistics.median(seconds), max(seconds), seconds[0])
+        about = (row["shader"], str(row["lines"]), row["mode"], str(len(seconds)))
+        lines.append((*about, *(f"{1e3 * value:.1f}" for value in times)))
     return format_table(head, lines, right=" ".join(head[1:]))
-
-
-def _three(seconds: Sequence[float]) -> tuple[float, float, float]:
-    """Median and largest; and the first, for which nothing is kept yet."""
-    return statistics.median(seconds), max(seconds), seconds[0]
 
 
 # --- analysis -------------------------------------------------------------------------------------
@@ -137,20 +117,18 @@ def growth(rounds: int) -> list[Sample]:
     """Seconds for the analysis and for the groups of made shaders: the least of some rounds."""
     rows = []
     for pieces in STAGES:
-        found = [_analysed(made_shader(pieces)) for _ in range(rounds)]
-        nodes = found[0][0]
-        analysing, grouping = (min(item[place] for item in found) for place in (1, 2))
-        rows.append({"nodes": nodes, "analyse": analysing, "groups": grouping})
+        samples = [_analysed(made_shader(pieces)) for _ in range(rounds)]
+        rows.append({name: min(sample[name] for sample in samples) for name in samples[0]})
     return rows
 
 
-def _analysed(source: Source) -> tuple[int, float, float]:
-    """How many nodes there are, and the seconds for finding them and for grouping them."""
+def _analysed(source: Source) -> Sample:
     begin = time.process_time()
     analysis = analyse(source)
-    found = time.process_time()
-    _ = analysis.groups
-    return len(analysis.nodes), found - begin, time.process_time() - found
+    analysed = time.process_time()
+    nodes, _ = len(analysis.nodes), analysis.groups
+    grouped = time.process_time()
+    return {"nodes": nodes, "analyse": analysed - begin, "groups": grouped - analysed}
 
 
 def growth_table(rows: Sequence[Sample]) -> str:
@@ -175,17 +153,11 @@ def verification(scene: Path) -> Sample:
         command = [sys.executable, "-m", "shadercache", "verify", str(scene), "-o", str(output)]
         # Mesa and NVIDIA keep compiled shaders from run to run, in these places.
         caches = {"MESA_SHADER_CACHE_DIR": folder, "__GL_SHADER_DISK_CACHE_PATH": folder}
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        begin = time.perf_counter()
-        done = subprocess.run(
-            command, cwd=ROOT, env=os.environ | caches, capture_output=True, text=True
-        )
+        load, begin = os.getloadavg()[0], time.perf_counter()
+        # It fails where a law is broken, and has a report all the same.
+        used, _ = child_seconds(command, cwd=ROOT, env=os.environ | caches, check=False)
         wall = time.perf_counter() - begin
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        if not output.exists():
-            raise RuntimeError(done.stderr)
         report = json.loads(output.read_text(encoding="utf-8"))
-    used = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     return {
         "scene": report["scene"],
         "nodes": report["checked"] + report["equal_to_checked"],
@@ -194,53 +166,56 @@ def verification(scene: Path) -> Sample:
         "cores": os.cpu_count(),
         "wall seconds": wall,
         "processor seconds": used,
-        "load before": os.getloadavg()[0],
+        "load before": load,
     }
 
 
-def verification_text(found: Sample) -> str:
+def verification_text(sample: Sample) -> str:
     """One sentence."""
     return (
-        f"verify {found['scene']}: {found['checked']} values of {found['nodes']} nodes, "
-        f"{found['broken']} broken, {found['wall seconds']:.0f} s on {found['cores']} cores "
-        f"(load {found['load before']:.1f} before), {found['processor seconds']:.0f} s of "
+        f"verify {sample['scene']}: {sample['checked']} values of {sample['nodes']} nodes, "
+        f"{sample['broken']} broken, {sample['wall seconds']:.0f} s on {sample['cores']} cores "
+        f"(load {sample['load before']:.1f} before), {sample['processor seconds']:.0f} s of "
         "processor time"
     )
 
 
 def targets(
-    emitted: Sequence[Sample],
-    grown: Sequence[Sample],
-    verified: Sample | None,
-    listed: Sequence[Sample] = (),
-) -> list[dict[str, Any]]:
+    emitted: Sequence[Sample], grown: Sequence[Sample], verified: Sample | None
+) -> list[Sample]:
     """What was aimed at and what is reached. Only the shader of 300 lines has a target; that of
     verifying is counted in processor time, shared fairly among the cores."""
     own = {row["mode"]: row["seconds"] for row in emitted if row["shader"] == OWN[0].stem}
-    found = [
-        (f"emission, {mode}, ms a program", 1e3 * statistics.median(own[mode]), 15.0)
+    reached = [
+        target(f"emission, {mode}, ms a program", 1e3 * statistics.median(own[mode]), 15.0)
         for mode in MODES
     ]
     for name in ("analyse", "groups"):
         first, last = (row[name] / row["nodes"] for row in (grown[0], grown[-1]))
-        found.append((f"{name}: time for a node, 8n nodes / n nodes", last / first, 1.5))
-    found += listing_targets(listed) if listed else []
+        reached.append(target(f"{name}: time for a node, 8n nodes / n nodes", last / first, 1.5))
     if verified is not None:
         share = verified["processor seconds"] / verified["cores"]
-        found.append(("verify, 100 lines, processor s / cores", share, 60.0))
-    return [
-        {"name": name, "value": value, "target": f"<= {limit:g}", "met": value <= limit}
-        for name, value, limit in found
-    ]
+        reached.append(target("verify, 100 lines, processor s / cores", share, 60.0))
+    return reached
 
 
-def targets_table(found: Sequence[dict[str, Any]]) -> str:
-    """One line for each target."""
-    lines = [
-        (item["name"], f"{item['value']:.3g}", item["target"], "met" if item["met"] else "MISSED")
-        for item in found
-    ]
-    return format_table(("target", "value", "wanted", ""), lines, right="value wanted")
+def _parts(options: argparse.Namespace) -> Sample:
+    emitted = emission(options.nodes, options.rounds)
+    print(f"{emission_table(emitted)}\n\nprocessor time in ms for a fragment and a vertex shader\n")
+    grown = growth(options.rounds)
+    print(f"{growth_table(grown)}\n")
+    listed = listing(options.rounds)
+    print(listing_table(listed))
+    verified = None if options.no_verify else verification(VERIFIED)
+    if verified is not None:
+        print(f"\n{verification_text(verified)}")
+    return {
+        "emission": emitted,
+        "growth": grown,
+        "listing": listed,
+        "verification": verified,
+        "targets": targets(emitted, grown, verified) + listing_targets(listed),
+    }
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -249,35 +224,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--rounds", type=int, default=3, metavar="N")
     parser.add_argument("--nodes", type=int, default=24, metavar="N", help="nodes of each shader")
     parser.add_argument("--no-verify", action="store_true", help="without the verification")
-    parser.add_argument("-o", "--output", type=Path, metavar="FILE", help="the result as JSON")
-    options = parser.parse_args(arguments)
-    allow_deep_trees()
-    with open_context() as gpu:
-        about = environment(gpu)
-    emitted = emission(options.nodes, options.rounds)
-    print(f"{emission_table(emitted)}\n\nprocessor time in ms for a fragment and a vertex shader\n")
-    grown = growth(options.rounds)
-    print(f"{growth_table(grown)}\n")
-    listed = listing(options.rounds)
-    print(f"{listing_table(listed)}\n")
-    verified = None if options.no_verify else verification(VERIFIED)
-    if verified is not None:
-        print(f"{verification_text(verified)}\n")
-    reached = targets(emitted, grown, verified, listed)
-    print(targets_table(reached))
-    result = {
-        "schema_version": 1,
-        "environment": about,
-        "emission": emitted,
-        "growth": grown,
-        "listing": listed,
-        "verification": verified,
-        "targets": reached,
-    }
-    default = HERE / "results" / machine_name(about) / "emit-speed.json"
-    write_json(options.output or default, result)
-    print(f"\nresult: {options.output or default}")
-    return 0
+    return time_and_store(parser, "emit-speed", _parts, arguments)
 
 
 if __name__ == "__main__":

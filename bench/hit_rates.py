@@ -7,7 +7,6 @@ Nothing is timed. Frames lie as far apart as they do in the scene; ``--frames`` 
 from __future__ import annotations
 
 import argparse
-from dataclasses import dataclass
 from pathlib import Path
 
 from shadercache.caching.configuration import Configuration, Refresh
@@ -27,29 +26,20 @@ SCENES = ("heroine", "colonnade")
 CHOICES = ("ids=on", "ids=on,filter=bilinear", "ids=on,filter=bilinear,fallback=on", "ids=off")
 
 
-@dataclass(frozen=True)
-class Asked:
-    """What is drawn: the edge of the picture, how many frames at most, and the refresh period."""
-
-    size: int
-    frames: int | None
-    period: int
-
-
-def curves_of(name: str, asked: Asked) -> dict[str, Curve]:
+def curves_of(name: str, options: argparse.Namespace) -> dict[str, Curve]:
     """A curve for each of ``CHOICES``, over the scene's whole path or its first frames."""
     scene, analysis = open_scene(data_path("corpus", name, "scene.toml"))
     (node,) = scene.nodes.values()
-    frames = min(scene.motion.frames, asked.frames or scene.motion.frames)
+    frames = min(scene.motion.frames, options.frames or scene.motion.frames)
     linker = Linker(scene, analysis)
-    found: dict[str, Curve] = {}
-    size = (asked.size, asked.size)
+    curves: dict[str, Curve] = {}
+    base = Configuration((node,), refresh=Refresh(period=options.period))
+    size = (options.size, options.size)
     with open_context() as gpu, RenderScene(gpu, linker.scene, size) as world:
         for choice in CHOICES:
-            base = Configuration((node,), refresh=Refresh(period=asked.period))
-            chosen = configured(scene, base, [choice])
-            [found[choice]] = outcome_curves(world, subjects_of(linker, choice, [chosen]), frames)
-    return found
+            subjects = subjects_of(linker, choice, [configured(scene, base, [choice])])
+            [curves[choice]] = outcome_curves(world, subjects, frames)
+    return curves
 
 
 def main() -> None:
@@ -59,12 +49,11 @@ def main() -> None:
     parser.add_argument("--frames", type=int)
     parser.add_argument("--period", type=int, default=32)
     parser.add_argument("-o", "--output", type=Path, default=Path("out/hit-rates"))
-    given = parser.parse_args()
-    asked = Asked(given.size, given.frames, given.period)
+    options = parser.parse_args()
     for name in SCENES:
-        curves = curves_of(name, asked)
-        title = f"{name}, {asked.size} x {asked.size}"
-        write_bytes(given.output / f"{name}-{asked.size}.png", plot_curves(title, curves))
+        curves = curves_of(name, options)
+        title = f"{name}, {options.size} x {options.size}"
+        write_bytes(options.output / f"{name}-{options.size}.png", plot_curves(title, curves))
         for choice, curve in curves.items():
             worst = min(curve.hit[1:])
             print(

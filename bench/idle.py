@@ -1,7 +1,7 @@
-"""What leaving out idle passes saves: a scene at rest, nothing refreshed on purpose.
+"""What leaving out empty passes saves: a scene at rest, nothing refreshed on purpose.
 
-``python -m bench.idle [--scene dragon] [--size 512]``: each algorithm is drawn twice in turns, and
-once with all of its passes.
+``python -m bench.idle [--scene dragon] [--size 512]``: each algorithm is drawn as it is and with
+all of its passes, in turns.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from shadercache.linking.scene_shaders import open_scene
 from shadercache.measure.measure import measure
 from shadercache.measure.measurement import MeasureOptions
 from shadercache.measure.statistics import paired_ratio
-from shadercache.measure.subjects import Subject, VariantSubject, subjects_of
+from shadercache.measure.subjects import VariantSubject, subjects_of
 from shadercache.paths import data_path
 from shadercache.render.empty_passes import EmptyPasses
 from shadercache.render.render_scene import RenderScene
@@ -40,23 +40,19 @@ def main() -> None:
     parser.add_argument("--scene", default="dragon")
     parser.add_argument("--node", default="whole noise")
     parser.add_argument("--size", type=int, default=512)
-    given = parser.parse_args()
-    scene, analysis = open_scene(data_path("corpus", given.scene, "scene.toml"))
+    options = parser.parse_args()
+    scene, analysis = open_scene(data_path("corpus", options.scene, "scene.toml"))
     still = replace(scene, motion=replace(scene.motion, degrees_per_frame=0.0))
     linker = Linker(still, analysis)
-    chosen = Configuration((scene.nodes[given.node],), refresh=Refresh("none"))
-    subjects: list[Subject] = []
-    for idle in subjects_of(linker, given.node, by_every_algorithm(chosen)):
-        busy = Busy(f"{given.node}, all passes", idle.configuration, idle.objects)
-        subjects += [idle, busy]
-    subjects.sort(key=lambda subject: subject.label)
-    with open_context() as gpu, RenderScene(gpu, still, (given.size, given.size)) as world:
-        found = measure(world, linker.originals(), subjects, MeasureOptions(28, curves=0))
-    rested, drawn = (node.variants for node in found.nodes)
-    for idle_result, busy_result in zip(rested, drawn, strict=True):
-        slow, fast = (item.timing.samples[SETTLED:] for item in (busy_result, idle_result))
-        ratio = paired_ratio(slow, fast)
-        name = idle_result.configuration.algorithm
+    chosen = Configuration((scene.nodes[options.node],), refresh=Refresh("none"))
+    idle = subjects_of(linker, options.node, by_every_algorithm(chosen))
+    busy = [Busy("all passes", subject.configuration, subject.objects) for subject in idle]
+    with open_context() as gpu, RenderScene(gpu, still, (options.size, options.size)) as world:
+        how = MeasureOptions(28, curves=0)
+        nodes = measure(world, linker.originals(), [*idle, *busy], how).nodes
+    for fast, slow in zip(nodes[0].variants, nodes[1].variants, strict=True):
+        ratio = paired_ratio(slow.timing.samples[SETTLED:], fast.timing.samples[SETTLED:])
+        name = fast.configuration.algorithm
         print(f"{name}: {ratio.median:.2f}x [{ratio.low:.2f}-{ratio.high:.2f}]")
 
 

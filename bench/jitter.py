@@ -1,4 +1,4 @@
-"""A cache under a jittered projection (TAA): hits, error and blur, told of the jitter or not.
+"""A cache under a jittered projection (TAA): hits, error and blur, with and without its offset.
 
 ``python -m bench.jitter [--scene dragon] [--size 384]`` prints a table. The scene moves as it does,
 or rests; errors are against the original of the same frame, and of the means of as many frames as
@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from shadercache.caching.configuration import DEFAULT_EPSILON, Configuration, HitTest, Refresh
 from shadercache.caching.settings import with_settings
-from shadercache.gpu.context import Gpu, open_context
+from shadercache.gpu.context import open_context
 from shadercache.linking.linker import Linker
 from shadercache.linking.scene_shaders import open_scene
 from shadercache.measure.measure import measure
@@ -26,21 +26,20 @@ from shadercache.measure.subjects import VariantSubject
 from shadercache.paths import data_path
 from shadercache.render.render_scene import RenderScene
 from shadercache.render.variant_runner import CoverageRunner, render_original
-from shadercache.scene.description import Scene
 from shadercache.scene.graphics_state import GraphicsState
 
 PLACES = 8
 CASES = {
     "no jitter": GraphicsState(),
-    "jitter, told": GraphicsState(jitter=PLACES),
-    "jitter, not told": GraphicsState(jitter=PLACES, told=False),
+    "jitter": GraphicsState(jitter=PLACES),
+    "jitter, kept from the cache": GraphicsState(jitter=PLACES, told=False),
 }
 
 Image = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class Found:
+class CaseResult:
     """Of one case: shares, and errors in display units."""
 
     hits: float
@@ -53,8 +52,8 @@ def fine(image: Image) -> Image:
     """What a 3 x 3 mean takes away, (h - 2, w - 2, 3)."""
     height, width = image.shape[:2]
     mean = sum(image[y : height - 2 + y, x : width - 2 + x] for y in range(3) for x in range(3))
-    found: Image = image[1:-1, 1:-1] - mean / 9.0
-    return found
+    detail: Image = image[1:-1, 1:-1] - mean / 9.0
+    return detail
 
 
 class Watched(VariantSubject):
@@ -72,21 +71,20 @@ class Watched(VariantSubject):
             self.images.append(self.runner.world.targets.image()[..., :3].astype(np.float64))
 
 
-def run(gpu: Gpu, linker: Linker, configuration: Configuration, scene: Scene, size: int) -> Found:
+def run(world: RenderScene, linker: Linker, configuration: Configuration) -> CaseResult:
     """Draw until the age of payloads has settled, then over all places of the jitter."""
     start = 2 * configuration.refresh.period
     frames = range(start, start + PLACES)
     objects = linker.link(linker.assign(configuration))
     subject = Watched("cached", configuration, objects).watch(start)
+    with CoverageRunner(world, *linker.originals()) as cover:
+        covered = np.logical_and.reduce([cover.coverage(frame) for frame in (0, *frames)])
+    truth = [
+        image[..., :3].astype(np.float64)
+        for image in render_original(world, linker.originals(), frames)
+    ]
     how = MeasureOptions(frames.stop)
-    with RenderScene(gpu, scene, (size, size), "rgba32f") as world:
-        with CoverageRunner(world, *linker.originals()) as cover:
-            covered = np.logical_and.reduce([cover.coverage(frame) for frame in (0, *frames)])
-        truth = [
-            image[..., :3].astype(np.float64)
-            for image in render_original(world, linker.originals(), frames)
-        ]
-        [node] = measure(world, linker.originals(), [subject], how).nodes
+    [node] = measure(world, linker.originals(), [subject], how).nodes
     images = subject.images
     inner = covered[1:-1, 1:-1]
     whole, kept = (
@@ -94,7 +92,7 @@ def run(gpu: Gpu, linker: Linker, configuration: Configuration, scene: Scene, si
     )
     apart = [one - other for one, other in zip(truth, images, strict=True)]
     means = [np.mean([image[covered] for image in of], axis=0) for of in (truth, images)]
-    return Found(
+    return CaseResult(
         hits=float(np.mean(node.curves[0].hit[start:])),
         rmse=float(np.sqrt(np.mean([np.mean(off[covered] ** 2) for off in apart]))),
         rmse_of_mean=float(np.sqrt(np.mean((means[0] - means[1]) ** 2))),
@@ -111,24 +109,25 @@ def main() -> None:
     parser.add_argument("--period", type=int, default=32)
     parser.add_argument("--epsilon", type=float, default=DEFAULT_EPSILON)
     parser.add_argument("--cache", action="append", default=[])
-    given = parser.parse_args()
-    scene, analysis = open_scene(data_path("corpus", given.scene, "scene.toml"))
+    options = parser.parse_args()
+    scene, analysis = open_scene(data_path("corpus", options.scene, "scene.toml"))
     linker = Linker(scene, analysis)
     chosen = Configuration(
-        (scene.nodes[given.node],),
-        refresh=Refresh(period=given.period),
-        hit_test=HitTest(epsilon=given.epsilon),
+        (scene.nodes[options.node],),
+        refresh=Refresh(period=options.period),
+        hit_test=HitTest(epsilon=options.epsilon),
     )
-    chosen = with_settings(chosen, given.cache)
+    chosen = with_settings(chosen, options.cache)
     still = replace(scene, motion=replace(scene.motion, degrees_per_frame=0.0))
     with open_context() as gpu:
-        for way, made in (("at rest", still), ("1 degree", scene)):
+        for way, moved in (("at rest", still), ("1 degree", scene)):
             for name, engine in CASES.items():
-                jittered = replace(made, engine=engine)
-                found = run(gpu, linker, chosen, jittered, given.size)
+                jittered, size = replace(moved, engine=engine), (options.size, options.size)
+                with RenderScene(gpu, jittered, size, "rgba32f") as world:
+                    result = run(world, linker, chosen)
                 print(
-                    f"{way}, {name}: hits {found.hits:.1%}, RMSE {found.rmse:.4f}, "
-                    f"of the mean {found.rmse_of_mean:.4f}, blur {found.blur:.1%}",
+                    f"{way}, {name}: hits {result.hits:.1%}, RMSE {result.rmse:.4f}, "
+                    f"of the mean {result.rmse_of_mean:.4f}, blur {result.blur:.1%}",
                     flush=True,
                 )
 

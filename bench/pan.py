@@ -23,7 +23,7 @@ NODE = "vec3(u_frame, gl_FragCoord.xy) * 1.0"
 
 @dataclass(frozen=True)
 class Ages:
-    """What a run told. ``mean`` age in frames over all pixels and frames, ``worst`` of any pixel,
+    """What a run shows. ``mean`` age in frames over all pixels and frames, ``worst`` of any pixel,
     ``over``: share of pixels that are older than the period; ``refreshed``: share of the pixels
     that are refreshed in each frame, ``missed``: share that is not found."""
 

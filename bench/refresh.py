@@ -18,9 +18,9 @@ from shadercache.gpu.context import Gpu, open_context
 from shadercache.linking.linker import Linker
 from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.measure.measure import measure
-from shadercache.measure.measurement import MeasureOptions, NodeResult
+from shadercache.measure.measurement import MeasureOptions, VariantResult
 from shadercache.measure.statistics import paired_ratio
-from shadercache.measure.subjects import Subject, subjects_of
+from shadercache.measure.subjects import subjects_of
 from shadercache.paths import data_path
 from shadercache.render.render_scene import RenderScene
 from shadercache.scene.description import load_scene
@@ -61,10 +61,10 @@ def growing_old(gpu: Gpu, period: int, frames: int) -> Iterator[tuple[str, ...]]
             rows = []
             for velocity in VELOCITIES:
                 with pan(gpu, velocity, chosen, (192, 192)) as runner:
-                    found = ages(runner, frames)
-                share = float(np.mean(found.refreshed)) * period / (1.0 - found.missed)
-                burst = max(found.refreshed) * period
-                rows.append((found.mean, found.worst, found.over, share, burst))
+                    run = ages(runner, frames)
+                share = float(np.mean(run.refreshed)) * period / (1.0 - run.missed)
+                burst = max(run.refreshed) * period
+                rows.append((run.mean, run.worst, run.over, share, burst))
                 yield _row(schedule, guarded, str(velocity), *rows[-1])
             mean, _, over, share, _ = np.mean(rows, axis=0)
             _, worst, _, _, burst = np.max(rows, axis=0)
@@ -87,24 +87,24 @@ def on_scenes(gpu: Gpu, size: int, frames: int) -> Iterator[tuple[str, ...]]:
         label = scene.demo.nodes[-1]
         node = scene.nodes.get(label, label)
         linker = Linker(scene, analysis)
-        subjects: list[Subject] = []
-        for refresh in chosen:
-            configuration = Configuration(tuple(node.split("+")), refresh=refresh)
-            subjects += subjects_of(linker, _name(refresh), [configuration])
+        originals = linker.originals()
+        nodes = tuple(node.split("+"))
+        subjects = [
+            subject
+            for refresh in chosen
+            for subject in subjects_of(
+                linker, str(refresh), [Configuration(nodes, refresh=refresh)]
+            )
+        ]
         how = MeasureOptions(frames, frames // 2, probe_every=1, group=len(subjects), curves=0)
         with RenderScene(gpu, linker.scene, (size, size)) as world:
-            found = measure(world, linker.originals(), subjects, how)
-        base = found.nodes[chosen.index(Refresh("random"))].variants[0].timing.samples
-        for refresh, result in zip(chosen, found.nodes, strict=True):
-            yield name, refresh.schedule, "on" if refresh.age else "off", *_told(result, base)
+            variants = [node.variants[0] for node in measure(world, originals, subjects, how).nodes]
+        base = variants[chosen.index(Refresh("random"))].timing.samples
+        for refresh, variant in zip(chosen, variants, strict=True):
+            yield name, refresh.schedule, "on" if refresh.age else "off", *_numbers(variant, base)
 
 
-def _name(refresh: Refresh) -> str:
-    return f"{refresh.schedule}, age {refresh.age}"
-
-
-def _told(result: NodeResult, base: Sequence[float]) -> tuple[str, ...]:
-    [variant] = result.variants
+def _numbers(variant: VariantResult, base: Sequence[float]) -> tuple[str, ...]:
     period = variant.configuration.refresh.period
     share = variant.outcomes["refresh"] + variant.outcomes.get("old", 0.0)
     return (
@@ -139,9 +139,8 @@ def main() -> None:
                 "share",
                 "worst",
             )
-            print(
-                format_table(header, growing_old(gpu, options.period, options.frames)), flush=True
-            )
+            rows = growing_old(gpu, options.period, options.frames)
+            print(format_table(header, rows), flush=True)
         if "scenes" in options.tables:
             header = ("scene", "schedule", "guard", "time", "hits", "share", "worst", "RMSE")
             print(format_table(header, on_scenes(gpu, options.size, 96)), flush=True)

@@ -23,8 +23,8 @@ def test_the_largest_is_as_large_as_the_target_says() -> None:
 def test_targets_are_those_of_the_largest() -> None:
     row = {"characters": 1, "nodes": 10, "analyse": 1.0, "seconds of --offered": 1.0}
     rows = [row | {"seconds": 1.0, "printed": 10**6}, row | {"seconds": 6.0, "printed": 30 * 10**6}]
-    assert [(value, limit) for _, value, limit in listing_targets(rows)] == [
-        (6.0, 5.0),
-        (30.0, 20.0),
+    assert [(row["value"], row["target"], row["met"]) for row in listing_targets(rows)] == [
+        (6.0, "<= 5", False),
+        (30.0, "<= 20", False),
     ]
     assert "30.0" in listing_table(rows)

@@ -6,7 +6,8 @@ from typing import Any
 
 import pytest
 
-from bench.parse_speed import made_file, targets, targets_table, time_in_turns
+from bench.parse_speed import made_file, targets, time_in_turns
+from bench.speed import targets_table
 
 
 def _row(size: int, **seconds: float | None) -> dict[str, Any]:
