@@ -29,8 +29,8 @@ And where not every fragment comes by the expression:
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from typing import Literal, NamedTuple, TypeAlias, cast
 
 from shadercache.ast import nodes as n
@@ -61,15 +61,6 @@ class Cut:
     form: FetchForm = "whole"
 
 
-@dataclass(slots=True)
-class _Tree:
-    """The cuts sorted by call path: those in this function, and those below its calls."""
-
-    cuts: list[Cut] = field(default_factory=list)
-    below: dict[n.Call, _Tree] = field(default_factory=dict)
-    has_goal: bool = False
-
-
 @dataclass(frozen=True, slots=True)
 class Clones:
     """The clone of ``main``, and of every function on the way, each with what it was made from."""
@@ -90,7 +81,7 @@ def specialise(
     """
     functions = {d.name: d for d in module.decls if isinstance(d, n.FunctionDef)}
     maker = _Maker(functions, names, prefix)
-    maker.clone(functions["main"], _sort(cuts), entry)
+    maker.clone(functions["main"], cuts, 0, entry)
     return Clones(entry, tuple(maker.made))
 
 
@@ -112,18 +103,6 @@ def insert_clones(module: n.Module, *clones: Clones) -> n.Module:
     return change_declarations(module, with_clones)
 
 
-def _sort(cuts: tuple[Cut, ...]) -> _Tree:
-    root = _Tree()
-    for cut in cuts:
-        at = root
-        at.has_goal = at.has_goal or cut.kind == "goal"
-        for call in cut.path:
-            at = at.below.setdefault(call, _Tree())
-            at.has_goal = at.has_goal or cut.kind == "goal"
-        at.cuts.append(cut)
-    return root
-
-
 class _Moved(NamedTuple):
     """An expression that gets statements of its own before the one it stands in.
 
@@ -142,18 +121,27 @@ class _Maker:
         self.made: list[tuple[n.FunctionDef, n.FunctionDef]] = []
 
     def clone(
-        self, function: n.FunctionDef, tree: _Tree, name: str | None = None, ends: bool = True
+        self, function: n.FunctionDef, cuts: Sequence[Cut], depth: int, name: str, ends: bool = True
     ) -> str:
-        """Add the clone of a function with the cuts of ``tree`` made; return its name.
+        """Add the clone of a function with these cuts made, to which ``depth`` calls lead; return
+        its name.
 
         ``ends``: is a clone with goals left at the last of them?
         """
-        last, leading = _find_end(function, tree) if ends and tree.has_goal else (None, [])
-        body = _CloneBody(self.prefix, tree.cuts, last)
-        for call, below in tree.below.items():
-            body.renamed[call] = self.clone(self.functions[call.name], below, ends=call in leading)
-        moved = [_Moved(call, None) for call in tree.below if call in leading]
-        moved += [_Moved(cut.expr, cut) for cut in tree.cuts if cut.kind != "use"]
+        own = [cut for cut in cuts if len(cut.path) == depth]
+        below: dict[n.Call, list[Cut]] = {}
+        for cut in cuts:
+            if len(cut.path) > depth:
+                below.setdefault(cut.path[depth], []).append(cut)
+        goals: list[n.Expr] = [cut.expr for cut in own if cut.kind == "goal"]
+        goals += [call for call, inner in below.items() if _has_goal(inner)]
+        last, leading = _find_end(function, goals) if ends and goals else (None, [])
+        body = _CloneBody(self.prefix, own, last)
+        for call, inner in below.items():
+            callee = self.functions[call.name]
+            body.renamed[call] = self.clone(callee, inner, depth + 1, "", call in leading)
+        moved = [_Moved(call, None) for call in below if call in leading]
+        moved += [_Moved(cut.expr, cut) for cut in own if cut.kind != "use"]
         body.place(function.body.body, moved)
         name = name or self.names.make(self.prefix + function.name)
         proto = replace(function.proto, name=name)
@@ -164,19 +152,17 @@ class _Maker:
         return name
 
 
-def _find_end(function: n.FunctionDef, tree: _Tree) -> tuple[n.Stmt, list[n.Expr]]:
-    """The statement of a function with the last goal, and the calls in it that lead to goals.
+def _has_goal(cuts: Iterable[Cut]) -> bool:
+    return any(cut.kind == "goal" for cut in cuts)
 
-    A call whose value another goal of that statement needs is not among them.
-    """
-    goals: list[n.Expr] = [cut.expr for cut in tree.cuts if cut.kind == "goal"]
-    goals += [call for call, below in tree.below.items() if below.has_goal]
-    last = next(
-        stmt for stmt in _last_first(function.body) if any(_holds(stmt, goal) for goal in goals)
-    )
+
+def _find_end(function: n.FunctionDef, goals: Sequence[n.Expr]) -> tuple[n.Stmt, list[n.Expr]]:
+    """The statement of a function with the last goal, and the goals in it whose value no other one
+    needs: a call among them leads to goals and to nothing else."""
+    stmts = _last_first(function.body)
+    last = next(stmt for stmt in stmts if any(_holds(stmt, goal) for goal in goals))
     inside = [goal for goal in goals if _holds(last, goal)]
-    free = (g for g in inside if not any(_holds(o, g) for o in inside if o is not g))
-    return last, [goal for goal in free if goal in tree.below]
+    return last, [g for g in inside if not any(_holds(o, g) for o in inside if o is not g)]
 
 
 def _last_first(block: n.Block) -> Iterator[n.Stmt]:

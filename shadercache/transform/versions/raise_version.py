@@ -219,19 +219,18 @@ class _Raiser(Rewriter):
         module = self.tree.module
         was = _place(module, self.tree.stage)
         called = {item.name for item in self.tree.facts.functions}
-        declared, fields = _declared(module)
-        names = declared | called | fields
-        keyed = {name for name in names if name in words}
-        hiding = {name for name in names if functions(name, *self.place)}
+        declared = _declared(module)
+        keyed = {name for name in declared | called if name in words}
+        hiding = {name for name in declared | called if functions(name, *self.place)}
         shadowing = {name for name in hiding if not functions(name, *was)}
         if module.version == 110:  # Its functions and variables have names apart.
             shadowing |= called
-        new = {name: self.stem + name for name in names}
 
-        def renamed(some: Set[str]) -> dict[str, str]:
-            return {name: new[name] for name in keyed | some}
+        def renamed(names: Set[str]) -> dict[str, str]:
+            return {name: self.stem + name for name in names}
 
-        return renamed(declared & shadowing), renamed(called & hiding), renamed(set())
+        variables, functions_ = keyed | (declared & shadowing), keyed | (called & hiding)
+        return renamed(variables), renamed(functions_), renamed(keyed)
 
     def expression(self, node: n.Expr, original: n.Expr) -> n.Expr:
         match node, original:
@@ -343,17 +342,10 @@ def _renamed(node: N, names: Mapping[str, str]) -> N:
     return replace(node, name=names[name]) if name in names else node
 
 
-def _declared(module: n.Module) -> tuple[set[str], set[str]]:
-    """Names of the variables and types of a module, and those of fields."""
-    names: set[str] = set()
-    fields: set[str] = set()
-    for node in walk(module):
-        if isinstance(node, n.StructDef | n.BlockDecl):
-            names.add(node.name)
-            inside = {item.name for field in node.fields for item in field.declarators}
-            fields |= inside
-            if isinstance(node, n.BlockDecl):
-                names |= {node.instance} if node.instance else inside
-        elif isinstance(node, n.Declarator | n.Param) and node.name:
-            names.add(node.name)
-    return names - {""}, fields
+def _declared(module: n.Module) -> set[str]:
+    """Names of variables, types and fields."""
+    nodes = list(walk(module))
+    named = n.Declarator | n.Param | n.StructDef | n.BlockDecl
+    names = {node.name for node in nodes if isinstance(node, named)}
+    names |= {node.instance for node in nodes if isinstance(node, n.BlockDecl)}
+    return {name for name in names if name}
