@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Set
 from dataclasses import replace
+from itertools import chain
 
 from shadercache.analysis.dataflow import reached
 from shadercache.ast import nodes as n
@@ -57,7 +58,7 @@ def keep_reachable(module: n.Module, wanted: frozenset[str], memo: Memo) -> n.Mo
             declared.setdefault(name, []).append(decl)
 
     def named_by(name: str) -> Iterable[str]:
-        return (used for decl in declared.get(name, ()) for used in kept_names(decl, memo))
+        return chain.from_iterable(kept_names(decl, memo) for decl in declared.get(name, ()))
 
     needed = reached(("main", *wanted), named_by).keys()
     return change_declarations(module, lambda decl: _kept(decl, needed, wanted))

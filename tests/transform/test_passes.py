@@ -1,27 +1,16 @@
 """Each pass on its own, on the shaders of ``cases/``: what goes in, what comes out.
 
-A file there is named after a pass. It begins with what all of its shaders begin with; then come the
-cases, each with a title, what the pass is to know, a shader, and what the pass makes of it, which
-``./dev goldens`` writes::
-
-    //// An output that is read becomes a variable.
-    //// wanted: store
-    void main() {
-        color = vec4(u_a);
-        store = color;
-    }
-    //// becomes
-    ...
+A file of cases (:mod:`tests.pairs`) is named after its pass.
 """
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import pytest
 from conftest import Golden
+from pairs import Case, anew
 from verify_tree import verify_module
 
 from shadercache.ast import nodes as n
@@ -135,50 +124,31 @@ PASSES: dict[str, Pass] = {
     "write_out_matrices": _exact,
 }
 
-MARK = re.compile(r"^//// (.*)\n", re.MULTILINE)
-BECOMES = "becomes"
-
-Given = Sequence[tuple[str, str]]
-"""The marks of a case, each with the text behind it: the title, what the pass is to know."""
-
-
-def anew(text: str, apply: Callable[[str, Given], str]) -> str:
-    """The text of a file of cases, with what ``apply`` makes of its head and of each case."""
-    head, *parts = MARK.split(text)
-    written = [head]
-    given: list[tuple[str, str]] = []
-    for mark, body in zip(parts[::2], parts[1::2], strict=True):
-        if mark == BECOMES:
-            body, given = f"{apply(head, given)}\n", []
-        else:
-            given.append((mark, body))
-        written += f"//// {mark}\n", body
-    return "".join(written).rstrip("\n") + "\n"
-
 
 @pytest.mark.parametrize("path", sorted(CASES.iterdir()), ids=lambda path: path.stem)
 def test_cases(path: Path, golden: Golden) -> None:
-    def apply(head: str, given: Given) -> str:
+    def outcome(case: Case) -> str:
         if path.stem == "raise_versions":
-            return _raised([body for _, body in given])
-        source = Source(path.name, head + given[-1][1])
+            return _raised(case)
+        source = Source(path.name, case.shader)
         module = parse(source)
         stage: Stage = "vertex" if path.suffix == ".vert" else "fragment"
-        about = [(key, value) for mark, _ in given[1:] for key, value in [mark.split(": ")]]
-        made = PASSES[path.stem](module, validate(module, source, stage), about)
+        made = PASSES[path.stem](module, validate(module, source, stage), case.about)
         # A clone shares what it did not change, and its names mean its own parameters.
         alone = parse(Source("", print_module(made))) if path.stem == "specialise" else made
         verify_module(alone, stage, path.stem)
         return print_module(made)
 
-    golden(path, anew(path.read_text(encoding="utf-8"), apply))
+    golden(path, anew(path.read_text(encoding="utf-8"), outcome))
 
 
-def _raised(texts: Sequence[str]) -> str:
+def _raised(case: Case) -> str:
     """Both stages, each with the new names of what an engine sees."""
     trees: list[StageTree] = []
-    stages: tuple[Stage, ...] = ("fragment", "vertex")
-    for text, stage in zip(texts, stages, strict=False):
+    texts: list[tuple[Stage, str]] = [("fragment", case.shader)]
+    if case.vertex:
+        texts.append(("vertex", case.vertex))
+    for stage, text in texts:
         source = Source(f"a.{stage[:4]}", text)
         module = parse(source)
         trees.append(StageTree(module, validate(module, source, stage), source, stage))

@@ -21,7 +21,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
-from typing import TypeVar
+from typing import Any
 
 from shadercache.ast import nodes as n
 from shadercache.ast.rewriter import Rewriter
@@ -40,18 +40,6 @@ from shadercache.transform.versions.legacy_calls import Place, modern_call
 from shadercache.valid.validate import validate
 
 DESKTOP_VERSION, ES_VERSION = 330, 300
-
-N = TypeVar(
-    "N",
-    bound=n.Name
-    | n.Call
-    | n.Declarator
-    | n.Param
-    | n.TypeSpec
-    | n.StructDef
-    | n.BlockDecl
-    | n.FunctionProto,
-)
 
 _CORE = frozenset(
     (
@@ -337,9 +325,8 @@ class _Raiser(Rewriter):
             yield item
 
 
-def _renamed(node: N, names: Mapping[str, str]) -> N:
-    name = node.name or ""
-    return replace(node, name=names[name]) if name in names else node
+def _renamed(node: Any, names: Mapping[str, str]) -> Any:
+    return replace(node, name=names[node.name]) if node.name in names else node
 
 
 def _declared(module: n.Module) -> set[str]:
