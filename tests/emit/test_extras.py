@@ -12,7 +12,6 @@ from payloads import PAYLOADS, analysed_payload
 
 from shadercache.caching.configuration import Configuration, Mode
 from shadercache.caching.layout import Extra, Layout, extras_of
-from shadercache.caching.payload_text import payload_text
 from shadercache.diagnostics import InputError
 from shadercache.lang.types import FLOAT, INT, vector
 from tests.configured import configured, rewritten
@@ -36,26 +35,6 @@ def test_extras_take_the_channels_behind_the_payload(
     assert layout.formats("rgba16f") == formats
     assert layout.extra_places == places
     assert layout.fits
-
-
-def written(layout: Layout) -> str:
-    return payload_text(layout, "sc_", False, ("-1.0", "-2.0"))
-
-
-def test_how_extras_are_written_and_read() -> None:
-    floats = written(Layout((vector("float", 2),), extras=(ID, AGE)))
-    assert "vec4 sc_PACKED() { return vec4(sc_payload, float(sc_object), 0); }" in floats
-    assert "vec4 sc_PACKED_2() { return vec4(sc_age, 0.0, 0.0, 0.0); }" in floats
-    assert "int sc_ID(vec4 first, vec4 second) { return int(first.z); }" in floats
-    assert "float sc_AGE(vec4 first, vec4 second) { return second.x; }" in floats
-    bits = written(Layout((INT,), extras=(ID, AGE)))
-    packed = "uint(sc_payload), uint(sc_object), floatBitsToUint(sc_age)"
-    assert f"uvec4 sc_PACKED() {{ return uvec4({packed}, 0); }}" in bits
-    assert "int sc_ID(uvec4 first, uvec4 second) { return int(first.y); }" in bits
-    assert "return uintBitsToFloat(first.z);" in bits
-    # Where only extras lie in the second texel, the third pass need not read it.
-    taken = "sc_payload = texelFetch(sc_payloads, sc_OWN_TEXEL(), 0).xyz;"
-    assert taken in written(Layout((vector("float", 3),), extras=(ID,)))
 
 
 def test_nothing_is_kept_unasked() -> None:

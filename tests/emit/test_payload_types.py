@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -13,11 +14,11 @@ from emit.test_programs import check_programs
 from jsonschema import Draft202012Validator
 from manifests import SCHEMA, plain
 from payloads import DESKTOP, ES, PAYLOADS, analysed_payload
-from shaders import analysed, find
+from shaders import find
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.caching.configuration import Mode
-from shadercache.caching.layout import Layout
+from shadercache.caching.layout import Extra, Layout
 from shadercache.caching.payload_text import payload_text
 from shadercache.compiler import Analysis
 from shadercache.lang.types import (
@@ -25,7 +26,6 @@ from shadercache.lang.types import (
     FLOAT,
     INT,
     UINT,
-    Type,
     array_of,
     matrix,
     struct_type,
@@ -36,78 +36,47 @@ from tests.configured import configured, rewritten
 RAY = struct_type("Ray", {"origin": vector("float", 3), "id": INT})
 FLAGGED = struct_type("Flagged", {"ray": RAY, "flags": vector("bool", 2), "count": UINT})
 
+MIXED = struct_type("Mixed", {"at": vector("float", 2), "id": INT, "more": FLOAT, "on": BOOL})
+
+ID, AGE = Extra("id", INT, "object"), Extra("age", FLOAT, "age")
+
 LAYOUTS = [
-    (FLOAT, ("rgba16f",), "sc_payload, 0.0, 0.0", "0.0, 0.0, 0.0, 0.0", "sc_texel.x"),
-    (vector("float", 3), ("rgba16f",), "sc_payload", "0.0, 0.0, 0.0, 0.0", "sc_texel.xyz"),
-    (
-        vector("float", 4),
-        ("rgba16f", "r16f"),
-        "sc_payload.xyz",
-        "sc_payload.w, 0.0, 0.0, 0.0",
-        "vec4(sc_texel.xyz, sc_texel_2.x)",
-    ),
-    (INT, ("rgba32ui",), "uint(sc_payload), 0u, 0u", "0u, 0u, 0u, 0u", "int(sc_texel.x)"),
-    (vector("uint", 2), ("rgba32ui",), "sc_payload, 0u", "0u, 0u, 0u, 0u", "sc_texel.xy"),
-    (BOOL, ("rgba32ui",), "uint(sc_payload), 0u, 0u", "0u, 0u, 0u, 0u", "bool(sc_texel.x)"),
-    (
-        vector("bool", 4),
-        ("rgba32ui", "r32ui"),
-        "uvec3(sc_payload.xyz)",
-        "uint(sc_payload.w), 0u, 0u, 0u",
-        "bvec4(sc_texel.xyz, sc_texel_2.x)",
-    ),
-    (
-        matrix("float", 2, 3),
-        ("rgba16f", "rgba16f"),
-        "sc_payload[0]",
-        "sc_payload[1], 0.0",
-        "mat2x3(sc_texel.xyz, sc_texel_2.xyz)",
-    ),
-    (
-        array_of(vector("float", 2), 2),
-        ("rgba16f", "r16f"),
-        "sc_payload[0], sc_payload[1].x",
-        "sc_payload[1].y, 0.0, 0.0, 0.0",
-        "vec2[2](sc_texel.xy, vec2(sc_texel.z, sc_texel_2.x))",
-    ),
-    (
-        FLAGGED,
-        ("rgba32ui", "rgba32ui"),
-        "floatBitsToUint(sc_payload.ray.origin)",
-        "uint(sc_payload.ray.id), uvec2(sc_payload.flags), sc_payload.count",
-        "Flagged(Ray(uintBitsToFloat(sc_texel.xyz), int(sc_texel_2.x)), bvec2(sc_texel_2.yz), "
-        "sc_texel_2.w)",
-    ),
+    Layout((FLOAT,)),
+    Layout((vector("float", 3),)),
+    Layout((vector("float", 4),)),
+    Layout((INT,)),
+    Layout((vector("uint", 2),)),
+    Layout((BOOL,)),
+    Layout((vector("bool", 4),)),
+    Layout((matrix("float", 2, 3),)),
+    Layout((array_of(vector("float", 2), 2),)),
+    Layout((FLAGGED,)),
+    Layout((MIXED,)),
+    Layout((vector("float", 2), BOOL, vector("int", 3))),
+    Layout((vector("float", 2), vector("float", 4))),
+    Layout((vector("float", 2),), extras=(ID, AGE)),
+    Layout((INT,), extras=(ID, AGE)),
+    Layout((vector("float", 3),), extras=(ID,)),
 ]
 
 
-def written(layout: Layout, whole: bool = False) -> str:
-    return payload_text(layout, "sc_", whole, ("0u", "1u"))
+def test_golden_layouts(golden: Golden) -> None:
+    """How payloads lie in one or two texels, are packed and unpacked, and what must not be blended
+    of them."""
+    parts: list[str] = []
+    for layout in LAYOUTS:
+        kept = ", ".join([*map(str, layout.types), *(extra.name for extra in layout.extras)])
+        text = payload_text(layout, "sc_", False, ("-1.0", "-2.0"))
+        parts.append(f"// {kept}: {', '.join(layout.formats('rgba16f'))}\n{text}")
+    golden("tests/emit/goldens/layouts.glsl", "\n".join(parts))
 
 
-def texel_type(layout: Layout) -> str:
-    return "uvec4" if layout.bits else "vec4"
+def test_golden_layout_of_payloads_that_may_be_missing(golden: Golden) -> None:
+    layout = Layout((vector("float", 2), BOOL, vector("int", 3)), precisions=("highp",) * 3)
+    golden("tests/emit/goldens/missing.glsl", payload_text(layout, "sc_", True, ("0u", "1u")))
 
 
-@pytest.mark.parametrize(
-    ("kind", "formats", "first", "second", "unpacked"), LAYOUTS, ids=[str(c[0]) for c in LAYOUTS]
-)
-def test_layout(
-    kind: Type, formats: tuple[str, ...], first: str, second: str, unpacked: str
-) -> None:
-    layout = Layout((kind,))
-    text = written(layout)
-    assert layout.formats("rgba16f") == formats
-    assert f"sc_PACKED() {{ return {texel_type(layout)}({first}, 0); }}" in text
-    assert f"sc_PACKED_2() {{ return {texel_type(layout)}({second}); }}" in text
-    assert f"void sc_UNPACK() {{ sc_payload = {unpacked}; }}" in text
-
-
-def test_the_masks_mark_what_must_not_be_blended() -> None:
-    mixed = struct_type("Mixed", {"at": vector("float", 2), "id": INT, "more": FLOAT, "on": BOOL})
-    text = written(Layout((mixed,)))
-    assert "const uvec4 sc_discrete = uvec4(0u, 0u, 0xFFFFFFFFu, 0u);" in text
-    assert "const uvec4 sc_discrete_2 = uvec4(0u, 0xFFFFFFFFu, 0u, 0u);" in text
+def test_only_what_is_whole_is_not_blended() -> None:
     assert not Layout((FLAGGED,)).has_integers(0)
 
 
@@ -140,24 +109,10 @@ def test_golden_programs(name: str, golden: Golden) -> None:
 
 
 def test_several_payloads_lie_one_behind_the_other() -> None:
-    layout = Layout((vector("float", 2), BOOL, vector("int", 3)), precisions=("highp",) * 3)
-    text = written(layout, whole=True)
+    layout = Layout((vector("float", 2), BOOL, vector("int", 3)))
     assert layout.places == (("xy", ""), ("z", ""), ("", "xyz"))
-    assert layout.formats("rgba16f") == ("rgba32ui", "rgba32ui")
-    assert "highp vec2 sc_payload_1;\nbool sc_payload_2;\nhighp ivec3 sc_payload_3;" in text
-    assert (
-        "sc_PACKED() { return uvec4(sc_valid_1 ? floatBitsToUint(sc_payload_1) : uvec2(0u), "
-        "sc_valid_2 ? uint(sc_payload_2) : 0u, 0); }"
-    ) in text
-    assert (
-        "sc_payload_1 = uintBitsToFloat(sc_texel.xy); sc_payload_2 = bool(sc_texel.z); "
-        "sc_payload_3 = ivec3(sc_texel_2.xyz);"
-    ) in text
-    assert "sc_VALID() { return sc_valid_1 && sc_valid_2 && sc_valid_3; }" in text
-    assert "return uvec4(uvec3(sc_payload_3), 0u);" in written(Layout(layout.types))
     wide = Layout((vector("float", 2), vector("float", 4)))
     assert wide.places == (("xy", ""), ("z", "xyz"))
-    assert "sc_PACKED() { return vec4(sc_payload_1, sc_payload_2.x, 0); }" in written(wide)
 
 
 def beside(analysis: Analysis, node: Candidate) -> list[Candidate]:
@@ -186,41 +141,10 @@ def test_glslang_accepts_every_program_without_a_warning(head: str, tmp_path: Pa
     assert "WARNING" not in done.stdout
 
 
-def test_a_payload_is_as_precise_as_its_expression() -> None:
-    for name, declared in (
-        ("ivec3", "mediump ivec3 sc_payload;"),
-        ("vec4", "mediump vec4 sc_payload;"),
-        ("bvec3", "bvec3 sc_payload;"),
-        ("Mixed", "Mixed sc_payload;"),
-    ):
+def test_golden_precisions(golden: Golden) -> None:
+    """A payload is as precise as its expression."""
+    lines: list[str] = []
+    for name in ("ivec3", "vec4", "bvec3", "Mixed"):
         text = rewritten(*analysed_payload(name, ES), unprofitable=True).files["3-pass.shade.frag"]
-        assert f"\n{declared}" in text
-
-
-def test_a_struct_stands_before_the_variable() -> None:
-    """And what the struct needs stands before it, as the user has it."""
-    analysis = analysed(
-        "Many m = make(v_position); o_color = vec4(m.values[0], m.values[1], 0.0, 1.0);",
-        "const int COUNT = 2; struct Many { float values[COUNT]; };"
-        "Many make(vec3 p) { Many m; m.values[0] = sin(p.x); m.values[1] = sin(p.y); return m; }",
-    )
-    emission = rewritten(analysis, find(analysis, "make(v_position)"), unprofitable=True)
-    check_programs(emission)
-    text = emission.files["3-pass.shade.frag"]
-    places = [text.index(words) for words in ("COUNT = 2", "struct Many", "Many sc_payload;")]
-    assert places == sorted(places)
-
-
-def test_names_of_structs_and_fields_do_not_collide_with_ours() -> None:
-    """Not with the runtime's local variables, nor with its words in capitals."""
-    analysis = analysed(
-        "outcome m = make(v_position); o_color = vec4(m.t.DEPTH, m.sc_TEXEL, 0.0, 1.0)"
-        "+ texture(u_map, v_uv);",
-        "struct texel { float DEPTH; }; struct outcome { texel t; float sc_TEXEL; int STORE; };"
-        "outcome make(vec3 p) { return outcome(texel(sin(p.x)), sin(p.y), 1); }",
-    )
-    emission = rewritten(analysis, find(analysis, "make(v_position)"), unprofitable=True)
-    check_programs(emission)
-    text = emission.files["2-pass.hit.frag"]
-    assert "outcome(texel(uintBitsToFloat(sc1_texel.x))" in text
-    assert text.index("discard;") > text.index("sc1_shade();"), "the variant with most locals"
+        lines += re.findall(r"^(\S.* sc_payload;)$", text, re.MULTILINE)
+    golden("tests/emit/goldens/precisions.glsl", "\n".join(lines) + "\n")

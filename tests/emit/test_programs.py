@@ -163,25 +163,6 @@ def assert_nothing_unused(module: n.Module) -> None:
     assert varyings(module, "out") <= assigned
 
 
-def test_the_payload_pass_has_no_lighting_and_the_shading_pass_no_payload(
-    analysis: Analysis,
-) -> None:
-    options = configured(guard="off")
-    files = rewritten(analysis, find(analysis, NODES["two-octaves"]), options).files
-    for word in ("u_tint", "v_normal", "light", "o_color", "u_map"):
-        assert word not in files["3-pass.payload.frag"]
-    assert files["3-pass.shade.frag"].count("noise(p * 4.0)") == 1
-    assert "noise(p * 2.0)" not in files["3-pass.shade.frag"]
-    assert "sc_store" not in files["3-pass.shade.frag"]
-    assert "u_tint" not in files["3-pass.reuse.frag"] + files["hit-mask.frag"]
-
-
-def test_other_calls_of_a_function_are_not_disturbed(analysis: Analysis) -> None:
-    node = find(analysis, NODES["inside-noise"], "noise@2")
-    text = rewritten(analysis, node, unprofitable=True).files["3-pass.shade.frag"]
-    assert "noise(p) + 0.5 * sc_noise(p * 2.0) + 0.25 * noise(p * 4.0)" in text
-
-
 def test_no_derivative_behind_a_discard_or_in_the_branch(analysis: Analysis) -> None:
     """Law 8: implicit fetches stand before the discard, and outside of ``if`` and ``else``."""
     for emission in emissions(analysis).values():
@@ -217,12 +198,6 @@ def test_the_look_up_takes_derivatives_ahead_of_its_exits(analysis: Analysis) ->
         assert not any(takes[exits.index(True) :])
 
 
-def test_one_pass_fetches_ahead_of_its_branch(analysis: Analysis) -> None:
-    text = rewritten(analysis, find(analysis, NODES["albedo"])).files["1-pass.frag"]
-    main = text[text.index("void main()") :]
-    assert main.index("sc_fetch_ahead();") < main.index("sc_look_up")
-
-
 def test_a_fetch_that_cannot_be_moved_is_refused_for_one_pass_only() -> None:
     analysis = analysed(
         "vec3 a = v_position; if (v_uv.x > 0.0) a *= texture(u_map, v_uv).rgb;"
@@ -235,16 +210,6 @@ def test_a_fetch_that_cannot_be_moved_is_refused_for_one_pass_only() -> None:
     with pytest.raises(InputError) as error:
         rewritten(analysis, node, algorithms=("1-pass",))
     assert error.value.diagnostics[0].code == "SC407"
-
-
-def test_user_names_that_look_like_ours_do_not_collide() -> None:
-    analysis = analysed(
-        "float sc_payload = noise(v_position); o_color = vec4(sc_look_up(sc_payload));",
-        "float sc_look_up(float x) { return x; }\n" + NOISE,
-    )
-    emission = rewritten(analysis, find(analysis, "noise(v_position)"))
-    check_programs(emission)
-    assert "sc1_look_up" in emission.files["2-pass.hit.frag"]
 
 
 @pytest.mark.skipif(shutil.which("glslangValidator") is None, reason="needs glslang-tools")
@@ -273,23 +238,6 @@ def test_corpus_programs_hold_nothing_unused(scene: str) -> None:
     offered = [node for node in analysis.nodes if node.offered]
     for node in offered[:: max(1, len(offered) // 12)]:
         check_programs(rewritten(analysis, node))
-
-
-def test_one_pass_computes_the_payload_without_changing_the_globals() -> None:
-    analysis = analysed(
-        "float before = height * u_time; raise(v_uv.x); vec3 p = sin(v_position);"
-        "o_color = vec4(p * before, height);",
-        "float height = 1.0; void raise(float x) { height = x; }",
-    )
-    emission = rewritten(analysis, find(analysis, "p"), algorithms=("1-pass",), unprofitable=True)
-    check_programs(emission)
-    text = emission.files["1-pass.frag"]
-    body = text[text.index("void sc_compute() {") :].split("\n}", 1)[0]
-    assert [line.strip() for line in body.splitlines()[1:]] == [
-        "float sc_kept_1 = height;",
-        "sc_compute_only();",
-        "height = sc_kept_1;",
-    ]
 
 
 def test_a_global_without_a_type_name_forbids_one_pass() -> None:

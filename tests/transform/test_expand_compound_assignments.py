@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from shadercache.compiler import analyse
-from shadercache.source import Source
-from tests.configured import rewritten
 from tests.shaders import analysed, find
 
 DECLARATIONS = """
@@ -33,10 +30,6 @@ def test_partial_sums_are_nodes() -> None:
     same = find(analysis, "wave(v_position.x) + wave(v_position.y)")
     assert analysis.groups[first] is analysis.groups[same]
     assert analysis.groups[second] is not analysis.groups[same]
-    shade = rewritten(analysis, second, algorithms=("3-pass",)).files["3-pass.shade.frag"]
-    assert "c = sc_payload;" in shade and "wave(v_position.z)" not in shade
-    payload = rewritten(analysis, second, algorithms=("3-pass",)).files["3-pass.payload.frag"]
-    assert "c += wave(v_position.y);" in payload, "what is not cut out reads as it was written"
 
 
 def test_numbers_in_ids_are_those_of_the_users_expressions() -> None:
@@ -52,35 +45,3 @@ def test_numbers_in_ids_are_those_of_the_users_expressions() -> None:
         "v_sum",
         "wave(2.0)",
     ]
-
-
-def test_a_precision_is_that_of_the_operands() -> None:
-    text = """#version 300 es
-    precision mediump float;
-    in highp vec3 v_position;
-    out vec4 o_color;
-    void main() {
-        float low = 0.5;
-        low += sin(v_position.x) * cos(v_position.y) * exp(v_position.z) * sin(v_position.y);
-        low *= sin(low) * cos(low) * sin(low * 2.0) * sin(low * 3.0);
-        o_color = vec4(low);
-    }
-    """
-    vertex = """#version 300 es
-    in vec3 a_position;
-    uniform mat4 u_mvp;
-    out highp vec3 v_position;
-    void main() { v_position = a_position; gl_Position = u_mvp * vec4(a_position, 1.0); }
-    """
-    analysis = analyse(Source("es.frag", text), Source("es.vert", vertex))
-    sums = [node for node in analysis.nodes if node.offered and "= " in node.text]
-    assert len(sums) == 2
-    declared = [
-        next(
-            line.strip()
-            for line in rewritten(analysis, node).files["3-pass.shade.frag"].splitlines()
-            if "sc_payload;" in line and "float" in line
-        )
-        for node in sums
-    ]
-    assert declared == ["highp float sc_payload;", "mediump float sc_payload;"]

@@ -6,13 +6,13 @@ import re
 
 import pytest
 
-from shadercache.compiler import Analysis, analyse, emit_original
+from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import InputError, UsageError
 from shadercache.front.read_options import ReadOptions
 from shadercache.source import Source
 from shadercache.transform.unroll import MAX_TRIPS
 from tests.cases.cases import sources
-from tests.configured import configured, rewritten
+from tests.configured import rewritten
 from tests.shaders import VERTEX, analysed, find, fragment
 
 WAVE = "float wave(float x) { return sin(x) * cos(x + 1.0) * sin(x * 2.0); }\n"
@@ -188,42 +188,3 @@ def test_24_of_25_samples() -> None:
     assert sums[23].ratio == pytest.approx(24 / 25, abs=0.03)
     shade = rewritten(analysis, sums[23], algorithms=("3-pass",)).files["3-pass.shade.frag"]
     assert shade.count("sampled(float(") == 1 and "for (" not in shade
-
-
-def test_the_reference_is_the_shader_as_it_was() -> None:
-    """The laws prove the unrolling, too. In proof mode no sine is known beforehand."""
-    analysis = unrolled(f"for (int i = 0; i < 3; i++) {SUM.format('i')}")
-    for mode in ("plain", "proof"):
-        text = emit_original(analysis, mode).files["original.frag"]
-        assert text.count("for (") == 1
-        assert ("gl_FragCoord" in text) == (mode == "proof")
-    variants = rewritten(analysis, find(analysis, "vec4(a)"), configured(mode="proof")).files
-    hidden = variants["2-pass.miss.frag"]
-    assert "for (" not in hidden
-    assert "int i = 0;" in hidden
-    assert hidden.count(" - float(gl_FragCoord.x < 0.0))") >= 3, "in each trip"
-
-
-def test_counters_keep_their_precision() -> None:
-    text = """#version 300 es
-    precision mediump float;
-    in highp vec3 v_position;
-    out vec4 o_color;
-    void main() {
-        highp float a = 0.0;
-        for (float t = 0.5; t < 2.0; t += 1.0) a += sin(v_position.x * t) * cos(a) * exp(a);
-        for (lowp int i = 0; i < 2; i++) a *= sin(v_position.y + float(i)) * cos(a) * exp(a);
-        o_color = vec4(a);
-    }
-    """
-    vertex = """#version 300 es
-    in vec3 a;
-    out highp vec3 v_position;
-    void main() { v_position = a; gl_Position = vec4(a, 1.0); }
-    """
-    analysis = analyse(Source("es.frag", text), Source("es.vert", vertex), ReadOptions(unroll=True))
-    shade = rewritten(analysis, find(analysis, "vec4(a)"), algorithms=("2-pass",)).files[
-        "2-pass.miss.frag"
-    ]
-    lines = [line.strip() for line in shade.splitlines()]
-    assert "float t = 0.5;" in lines and "lowp int i = 0;" in lines
