@@ -21,7 +21,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, TypeVar
 
 from shadercache.ast import nodes as n
 from shadercache.ast.rewriter import Rewriter
@@ -38,6 +38,8 @@ from shadercache.transform.versions.builtin_block import BUILTIN_BLOCK
 from shadercache.transform.versions.fixed_function import FixedFunction, Shared, is_builtin
 from shadercache.transform.versions.legacy_calls import Place, modern_call
 from shadercache.valid.validate import validate
+
+N = TypeVar("N", bound=n.Node)
 
 DESKTOP_VERSION, ES_VERSION = 330, 300
 
@@ -325,8 +327,9 @@ class _Raiser(Rewriter):
             yield item
 
 
-def _renamed(node: Any, names: Mapping[str, str]) -> Any:
-    return replace(node, name=names[node.name]) if node.name in names else node
+def _renamed(node: N, names: Mapping[str, str]) -> N:
+    bare: Any = node
+    return replace(bare, name=names[bare.name]) if bare.name in names else node
 
 
 def _declared(module: n.Module) -> set[str]:
