@@ -51,22 +51,23 @@ def _reader(types: dict[str, str]) -> Callable[[Any], tuple[Node, ...]]:
 CHILD_FIELDS: dict[type[Node], tuple[str, ...]] = {}
 """The names of the fields that hold nodes, by class and in the order of the source."""
 
-_CHILDREN: dict[type[Node], Callable[[Any], tuple[Node, ...]]] = {}
+CHILDREN: dict[type[Node], Callable[[Any], tuple[Node, ...]]] = {}
+"""What reads the children of a node, by class; for loops in which each call counts."""
 
 for _class in vars(n).values():
     if isinstance(_class, type) and issubclass(_class, Node):
         CHILD_FIELDS[_class] = tuple(_child_fields(_class))
-        _CHILDREN[_class] = _reader(_child_fields(_class))
+        CHILDREN[_class] = _reader(_child_fields(_class))
 
 
 def children(node: Node) -> tuple[Node, ...]:
     """The nodes directly below a node, in the order of the source."""
-    return _CHILDREN[type(node)](node)
+    return CHILDREN[type(node)](node)
 
 
 def walk(node: Node) -> Iterator[Node]:
     """A node and all nodes below it: each before its children, these in the order of the source."""
-    below = _CHILDREN
+    below = CHILDREN
     stack = [node]
     while stack:
         node = stack.pop()
@@ -82,7 +83,7 @@ def postorder(node: Node, done: Container[Node] = ()) -> list[Node]:
         node = stack.pop()
         if node not in done:
             order.append(node)
-            stack += _CHILDREN[type(node)](node)
+            stack += CHILDREN[type(node)](node)
     order.reverse()
     return order
 

@@ -15,7 +15,7 @@ from lark.exceptions import UnexpectedToken
 from shadercache.ast.nodes import FunctionProto
 from shadercache.diagnostics import Diagnostic
 from shadercache.front import other_languages as foreign
-from shadercache.front.declaration_rules import DeclaredHead, FullType
+from shadercache.front.declaration_callbacks import DeclaredHead, FullType
 from shadercache.front.preprocess import is_word
 from shadercache.front.tokens import Edition, Token, TokenStream
 from shadercache.front.unexpected import CLOSERS, PAIRS, Unexpected, gather

@@ -13,7 +13,7 @@ from typing import Any, cast
 
 from shadercache.ast import nodes as n
 from shadercache.ast.nodes import Expr, Node
-from shadercache.front.declaration_rules import DeclarationRules, TypeRules
+from shadercache.front.declaration_callbacks import DeclarationRules, TypeRules
 from shadercache.front.tokens import Token
 from shadercache.front.tree_state import Callback, TreeState
 from shadercache.lang.words import PRECEDENCE

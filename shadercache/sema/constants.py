@@ -2,31 +2,28 @@
 
 from __future__ import annotations
 
-from shadercache.ast.nodes import (
-    Binary,
-    Conditional,
-    Construct,
-    Expr,
-    Index,
-    InitList,
-    Member,
-    Unary,
-)
+from collections.abc import Sequence
+
+from shadercache.ast import nodes as n
+from shadercache.ast.nodes import Expr
 from shadercache.lang.builtins import BuiltinVariable, Signature
 from shadercache.lang.types import Type
+from shadercache.lang.words import STEP_OPS
 from shadercache.sema import fold
 from shadercache.sema.conversions import Conversions
 from shadercache.sema.facts import Scalar, Symbol
 from shadercache.sema.fold import Value
 from shadercache.sema.fold_calls import fold_call
+from shadercache.sema.operators import SWIZZLES
 
-SWIZZLES = ("xyzw", "rgba", "stpq")
+FOLDED = frozenset((n.Unary, n.Binary, n.Conditional, n.Construct, n.InitList, n.Member, n.Index))
+"""What is a constant expression where all of its parts are."""
 
 
 class Constants:
     """Constant expressions and constant variables found so far.
 
-    ``driver`` holds those whose value a driver may change (``gl_MaxDrawBuffers``): they may size
+    ``_driver`` holds those whose value a driver may change (``gl_MaxDrawBuffers``): they may size
     an array, but nothing else is concluded from them.
     """
 
@@ -49,10 +46,7 @@ class Constants:
 
     def declare(self, symbol: Symbol, init: Expr) -> None:
         """``symbol`` is a constant with the constant initialiser ``init``."""
-        value = self.values.get(init)
-        if value is not None and symbol.type.base is not None and not symbol.type.is_array:
-            value = fold.converted(value, symbol.type.base)
-        self._symbols[symbol] = value
+        self._symbols[symbol] = _as_type(self.values.get(init), symbol.type)
         if init in self._driver:
             self._driver.add(symbol)
 
@@ -63,89 +57,79 @@ class Constants:
 
     def use(self, expr: Expr, symbol: Symbol) -> None:
         """``expr`` names a constant variable."""
-        if symbol not in self._symbols:
-            return
-        value = self._symbols[symbol]
-        self.expressions.add(expr)
-        if value is not None:
-            self.values[expr] = value
-        if symbol in self._driver:
-            self._driver.add(expr)
+        if symbol in self._symbols:
+            self.set(expr, self._symbols[symbol], symbol)
 
-    def set(self, expr: Expr, value: Value | None, *parts: Expr) -> None:
+    def set(self, expr: Expr, value: Value | None, *parts: Expr | Symbol) -> None:
         """``expr`` is constant; ``None`` for a value that is not known."""
         self.expressions.add(expr)
         if value is not None:
             self.values[expr] = value
-            if self._driver and not self._driver.isdisjoint(parts):
-                self._driver.add(expr)
+        if self._driver and not self._driver.isdisjoint(parts):
+            self._driver.add(expr)
 
-    def all_known(self, parts: tuple[Expr, ...]) -> list[Value] | None:
-        """The values of ``parts`` if all of them have one."""
-        values = [self.values[part] for part in parts if part in self.values]
-        return values if len(values) == len(parts) else None
-
-    def unary(self, node: Unary) -> None:
-        """An operator on a constant."""
-        value = self.values.get(node.operand)
-        folded = None if value is None else fold.fold_unary(node.op, value, self._types[node])
-        self.set(node, folded, node.operand)
-
-    def binary(self, node: Binary) -> None:
-        """An operator on two constants."""
-        one, two = self.values.get(node.left), self.values.get(node.right)
-        left, right = self._types[node.left].base, self._types[node.right].base
-        folded = None
-        if one is not None and two is not None:
-            base = self._conversions.common_base(left, right) if left and right else None
-            operands = (self._types[node.left], self._types[node.right])
-            folded = fold.fold_binary(node.op, (one, two), operands, base, self._types[node])
-        self.set(node, folded, node.left, node.right)
-
-    def conditional(self, node: Conditional) -> None:
-        """``?:`` of three constants."""
-        condition = self.values.get(node.condition)
-        chosen = node.then if condition else node.other
-        value = None if condition is None else self.values.get(chosen)
-        kind = self._types[node]
-        if value is not None and kind.base and not kind.is_array:
-            value = fold.converted(value, kind.base)
-        self.set(node, value, node.condition, node.then, node.other)
-
-    def construct(self, node: Construct | InitList) -> None:
-        """A constructor, or a list in braces, of constants."""
-        parts = node.args if isinstance(node, Construct) else node.items
-        kind, values = self._types[node], self.all_known(parts)
-        self.set(node, fold.fold_construct(kind, values) if values else None, *parts)
-
-    def call(self, node: Expr, signature: Signature, args: tuple[Expr, ...]) -> None:
+    def call(self, node: n.Call, signature: Signature) -> None:
         """A built-in function; constant if its arguments are."""
-        if not self.expressions.issuperset(args):
+        if not self.expressions.issuperset(node.args):
             return
-        values = self.all_known(args)
+        values = [self.values[arg] for arg in node.args if arg in self.values]
         folded = None
-        if values:
+        if values and len(values) == len(node.args):
             params = [param.type for param in signature.params]
             folded = fold_call(signature.name, values, params, signature.result)
-        self.set(node, folded, *args)
+        self.set(node, folded, *node.args)
 
-    def member(self, node: Member) -> None:
-        """A field or a swizzle of a constant."""
-        value, whole = self.values.get(node.object), self._types[node.object]
-        folded: Value | None = None
-        if whole.struct is not None and isinstance(value, tuple):
-            folded = value[list(whole.struct.fields).index(node.name)]
-        elif value is not None:
-            letters = next((s for s in SWIZZLES if node.name[0] in s), "")
-            parts = value if isinstance(value, tuple) else (value,)
-            picked = tuple(parts[letters.index(char)] for char in node.name)
-            folded = picked[0] if len(picked) == 1 else picked
-        self.set(node, folded, node.object)
+    def fold(self, node: Expr, parts: Sequence[Expr]) -> None:
+        """An expression, typed and without mistakes, all parts of which are constant."""
+        steps = isinstance(node, n.Unary) and node.op in STEP_OPS
+        if not steps:
+            known = [self.values[part] for part in parts if part in self.values]
+            if isinstance(node, n.Conditional):
+                value = self._chosen(node)
+            else:
+                value = self._value(node, known) if len(known) == len(parts) else None
+            self.set(node, value, *parts)
 
-    def index(self, node: Index) -> None:
-        """A constant index of a constant."""
-        value, at = self.values.get(node.object), self.values.get(node.index)
-        folded = None
-        if isinstance(value, tuple) and isinstance(at, int) and 0 <= at < len(value):
-            folded = value[at]
-        self.set(node, folded, node.object, node.index)
+    def _value(self, node: Expr, values: list[Value]) -> Value | None:
+        """The value of an operation on known values."""
+        kind = self._types[node]
+        match node:
+            case n.Unary():
+                return fold.fold_unary(node.op, values[0], kind)
+            case n.Binary():
+                operands = (self._types[node.left], self._types[node.right])
+                left, right = (operand.base for operand in operands)
+                base = self._conversions.common_base(left, right) if left and right else None
+                return fold.fold_binary(node.op, (values[0], values[1]), operands, base, kind)
+            case n.Member():
+                return _member(self._types[node.object], node.name, values[0])
+            case n.Index():
+                whole, at = values
+                if isinstance(whole, tuple) and isinstance(at, int) and 0 <= at < len(whole):
+                    return whole[at]
+                return None
+        return fold.fold_construct(kind, values)
+
+    def _chosen(self, node: n.Conditional) -> Value | None:
+        condition = self.values.get(node.condition)
+        if condition is None:
+            return None
+        chosen = node.then if condition else node.other
+        return _as_type(self.values.get(chosen), self._types[node])
+
+
+def _as_type(value: Value | None, kind: Type) -> Value | None:
+    """A value that is implicitly converted."""
+    if value is None or kind.base is None or kind.is_array:
+        return value
+    return fold.converted(value, kind.base)
+
+
+def _member(whole: Type, name: str, value: Value) -> Value:
+    """A field or a swizzle of a constant."""
+    if whole.struct is not None and isinstance(value, tuple):
+        return value[list(whole.struct.fields).index(name)]
+    letters = next(letters for letters in SWIZZLES if name[0] in letters)
+    components = value if isinstance(value, tuple) else (value,)
+    picked = tuple(components[letters.index(letter)] for letter in name)
+    return picked[0] if len(picked) == 1 else picked

@@ -12,6 +12,7 @@ import math
 import operator
 import struct
 from collections.abc import Callable, Iterator, Mapping
+from functools import lru_cache
 from typing import Any, TypeAlias
 
 from shadercache.lang.types import BOOL, DOUBLE, FLOAT, INT, INT64, UINT, UINT64, Type
@@ -28,6 +29,7 @@ _SIGNED = ("int", "int64_t")
 _INTEGERS = {"": INT, "u": UINT, "l": INT64, "ul": UINT64}
 
 
+@lru_cache(1 << 12)
 def literal(text: str) -> tuple[Type, Scalar | None]:
     """Type and value of a literal; ``None`` for an integer that needs more bits than it has."""
     if text in ("true", "false"):

@@ -10,28 +10,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from shadercache.ast import nodes as n
 from shadercache.ast.large import without_collector
-from shadercache.ast.nodes import (
-    BlockDecl,
-    Decl,
-    FunctionDef,
-    FunctionProto,
-    Module,
-    QualifierDecl,
-    VarDecl,
-)
 from shadercache.lang.builtins import Signature
-from shadercache.sema.blocks import BlockChecker
+from shadercache.lang.types import Type
 from shadercache.sema.constants import Constants
+from shadercache.sema.declarations import declare
+from shadercache.sema.expression_types import ExpressionChecker
 from shadercache.sema.facts import Callee, Facts, Stage
-from shadercache.sema.functions import FunctionChecker
 from shadercache.sema.inference_context import InferenceContext, Tables
 from shadercache.sema.language import Language, language_of
 from shadercache.sema.problems import Problems
 from shadercache.sema.scopes import Overload, Scopes
 from shadercache.sema.statements import StatementChecker
-from shadercache.sema.typespecs import TypeResolver
-from shadercache.sema.variables import VariableChecker
 from shadercache.source import Source
 
 
@@ -39,7 +30,7 @@ from shadercache.source import Source
 class Inferred:
     """A module with its tables, and what was found wrong on the way."""
 
-    module: Module
+    module: n.Module
     language: Language
     tables: Tables
     constants: Constants
@@ -59,7 +50,7 @@ class Inferred:
             calls={call: _callee(target) for call, target in tables.calls.items()},
             constants=self.constants.scalars(),
             constant_expressions=self.constants.expressions,
-            functions=tuple(d for d in self.module.decls if isinstance(d, FunctionDef)),
+            functions=tuple(d for d in self.module.decls if isinstance(d, n.FunctionDef)),
             called={function: tuple(calls) for function, calls in tables.called.items()},
             prototypes={
                 proto: function
@@ -71,7 +62,7 @@ class Inferred:
         )
 
 
-def infer(module: Module, source: Source, stage: Stage = "fragment") -> Facts:
+def infer(module: n.Module, source: Source, stage: Stage = "fragment") -> Facts:
     """Resolve all names and types of ``module``, which was parsed from ``source``.
 
     Raises :class:`InputError` with every mistake found (SC2xx), in source order.
@@ -80,45 +71,29 @@ def infer(module: Module, source: Source, stage: Stage = "fragment") -> Facts:
 
 
 def infer_tables(
-    module: Module, source: Source, stage: Stage, tables: Tables | None = None
+    module: n.Module, source: Source, stage: Stage, tables: Tables | None = None
 ) -> Inferred:
     """:func:`infer` that keeps the mistakes, and fills the given tables."""
     language = language_of(module, stage)
     # 1.10 keeps the names of functions and of variables apart, and so do its compilers.
     scopes = Scopes(separate=language.version == 110)
-    context = InferenceContext(language, Problems(source), tables or Tables(), scopes)
-    walk = _Walk(context)
+    tables = Tables() if tables is None else tables
+    constants = Constants(tables.types, language.conversions)
+    problems = Problems(source)
+
+    def check(expr: n.Expr) -> Type:
+        return expressions.check(expr)
+
+    context = InferenceContext(language, problems, tables, scopes, constants, check)
+    expressions = ExpressionChecker(context)
+    statements = StatementChecker(context)
     with without_collector():
         for decl in module.decls:
-            walk.declaration(decl)
-    return Inferred(module, language, context.tables, walk.constants, context.problems)
-
-
-class _Walk:
-    """Wires the parts together."""
-
-    def __init__(self, context: InferenceContext) -> None:
-        types = TypeResolver(context)
-        self.constants = types.expressions.constants
-        self._variables = VariableChecker(context, types)
-        self._blocks = BlockChecker(context, types, self._variables)
-        self._functions = FunctionChecker(context, types)
-        self._statements = StatementChecker(context, types, self._variables, self._functions)
-
-    def declaration(self, decl: Decl) -> None:
-        """One declaration at global scope."""
-        if isinstance(decl, FunctionDef):
-            self._statements.check_function(decl)
-        elif isinstance(decl, VarDecl):
-            self._variables.declare(decl)
-        elif isinstance(decl, BlockDecl):
-            self._blocks.declare(decl)
-        elif isinstance(decl, FunctionProto):
-            self._functions.declare(decl)
-        elif isinstance(decl, QualifierDecl):
-            self._variables.qualify(decl)
-        else:
-            self._variables.declare_precision(decl)
+            if isinstance(decl, n.FunctionDef):
+                statements.check_function(decl)
+            else:
+                declare(context, decl)
+    return Inferred(module, language, tables, constants, problems)
 
 
 def _callee(target: Overload | Signature) -> Callee:

@@ -1,7 +1,12 @@
-"""Result types of operators (GLSL 3.30 sections 5.7 to 5.9). Every function returns ``None`` where
-the operands do not fit."""
+"""Types of what operators, members and constructors make (GLSL 3.30 sections 5.4 to 5.9).
+
+The functions that give a type return ``None`` where the operands do not fit.
+"""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
 
 from shadercache.lang.types import BOOL, Type, matrix, vector
 from shadercache.sema.conversions import Conversions
@@ -14,6 +19,7 @@ EQUALITY = frozenset(("==", "!="))
 INTEGER_ONLY = frozenset(("%", "~")) | BITWISE | SHIFTS
 INTEGERS = frozenset(("int", "uint", "int64_t", "uint64_t"))
 LOGICAL = frozenset(("&&", "||", "^^"))
+SWIZZLES = ("xyzw", "rgba", "stpq")
 
 
 def unary_type(op: str, operand: Type) -> Type | None:
@@ -25,6 +31,7 @@ def unary_type(op: str, operand: Type) -> Type | None:
     return operand if operand.is_numeric else None
 
 
+@lru_cache(1 << 12)
 def binary_type(op: str, left: Type, right: Type, conversions: Conversions) -> Type | None:
     """Type of ``left op right``; neither assignment nor comma."""
     if op in ARITHMETIC:
@@ -77,3 +84,77 @@ def _product(left: Type, right: Type, base: str) -> Type | None:
     if right.is_vector:
         return vector(base, left.rows) if left.cols == right.rows else None
     return matrix(base, right.cols, left.rows) if left.cols == right.rows else None
+
+
+@lru_cache(1 << 12)
+def member_type(whole: Type, name: str, version: int) -> Type | None:
+    """Type of ``.name``: a field, or a swizzle (section 5.5); scalars have one from 4.20 on."""
+    if whole.dims:
+        return None
+    if whole.struct is not None:
+        return whole.struct.fields.get(name)
+    if whole.base is None or whole.cols > 1 or (whole.rows == 1 and version < 420):
+        return None
+    fits = any(set(name) <= set(letters[: whole.rows]) for letters in SWIZZLES)
+    return vector(whole.base, len(name)) if fits and 1 <= len(name) <= 4 else None
+
+
+def construct_problem(kind: Type, args: Sequence[Type], conversions: Conversions) -> str | None:
+    """What is wrong with making a ``kind`` from ``args``; ``None`` if nothing is.
+
+    ``kind`` is sized; none of the types is an error.
+    """
+    if not args:
+        return f"{kind}() needs an argument"
+    if kind.dims:
+        return _array_problem(kind, args, conversions)
+    if kind.struct is not None:
+        return _struct_problem(kind, args, conversions)
+    if kind.base is None:
+        return f"{kind} has no constructor"
+    for arg in args:
+        if arg.base is None or arg.dims:
+            return f"{kind} cannot be made from {arg}"
+    if len(args) == 1 and (args[0].is_scalar or (kind.is_matrix and args[0].is_matrix)):
+        return None
+    return _components_problem(kind, args)
+
+
+def is_handle(kind: Type, args: Sequence[Type]) -> bool:
+    """``sampler2D(uvec2)`` or ``uvec2(sampler2D)``: a handle (ARB_bindless_texture)."""
+    kinds = {kind.is_opaque: kind, **{arg.is_opaque: arg for arg in args}}
+    return len(args) == 1 and True in kinds and str(kinds.get(False)) == "uvec2"
+
+
+def _components_problem(kind: Type, args: Sequence[Type]) -> str | None:
+    """Enough components, and no argument that none of them comes from."""
+    if kind.is_matrix and any(arg.is_matrix for arg in args):
+        return f"{kind} is made from one matrix or from none"
+    needed = kind.rows * kind.cols
+    if kind.is_scalar and len(args) > 1:
+        return f"{kind} takes one argument, not {len(args)}"
+    given = [arg.rows * arg.cols for arg in args]
+    if sum(given) < needed:
+        return f"{kind} needs {needed} components, the arguments have {sum(given)}"
+    if sum(given[:-1]) >= needed:
+        return f"{kind} has {needed} components, the last argument is not used"
+    return None
+
+
+def _struct_problem(kind: Type, args: Sequence[Type], conversions: Conversions) -> str | None:
+    fields = kind.struct.fields if kind.struct else {}
+    if len(args) != len(fields):
+        return f"{kind} has {len(fields)} fields, not {len(args)}"
+    for arg, (name, field) in zip(args, fields.items(), strict=True):
+        if not conversions.converts(arg, field):
+            return f"field '{name}' of {kind} is {field}, not {arg}"
+    return None
+
+
+def _array_problem(kind: Type, args: Sequence[Type], conversions: Conversions) -> str | None:
+    if len(args) != kind.dims[0]:
+        return f"{kind} has {kind.dims[0]} elements, not {len(args)}"
+    for arg in args:
+        if not conversions.converts(arg, kind.element):
+            return f"an element of {kind} is {kind.element}, not {arg}"
+    return None

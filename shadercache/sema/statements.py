@@ -9,29 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any, TypeAlias
 
-from shadercache.ast.nodes import (
-    Block,
-    Case,
-    DeclStmt,
-    DoWhile,
-    Expr,
-    ExprStmt,
-    For,
-    FunctionDef,
-    FunctionProto,
-    If,
-    PrecisionDecl,
-    QualifierDecl,
-    Return,
-    Stmt,
-    Switch,
-    VarDecl,
-    While,
-)
-from shadercache.sema.functions import FunctionChecker
+from shadercache.ast import nodes as n
+from shadercache.ast.nodes import Expr, Stmt
+from shadercache.sema.declarations import declare, declare_function, declare_params
 from shadercache.sema.inference_context import InferenceContext
-from shadercache.sema.typespecs import TypeResolver
-from shadercache.sema.variables import VariableChecker
 
 _Work: TypeAlias = "Stmt | Callable[[], object]"
 
@@ -39,38 +20,29 @@ _Work: TypeAlias = "Stmt | Callable[[], object]"
 class StatementChecker:
     """Goes through the bodies of functions."""
 
-    def __init__(
-        self,
-        context: InferenceContext,
-        types: TypeResolver,
-        variables: VariableChecker,
-        functions: FunctionChecker,
-    ) -> None:
+    def __init__(self, context: InferenceContext) -> None:
         self._context = context
         self._scopes = context.scopes
-        self._check = types.expressions.check
-        self._variables = variables
-        self._functions = functions
         self._stack: list[_Work] = []
         self._rules: Mapping[type, Callable[[Any], None]] = {
-            Block: self._block,
-            ExprStmt: lambda node: self._optional(node.expr),
-            DeclStmt: self._declaration,
-            If: self._if,
-            Switch: self._switch,
-            Case: lambda node: self._optional(node.value),
-            For: self._for,
-            While: self._while,
-            DoWhile: self._do,
-            Return: lambda node: self._optional(node.value),
+            n.Block: lambda node: self._scoped(node.body),
+            n.ExprStmt: lambda node: self._optional(node.expr),
+            n.DeclStmt: lambda node: declare(context, node.decl),
+            n.If: self._if,
+            n.Switch: self._switch,
+            n.Case: lambda node: self._optional(node.value),
+            n.For: self._for,
+            n.While: self._while,
+            n.DoWhile: self._do,
+            n.Return: lambda node: self._optional(node.value),
         }
 
-    def check_function(self, function: FunctionDef) -> None:
+    def check_function(self, function: n.FunctionDef) -> None:
         """Declare a function and go through its body, in one scope with its parameters."""
         context = self._context
-        overload = self._functions.declare(function.proto, function)
+        overload = declare_function(context, function.proto, function)
         self._scopes.push()
-        self._functions.declare_params(function, overload)
+        declare_params(context, function, overload)
         context.function = function
         context.tables.called[function] = []
         if context.language.version == 100:
@@ -95,73 +67,56 @@ class StatementChecker:
 
     def _optional(self, expr: Expr | None) -> None:
         if expr is not None:
-            self._check(expr)
+            self._context.check(expr)
 
     def _scoped(self, body: tuple[Stmt, ...]) -> None:
         self._scopes.push()
         self._stack.append(self._scopes.pop)
         self._stack.extend(reversed(body))
 
-    def _block(self, node: Block) -> None:
-        self._scoped(node.body)
-
-    def _declaration(self, node: DeclStmt) -> None:
-        decl = node.decl
-        if isinstance(decl, VarDecl):
-            self._variables.declare(decl)
-        elif isinstance(decl, FunctionProto):
-            self._functions.declare(decl)
-        elif isinstance(decl, QualifierDecl):
-            self._variables.qualify(decl)
-        elif isinstance(decl, PrecisionDecl):
-            self._variables.declare_precision(decl)
-
-    def _if(self, node: If) -> None:
-        self._check(node.condition)
+    def _if(self, node: n.If) -> None:
+        self._context.check(node.condition)
         if node.other is not None:
             self._push_scoped(node.other)
         self._push_scoped(node.then)
 
     def _push_scoped(self, body: Stmt) -> None:
         """A statement that is a scope of its own, braces or not."""
-        if isinstance(body, DeclStmt):
+        if isinstance(body, n.DeclStmt):
             self._stack.extend((self._scopes.pop, body, self._scopes.push))
         else:
             self._stack.append(body)
 
-    def _switch(self, node: Switch) -> None:
-        self._check(node.selector)
+    def _switch(self, node: n.Switch) -> None:
+        self._context.check(node.selector)
         self._scoped(node.body)
 
-    def _for(self, node: For) -> None:
+    def _for(self, node: n.For) -> None:
         self._scopes.push()
-        if isinstance(node.init, DeclStmt):
-            self._declaration(node.init)
-        else:
-            self._optional(node.init.expr)
+        self._rules[type(node.init)](node.init)
         self._loop_condition(node.condition)
         self._optional(node.step)
         self._loop_body(node.body)
 
-    def _while(self, node: While) -> None:
+    def _while(self, node: n.While) -> None:
         self._scopes.push()
         self._loop_condition(node.condition)
         self._loop_body(node.body)
 
-    def _loop_condition(self, condition: Expr | VarDecl | None) -> None:
-        if isinstance(condition, VarDecl):
-            self._variables.declare(condition)
+    def _loop_condition(self, condition: Expr | n.VarDecl | None) -> None:
+        if isinstance(condition, n.VarDecl):
+            declare(self._context, condition)
         else:
             self._optional(condition)
 
     def _loop_body(self, body: Stmt) -> None:
         """The body shares the scope of the loop's head (section 6.3): its braces open none."""
         self._stack.append(self._scopes.pop)
-        if isinstance(body, Block):
+        if isinstance(body, n.Block):
             self._stack.extend(reversed(body.body))
         else:
             self._stack.append(body)
 
-    def _do(self, node: DoWhile) -> None:
-        self._stack.append(lambda: self._check(node.condition))
+    def _do(self, node: n.DoWhile) -> None:
+        self._stack.append(lambda: self._context.check(node.condition))
         self._push_scoped(node.body)

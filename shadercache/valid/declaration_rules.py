@@ -10,7 +10,7 @@ from shadercache.ast import nodes as n
 from shadercache.ast.walk import EXPRESSIONS, children
 from shadercache.lang.types import FLOAT, INT, Type
 from shadercache.lang.words import MEMORY_QUALIFIERS, PRECISIONS
-from shadercache.sema.blocks import BUILTIN_BLOCK
+from shadercache.sema.declarations import BUILTIN_BLOCK
 from shadercache.sema.facts import Kind, Symbol
 from shadercache.sema.language import NEVER
 from shadercache.sema.problems import ERROR

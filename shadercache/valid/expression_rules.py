@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from shadercache.ast import nodes as n
 from shadercache.lang.builtins import MOST_ELEMENTS, Signature
 from shadercache.lang.types import Type, array_of
+from shadercache.sema.calls import parameters
 from shadercache.sema.expression_types import is_runtime_array
 from shadercache.sema.facts import Symbol
-from shadercache.sema.overloads import parameters
 from shadercache.sema.problems import ERROR
 from shadercache.valid.suspect import Finding, Suspect
 

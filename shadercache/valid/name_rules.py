@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from shadercache.ast import nodes as n
 from shadercache.lang.builtins import MOST_ELEMENTS, BuiltinVariable
-from shadercache.sema.blocks import BUILTIN_BLOCK
+from shadercache.sema.declarations import BUILTIN_BLOCK
 from shadercache.sema.facts import Symbol
 from shadercache.sema.language import NEVER
 from shadercache.sema.problems import ERROR

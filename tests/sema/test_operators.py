@@ -10,9 +10,8 @@ from sema.glslang import PROBED, PROBES, TOOL, bad_lines, probe
 from sema.tools import checked
 
 from shadercache.lang.types import BOOL, Type, builtin_type
-from shadercache.sema.constructors import construct_problem
 from shadercache.sema.conversions import Conversions
-from shadercache.sema.operators import binary_type, unary_type
+from shadercache.sema.operators import binary_type, construct_problem, unary_type
 
 pytestmark = pytest.mark.skipif(TOOL is None, reason="glslangValidator is not installed")
 
