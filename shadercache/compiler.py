@@ -65,7 +65,7 @@ from shadercache.front.read_options import ReadOptions
 from shadercache.front.webgl import is_webgl
 from shadercache.manifest.build import build_manifest, needed_manifest, original_manifest
 from shadercache.manifest.model import Manifest, NeededManifest, OriginalManifest
-from shadercache.manifest.setting import Setting
+from shadercache.manifest.sentences import Setting
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.infer import infer
 from shadercache.source import Source

@@ -7,7 +7,7 @@ are JSON (:meth:`Configuration.to_json`), and :attr:`Configuration.key` names th
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import asdict, dataclass, field, fields, is_dataclass, replace
 from hashlib import sha256
 from typing import Any, Literal, TypeAlias, get_args, get_origin, get_type_hints
@@ -190,6 +190,32 @@ class Configuration:
         now = self.refresh
         period, block = period or now.period, block or now.block
         return replace(self, refresh=replace(now, period=period, block=block))
+
+
+@dataclass(frozen=True, slots=True)
+class Assignment:
+    """What is drawn: the name of each object, in the scene's order, and its configuration.
+
+    None: its original draws it.
+    """
+
+    objects: tuple[tuple[str, Configuration | None], ...]
+
+    def with_originals(self, names: Collection[str]) -> Assignment:
+        """The same, but some objects are drawn by their originals."""
+        return Assignment(
+            tuple((name, None if name in names else chosen) for name, chosen in self.objects)
+        )
+
+    def to_json(self) -> list[dict[str, Any]]:
+        """Plain data: each configuration with the objects that have it, null for originals."""
+        groups: dict[Configuration | None, list[str]] = {}
+        for name, chosen in self.objects:
+            groups.setdefault(chosen, []).append(name)
+        return [
+            {"objects": names, "configuration": None if chosen is None else chosen.to_json()}
+            for chosen, names in groups.items()
+        ]
 
 
 def by_every_algorithm(configuration: Configuration) -> tuple[Configuration, ...]:

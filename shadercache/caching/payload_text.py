@@ -22,6 +22,7 @@ def payload_text(layout: Layout, prefix: str, whole: bool, numbers: tuple[str, s
     """
     text, p = _Text(layout, prefix, whole, numbers), prefix
     channel = "uint" if layout.bits else "float"
+    set_valid = " ".join(f"{flag} = value;" for flag in text.flags)
     lines = [
         f"const {channel} {p}no_depth = {numbers[0]};  // of an empty texel: it matches nothing",
         f"const {channel} {p}poison_depth = {numbers[1]};  // depth of what must not be reused",
@@ -31,7 +32,7 @@ def payload_text(layout: Layout, prefix: str, whole: bool, numbers: tuple[str, s
         f"void {p}TAKE() {{ {text.taken()} }}",
         f"void {p}VALUE() {{ {text.value()} }}",
         f"bool {p}VALID() {{ return {text.valid}; }}",
-        f"void {p}SET_VALID(bool value) {{ {text.set_valid()} }}",
+        f"void {p}SET_VALID(bool value) {{ {set_valid} }}",
         *text.packing(),
         *text.extras(),
     ]
@@ -48,8 +49,6 @@ class _Text:
         self.texels = [f"{prefix}texel", f"{prefix}texel_2"]
         self.vector = "uvec4" if layout.bits else "vec4"
 
-    # --- variables ---
-
     def variables(self) -> Iterator[str]:
         """The payloads, and where not every fragment has them, whether it has."""
         precisions = self.layout.precisions or (None,) * len(self.payloads)
@@ -61,20 +60,13 @@ class _Text:
             for flag in self.flags:
                 yield f"bool {flag} = false;  // is there a payload to store?"
 
-    def set_valid(self) -> str:
-        """Statements that set whether there are payloads to a ``value``."""
-        return " ".join(f"{flag} = value;" for flag in self.flags)
-
     def masks(self) -> Iterator[str]:
         """The channels that hold integers or booleans."""
-        if self.layout.bits:
-            for target, name in enumerate(("discrete", "discrete_2")):
-                marks = self.layout.integers(target)
-                parts = ", ".join("0xFFFFFFFFu" if mark else "0u" for mark in marks)
-                mask = f"uvec4({parts})" if any(marks) else "uvec4(0u)"
-                yield f"const uvec4 {self.prefix}{name} = {mask};  // bits that are no float's"
-
-    # --- from texels ---
+        for texel, name in enumerate(("discrete", "discrete_2") if self.layout.bits else ()):
+            marks = self.layout.integers(texel)
+            parts = ", ".join("0xFFFFFFFFu" if mark else "0u" for mark in marks)
+            mask = f"uvec4({parts})" if any(marks) else "uvec4(0u)"
+            yield f"const uvec4 {self.prefix}{name} = {mask};  // bits that are no float's"
 
     def unpacked(self) -> str:
         """The assignment of each payload from the texels."""
@@ -92,17 +84,17 @@ class _Text:
 
     def _unpacked(self, kind: Type, leaves: Iterator[Leaf]) -> str:
         """An expression of ``kind`` from the texels, for the next of the leaves."""
-        if kind.is_array:
-            parts = [self._unpacked(kind.element, leaves) for _ in range(kind.dims[0] or 0)]
-            return f"{kind}({', '.join(parts)})"
-        if kind.struct is not None:
-            parts = [self._unpacked(field, leaves) for field in kind.struct.fields.values()]
-            return f"{kind}({', '.join(parts)})"
-        found = [self._fetched(next(leaves)) for _ in range(kind.cols)]
-        parts = [part for column in found for part in column]
-        # Only floats and unsigned integers need no conversion from what a channel holds.
-        plain = kind.cols == len(parts) == 1 and kind.base in ("float", "uint")
-        return parts[0] if plain else f"{kind}({', '.join(parts)})"
+        if kind.is_array or kind.struct is not None:
+            fields = kind.struct.fields.values() if kind.struct is not None else ()
+            inside = [kind.element] * (kind.dims[0] or 0) if kind.is_array else fields
+            parts = [self._unpacked(part, leaves) for part in inside]
+        else:
+            columns = [self._fetched(next(leaves)) for _ in range(kind.cols)]
+            parts = [part for column in columns for part in column]
+            # Only floats and unsigned integers need no conversion from what a channel holds.
+            if kind.cols == len(parts) == 1 and kind.base in ("float", "uint"):
+                return parts[0]
+        return f"{kind}({', '.join(parts)})"
 
     def _fetched(self, leaf: Leaf) -> list[str]:
         parts: list[str] = []
@@ -123,8 +115,6 @@ class _Text:
                 text = f"uintBitsToFloat({text})"
             params = f"{self.vector} first, {self.vector} second"
             yield (f"{extra.type} {self.prefix}{extra.name.upper()}({params}) {{ return {text}; }}")
-
-    # --- to texels ---
 
     def packing(self) -> Iterator[str]:
         """Functions that make the texels to store, and words for them without the depth.

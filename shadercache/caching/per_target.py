@@ -50,22 +50,11 @@ class PerTarget:
     def __init__(
         self, decls: Sequence[n.Decl], layout: Layout, filler: Filler, prefix: str
     ) -> None:
-        self._texts = _Texts(decls, layout, prefix)
-        self._typer = _Typer(self._texts, filler)
-
-    def __call__(self, decl: n.Decl) -> list[n.Decl]:
-        return [self._typer.rewrite(item) for item in _Doubler(self._texts, decl).doubled()]
-
-
-class _Texts:
-    """What is there of each texture of a layout."""
-
-    def __init__(self, decls: Sequence[n.Decl], layout: Layout, prefix: str) -> None:
         self.layout, self.prefix = layout, prefix
         words = _TYPES_OF_BITS if layout.bits else _TYPES
         self.types = {prefix + word: kind for word, kind in words.items()}
-        self.each = frozenset(prefix + word for word in _EACH)
-        self.shared = {
+        self._each = frozenset(prefix + word for word in _EACH)
+        self._shared = {
             *(prefix + word for word in ("discrete", "pack", "PACKED")),
             *(d.declarators[0].name for d in decls if isinstance(d, n.VarDecl) and self.is_each(d)),
         }
@@ -75,34 +64,38 @@ class _Texts:
             if isinstance(decl, n.FunctionDef)
         }
         """Of each function the parameters that are there for each texture."""
+        self._typer = _Typer(self, filler)
+
+    def __call__(self, decl: n.Decl) -> list[n.Decl]:
+        return [self._typer.rewrite(one) for one in _Doubler(self, decl).doubled()]
 
     def is_each(self, decl: n.VarDecl | n.Param) -> bool:
-        return decl.type.name in self.each
+        return decl.type.name in self._each
 
     def names(self, decl: n.Decl) -> set[str]:
         """The variables in a declaration that are there for each texture."""
-        found = set(self.shared)
-        for item in walk(decl):
-            if isinstance(item, n.VarDecl) and self.is_each(item):
-                found.update(one.name for one in item.declarators)
-            elif isinstance(item, n.Param) and self.is_each(item):
-                found.add(item.name or "")
-        return found
+        names = set(self._shared)
+        for node in walk(decl):
+            if isinstance(node, n.VarDecl) and self.is_each(node):
+                names.update(declarator.name for declarator in node.declarators)
+            elif isinstance(node, n.Param) and self.is_each(node):
+                names.add(node.name or "")
+        return names
 
 
 class _Doubler(Rewriter):
     """Has twice what is there of each of two textures."""
 
-    def __init__(self, texts: _Texts, decl: n.Decl) -> None:
-        self._texts, self._decl = texts, decl
-        self._two = texts.layout.second
-        self._names = texts.names(decl)
+    def __init__(self, target: PerTarget, decl: n.Decl) -> None:
+        self._target, self._decl = target, decl
+        self._two = target.layout.second
+        self._names = target.names(decl)
         self._second = {name: f"{name}_2" for name in self._names}
-        self._floats, self._integers = texts.prefix + "ANY_FLOATS", texts.prefix + "IF_INTEGERS"
+        self._floats, self._integers = target.prefix + "ANY_FLOATS", target.prefix + "IF_INTEGERS"
 
     def doubled(self) -> Sequence[n.Decl]:
         decl = self.rewrite(self._decl)
-        again = isinstance(decl, n.VarDecl) and self._texts.is_each(decl) and self._two
+        again = isinstance(decl, n.VarDecl) and self._target.is_each(decl) and self._two
         return self._both(decl) if again else [decl]
 
     def _both(self, node: N) -> list[N]:
@@ -111,19 +104,19 @@ class _Doubler(Rewriter):
     def statement(self, node: n.Stmt, original: n.Stmt) -> n.Stmt | Sequence[n.Stmt]:
         if self._two:
             match node:
-                case n.DeclStmt(decl=n.VarDecl() as decl) if self._texts.is_each(decl):
+                case n.DeclStmt(decl=n.VarDecl() as decl) if self._target.is_each(decl):
                     return self._both(node)
                 case n.ExprStmt(expr=n.Assign(target=n.Name(name=name))) if name in self._names:
                     return self._both(node)
         match node:
             case n.If(condition=n.Call(name=name, args=(condition,))) if name == self._integers:
                 both = self._both(replace(node, condition=condition))
-                return [one for at, one in enumerate(both) if self._texts.layout.has_integers(at)]
+                return [one for at, one in enumerate(both) if self._target.layout.has_integers(at)]
         return node
 
     def other(self, node: n.Node, original: n.Node) -> n.Node:
         if isinstance(node, n.FunctionProto) and self._two:
-            places = self._texts.places.get(node.name, [])
+            places = self._target.places.get(node.name, [])
             return replace(node, params=self._beside(node.params, places))
         return node
 
@@ -131,7 +124,7 @@ class _Doubler(Rewriter):
         if isinstance(node, n.Call):
             if node.name == self._floats:
                 return self._any(node.args[0])
-            if self._two and (places := self._texts.places.get(node.name)):
+            if self._two and (places := self._target.places.get(node.name)):
                 return replace(node, args=self._beside(node.args, places))
         return node
 
@@ -142,23 +135,23 @@ class _Doubler(Rewriter):
     def _any(self, condition: n.Expr) -> n.Expr:
         """A condition asked of each texture that holds floats: is it true of any?"""
         first, second = self._both(condition)
-        more = self._texts.layout.has_floats(1)
+        more = self._target.layout.has_floats(1)
         return n.Binary(NOWHERE, "||", first, second) if more else first
 
 
 class _Typer(Rewriter):
     """Puts types in, and what the late words come to for one of the textures."""
 
-    def __init__(self, texts: _Texts, filler: Filler) -> None:
-        self._texts, self._filler = texts, filler
+    def __init__(self, target: PerTarget, filler: Filler) -> None:
+        self._target, self._filler = target, filler
         self._marks = {
-            f"{texts.prefix}discrete{'_2' * target}": texts.layout.integers(target)
-            for target in range(2)
+            f"{target.prefix}discrete{'_2' * texel}": target.layout.integers(texel)
+            for texel in range(2)
         }
 
     def other(self, node: n.Node, original: n.Node) -> n.Node:
-        if isinstance(node, n.TypeSpec) and node.name in self._texts.types:
-            return replace(node, name=self._texts.types[node.name])
+        if isinstance(node, n.TypeSpec) and node.name in self._target.types:
+            return replace(node, name=self._target.types[node.name])
         return node
 
     def expression(self, node: n.Expr, original: n.Expr) -> n.Expr:

@@ -6,8 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from shadercache.caching.algorithms import NAMES
-from shadercache.caching.assignment import Assignment
-from shadercache.caching.configuration import Configuration, Mode, by_every_algorithm
+from shadercache.caching.configuration import Assignment, Configuration, Mode, by_every_algorithm
 from shadercache.compiler import Analysis, emit_original, rewrite
 from shadercache.linking.scene_shaders import analyse_scene, with_aliases
 from shadercache.render.bundle import Bundle

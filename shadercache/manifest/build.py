@@ -22,9 +22,7 @@ from shadercache.manifest.interface import InputEntry
 from shadercache.manifest.kinds import TargetName
 from shadercache.manifest.pass_model import DepthFunctionName, DepthFunctions, PassEntry
 from shadercache.manifest.reflection import declared_inputs
-from shadercache.manifest.relies import relies_on
-from shadercache.manifest.sentences import frame_sentences, reset_sentences
-from shadercache.manifest.setting import Setting
+from shadercache.manifest.sentences import Setting, frame_sentences, relies_on, reset_sentences
 from shadercache.manifest.state import state_of
 from shadercache.manifest.uniforms import added_uniforms
 from shadercache.source import Source

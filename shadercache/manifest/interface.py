@@ -23,6 +23,10 @@ Component: TypeAlias = Annotated[
     Literal["float", "int", "uint"],
     Meta(description="of a texel's numbers, as the shader has them"),
 ]
+Location: TypeAlias = Annotated[
+    Unsigned | None,
+    Meta(description="as it is declared; null: each program has one of its own choice"),
+]
 Binding: TypeAlias = Annotated[
     Unsigned | None,
     Meta(description="as it is declared; null: texture or image unit 0 when left alone"),
@@ -81,19 +85,13 @@ class _Variable(ManifestPart, frozen=True, kw_only=True):
 class AttributeInput(_Variable, frozen=True, kw_only=True, tag_field="kind", tag="attribute"):
     """A vertex attribute."""
 
-    location: Annotated[
-        Unsigned | None,
-        Meta(description="as it is declared; null: each program has one of its own choice"),
-    ]
+    location: Location
 
 
 class UniformInput(_Variable, frozen=True, kw_only=True, tag_field="kind", tag="uniform"):
     """A uniform that is no texture, outside of blocks."""
 
-    location: Annotated[
-        Unsigned | None,
-        Meta(description="as it is declared; null: each program has one of its own choice"),
-    ]
+    location: Location
     default: Annotated[
         tuple[float, ...] | str | UnsetType,
         Meta(

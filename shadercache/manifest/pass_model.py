@@ -202,7 +202,7 @@ class RefusedEntry(ManifestPart, frozen=True, kw_only=True):
     reason: Words
 
 
-class StateEntry(ManifestPart, frozen=True, kw_only=True):
+class StateEntry(ManifestPart, frozen=True):
     """Something an engine sets of the pipeline, and what it must be."""
 
     state: Words

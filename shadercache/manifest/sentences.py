@@ -1,12 +1,37 @@
-"""What an engine does each frame, and on a reset, in sentences."""
+"""What an engine does each frame and on a reset, and what the variants take for granted."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from shadercache.analysis.mapping import PREVIOUS_CLIP, MappingKind
 from shadercache.caching.algorithms import algorithm
 from shadercache.caching.configuration import Configuration, Refresh
 from shadercache.emit.program_set import ProgramSet
-from shadercache.manifest.interface import UniformBlockInput
-from shadercache.manifest.setting import Setting
+from shadercache.manifest.interface import InputEntry, UniformBlockInput
+from shadercache.manifest.model import DependencyEntry
+from shadercache.source import Source
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """The shaders' sources, where payloads are found, what is drawn, and what an engine gives.
+
+    ``inputs`` are those of the user's shaders; ``depends_on`` those of the payload; ``unchanged``:
+    while which inputs do not change is reuse exact? (``None``: not said.) ``renamed`` leads from
+    the user's names to the variants'.
+    """
+
+    fragment: Source
+    vertex: Source
+    mapping: MappingKind
+    full_screen: bool
+    inputs: tuple[InputEntry, ...]
+    depends_on: tuple[DependencyEntry, ...]
+    unchanged: tuple[str, ...] | None
+    renamed: Mapping[str, str]
+
 
 FRAME = (
     "Swap the two caches: what was written in the last frame is the previous cache now.",
@@ -100,6 +125,35 @@ RESET_UNIFORMS = (
 RESET_TWINS = "What is a twin of the last frame may have any value in the draws of a reset."
 
 
+WHOLE_TARGET = "a viewport that covers the whole target and begins at (0, 0), as large as the cache"
+PART_OF_TARGET = "a viewport inside of the target, which is as large as the cache"
+
+ONE_VIEW = "one view: each view or target has caches and last values of its own"
+
+RELIES_ON = (
+    "opaque geometry, drawn without blending, alpha to coverage or multisampling",
+    "the depth function 'less' in the application, with depth cleared to 1; for any other, "
+    "depth_functions says what the passes' are and what depth is cleared to",
+    "one colour output; colours are written as the shader computes them, with no conversion to "
+    "sRGB between the passes",
+    WHOLE_TARGET,
+    "the same geometry, in the same order, in every pass of a frame",
+    ONE_VIEW,
+)
+
+RELIES_ON_FULL_SCREEN = (
+    "no blending, alpha to coverage or multisampling",
+    "a depth buffer that nothing else is drawn into, which all passes of a frame share",
+    *RELIES_ON[2:4],
+    ONE_VIEW,
+)
+
+_LARGEST_OF_HALF = (
+    "payloads up to 65504 in size where cache.format is rgba16f: of larger ones three passes show "
+    "what that holds, in the very frame"
+)
+
+
 def frame_sentences(two_textures: bool, setting: Setting, programs: ProgramSet) -> list[str]:
     """What it does each frame, in order; ``two_textures``: is a payload too wide for one?"""
     blocks = {entry.name for entry in setting.inputs if isinstance(entry, UniformBlockInput)}
@@ -147,3 +201,33 @@ def _age(refresh: Refresh, setting: Setting) -> str:
         "at most a period old where nothing moves, and may be older in motion, since it comes from "
         "pixels with other turns"
     )
+
+
+def relies_on(configuration: Configuration, programs: ProgramSet, setting: Setting) -> list[str]:
+    """What these programs rely on."""
+    chosen = [algorithm(name) for name in programs.variants]
+    relies = list(RELIES_ON_FULL_SCREEN if setting.full_screen else RELIES_ON)
+    if configuration.hit_test.viewport:
+        relies[relies.index(WHOLE_TARGET)] = PART_OF_TARGET
+    if configuration.storage.depth != "ndc" and not setting.full_screen:
+        relies.append("a perspective projection: in an orthographic one w tells no depth")
+    if configuration.storage.format == "rgba16f" and any(item.reads_back for item in chosen):
+        relies.append(_LARGEST_OF_HALF)
+    if programs.unchanging:
+        names = ", ".join(programs.unchanging)
+        relies.append(f"these decide the position and do not change between frames: {names}")
+    relies += programs.numbers
+    if configuration.fetches == "level" and any(item.branches for item in chosen):
+        relies.append(
+            "isotropic texture filtering: one pass asks for levels of detail, then fetches at these"
+        )
+    return [*relies, *_of_mapping(setting)]
+
+
+def _of_mapping(setting: Setting) -> list[str]:
+    if setting.mapping == "user":
+        return [f"{PREVIOUS_CLIP}() says where the last frame showed what a pixel shows now"]
+    if setting.unchanged:
+        names = ", ".join(setting.unchanged)
+        return [f"reuse is exact while these do not change: {names}"]
+    return []

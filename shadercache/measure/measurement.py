@@ -9,8 +9,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from shadercache.caching.assignment import Assignment
-from shadercache.caching.configuration import Configuration
+from shadercache.caching.configuration import Assignment, Configuration
 from shadercache.measure.image_error import ErrorStats, Pixels
 from shadercache.measure.statistics import Ratio, StopRule, Timing
 

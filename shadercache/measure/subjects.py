@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from typing import Protocol
 
-from shadercache.caching.assignment import Assignment
-from shadercache.caching.configuration import Configuration
+from shadercache.caching.configuration import Assignment, Configuration
 from shadercache.linking.linker import Linker
 from shadercache.render.bundle import Bundle
 from shadercache.render.linked_object import LinkedObject

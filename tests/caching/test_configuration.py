@@ -8,8 +8,7 @@ from typing import Any
 
 import pytest
 
-from shadercache.caching.assignment import Assignment
-from shadercache.caching.configuration import Configuration
+from shadercache.caching.configuration import Assignment, Configuration
 from shadercache.diagnostics import InputError
 from tests.configured import DEFAULT, configured
 
