@@ -29,8 +29,7 @@ class Twins:
 
     def __init__(self, sliced: n.Module, prefix: str) -> None:
         self._slice, self._prefix = sliced, prefix
-        used = names_in(sliced)
-        self._read_back = sorted((used & OUTPUTS) - {POSITION})
+        self._read_back = sorted((names_in(sliced) & OUTPUTS) - {POSITION})
 
     def uniforms(self) -> dict[str, str]:
         """The uniforms of the slice, and their twins for the previous frame."""
@@ -72,9 +71,9 @@ class Twins:
         dims: n.Dims = ()
         if known.type.is_array:
             dims = (self._size(name) or n.Literal(NOWHERE, str(MOST_ELEMENTS[name])),)
-        item = n.Declarator(NOWHERE, self._twin(name), dims)
+        twin = n.Declarator(NOWHERE, self._twin(name), dims)
         kind = n.TypeSpec(NOWHERE, known.type.name)
-        return n.VarDecl(NOWHERE, n.NO_QUALIFIERS, kind, (item,))
+        return n.VarDecl(NOWHERE, n.NO_QUALIFIERS, kind, (twin,))
 
     def _size(self, name: str) -> n.Expr | None:
         """How long the shader says that a built-in array is."""
@@ -105,13 +104,8 @@ def is_builtin_output(decl: n.Decl) -> bool:
 
 
 def _is_twinned_uniform(decl: n.Decl) -> bool:
-    if isinstance(decl, n.BlockDecl):
-        return decl.qualifiers.has("uniform")
-    return (
-        isinstance(decl, n.VarDecl)
-        and decl.qualifiers.has("uniform")
-        and not is_opaque_uniform(decl)
-    )
+    declares = isinstance(decl, n.BlockDecl | n.VarDecl) and decl.qualifiers.has("uniform")
+    return declares and not is_opaque_uniform(decl)
 
 
 def _is_twinned(decl: n.Decl) -> bool:
@@ -137,8 +131,8 @@ def _unplaced(decl: n.Decl) -> n.Decl:
         fields = decl.fields
         if decl.qualifiers.has("out"):
             fields = tuple(replace(f, qualifiers=_nowhere(f.qualifiers)) for f in fields)
-        return replace(decl, qualifiers=_nowhere(decl.qualifiers), fields=fields)
-    if isinstance(decl, n.VarDecl):
+        decl = replace(decl, fields=fields)
+    if isinstance(decl, n.BlockDecl | n.VarDecl):
         return replace(decl, qualifiers=_nowhere(decl.qualifiers))
     return decl
 

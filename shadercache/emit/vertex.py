@@ -53,22 +53,21 @@ class VertexEmitter:
         """The vertex shader for a fragment shader: exactly the varyings which that one reads."""
         kept: dict[frozenset[str], Shader] = self.memo.table("vertex shaders")
         inputs = frozenset(fragment.inputs)
-        found = kept.get(inputs)
-        if found is None:
-            found = kept[inputs] = self._for_inputs(fragment)
-        return found
+        if inputs not in kept:
+            kept[inputs] = self._for_inputs(inputs)
+        return kept[inputs]
 
-    def _for_inputs(self, fragment: Shader) -> Shader:
-        own = {self.prefix + "current", self.prefix + "previous"}.intersection(fragment.inputs)
+    def _for_inputs(self, inputs: frozenset[str]) -> Shader:
+        own = {self.prefix + "current", self.prefix + "previous"} & inputs
         module = self._extended() if own else self.module
         written = EffectTable(self.module, self.memo).summary("main").writes
-        wanted = self._outputs(fragment.inputs)
+        wanted = self._outputs(inputs)
         wanted |= {POSITION} | {name for name in written if name.startswith("gl_")}
-        made = remove_dead(module, wanted, self.memo)
+        needed = remove_dead(module, wanted, self.memo)
         # Undefined, the position of the last frame would be a cache without hits.
-        computed = EffectTable(made, self.memo).summary("main").writes
+        computed = EffectTable(needed, self.memo).summary("main").writes
         assert own <= computed, "a vertex program without the position of the last frame"
-        return interface(_invariant(made))
+        return interface(_invariant(needed))
 
     def previous_twins(self) -> dict[str, str]:
         """The uniforms that the position depends on, and their twins for the previous frame.
@@ -82,15 +81,15 @@ class VertexEmitter:
         they must not change."""
         if self.mapping != "surface":
             return ()
-        found: list[str] = []
+        names: list[str] = []
         for decl in self._slice().decls:
             if isinstance(decl, n.BlockDecl) and decl.qualifiers.has("buffer"):
-                found.append(decl.name)
+                names.append(decl.name)
             elif isinstance(decl, n.VarDecl) and (
                 decl.qualifiers.has("in") or is_opaque_uniform(decl)
             ):
-                found += [item.name for item in decl.declarators]
-        return tuple(found)
+                names += [declarator.name for declarator in decl.declarators]
+        return tuple(names)
 
     def numbers(self) -> tuple[str, ...]:
         """What has to hold of the built-in inputs that the previous position depends on."""
@@ -108,7 +107,8 @@ class VertexEmitter:
     def sources(self, varyings: Iterable[str]) -> frozenset[str]:
         """The same of the varyings alone, and the built-in inputs among them."""
         sliced = self._slice(varyings)
-        return _inputs(sliced) | {name for name in names_in(sliced) if _is_builtin_input(name)}
+        builtins = (name for name in names_in(sliced) if variable_fate(name) is not None)
+        return _inputs(sliced).union(name for name in builtins if name not in OUTPUTS)
 
     def _outputs(self, inputs: Iterable[str]) -> set[str]:
         """What the vertex shader calls what the fragment shader reads."""
@@ -123,18 +123,17 @@ class VertexEmitter:
         return remove_dead(self.module, self._outputs(names), self.memo)
 
     def _extended(self) -> n.Module:
-        main = rename_function(self.module, "main", self.prefix + "vertex")
-        part = vertex_part(self.prefix)
-        variables = [d for d in part if isinstance(d, n.VarDecl)]
-        functions = [d for d in part if isinstance(d, n.FunctionDef)]
-        return merge(self.module, (*main.decls, *self._twins().decls()), variables, functions)
+        """The shader with its ``main`` as a function of the runtime's, and its twins."""
+        names = {"main": self.prefix + "vertex"}
+        user = (
+            rename(decl, names) if "main" in declared_names(decl) else decl
+            for decl in self.module.decls
+        )
+        twins = self._twins().decls()
+        return merge(self.module, (*user, *twins), vertex_part(self.prefix))
 
     def _twins(self) -> Twins:
         return Twins(self._slice(), self.prefix)
-
-
-def _is_builtin_input(name: str) -> bool:
-    return variable_fate(name) is not None and name not in OUTPUTS
 
 
 def _inputs(module: n.Module) -> frozenset[str]:
@@ -146,14 +145,6 @@ def _inputs(module: n.Module) -> frozenset[str]:
         and decl.qualifiers.has("in", "uniform", "buffer")
         for name in declared_names(decl)
     )
-
-
-def rename_function(module: n.Module, old: str, new: str) -> n.Module:
-    """The module with one function renamed, at its definition and prototypes."""
-    decls = tuple(
-        rename(decl, {old: new}) if old in declared_names(decl) else decl for decl in module.decls
-    )
-    return replace(module, decls=decls)
 
 
 def _invariant(module: n.Module) -> n.Module:
