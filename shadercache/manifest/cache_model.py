@@ -6,7 +6,7 @@ from typing import Annotated, Literal, TypeAlias
 
 from msgspec import UNSET, Meta, UnsetType
 
-from shadercache.manifest.kinds import Channel, GlslType, Line, ManifestPart, Words
+from shadercache.manifest import kinds
 
 TextureFormat: TypeAlias = Literal[
     "r16f",
@@ -25,7 +25,7 @@ Texel: TypeAlias = Annotated[
 ]
 
 Extras: TypeAlias = Annotated[
-    dict[str, Channel] | UnsetType,
+    dict[str, kinds.Channel] | UnsetType,
     Meta(
         description="what is kept beside the payload, and in which channel: the object's id, its "
         "age"
@@ -33,7 +33,7 @@ Extras: TypeAlias = Annotated[
 ]
 
 
-class CacheChannels(ManifestPart, frozen=True, kw_only=True):
+class CacheChannels(kinds.ManifestPart, frozen=True, kw_only=True):
     """What lies in which channel of the cache."""
 
     payload: Literal["x", "xy", "xyz"]
@@ -41,14 +41,14 @@ class CacheChannels(ManifestPart, frozen=True, kw_only=True):
     extras: Extras = UNSET
 
 
-class SecondChannels(ManifestPart, frozen=True, kw_only=True):
+class SecondChannels(kinds.ManifestPart, frozen=True, kw_only=True):
     """What lies in which channel of the second texture."""
 
     payload: Literal["x", "xy", "xyz", "xyzw"] | UnsetType = UNSET
     extras: Extras = UNSET
 
 
-class SecondEntry(ManifestPart, frozen=True, kw_only=True):
+class SecondEntry(kinds.ManifestPart, frozen=True, kw_only=True):
     """Where a payload is too wide for one texture: a second pair of textures, made, swapped,
     sampled and cleared with the first."""
 
@@ -57,7 +57,7 @@ class SecondEntry(ManifestPart, frozen=True, kw_only=True):
     channels: SecondChannels
 
 
-class CacheEntry(ManifestPart, frozen=True, kw_only=True):
+class CacheEntry(kinds.ManifestPart, frozen=True, kw_only=True):
     """The textures that keep what is cached."""
 
     format: Annotated[
@@ -89,7 +89,7 @@ class CacheEntry(ManifestPart, frozen=True, kw_only=True):
     second: SecondEntry | UnsetType = UNSET
 
 
-class TargetEntry(ManifestPart, frozen=True, kw_only=True):
+class TargetEntry(kinds.ManifestPart, frozen=True, kw_only=True):
     """What passes draw into."""
 
     format: Annotated[
@@ -98,7 +98,7 @@ class TargetEntry(ManifestPart, frozen=True, kw_only=True):
     ]
 
 
-class PlacesEntry(ManifestPart, frozen=True, kw_only=True):
+class PlacesEntry(kinds.ManifestPart, frozen=True, kw_only=True):
     """Where its scalars lie, in the order of a constructor's arguments: first those in the cache,
     then those in its second texture."""
 
@@ -106,22 +106,22 @@ class PlacesEntry(ManifestPart, frozen=True, kw_only=True):
     second: Literal["x", "xy", "xyz", "xyzw", "y", "yz", "yzw", "z", "zw", "w"] | UnsetType = UNSET
 
 
-class SpanEntry(ManifestPart, frozen=True, kw_only=True):
+class SpanEntry(kinds.ManifestPart, frozen=True, kw_only=True):
     """Where it stands; lines and columns start at 1, the end is exclusive."""
 
-    line: Line
-    column: Line
-    end_line: Line
-    end_column: Line
+    line: kinds.Line
+    column: kinds.Line
+    end_line: kinds.Line
+    end_column: kinds.Line
 
 
-class NodeEntry(ManifestPart, frozen=True, kw_only=True):
+class NodeEntry(kinds.ManifestPart, frozen=True, kw_only=True):
     """A value that is cached."""
 
-    id: Words
-    path: Annotated[Words, Meta(description="call path, outermost function first")]
-    text: Annotated[Words, Meta(description="the expression as it was written")]
-    type: GlslType
+    id: kinds.Words
+    path: Annotated[kinds.Words, Meta(description="call path, outermost function first")]
+    text: Annotated[kinds.Words, Meta(description="the expression as it was written")]
+    type: kinds.GlslType
     span: SpanEntry
     channels: Annotated[PlacesEntry, Meta(extra_json_schema={"minProperties": 1})]
     conditional: Annotated[

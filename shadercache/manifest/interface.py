@@ -6,17 +6,7 @@ from typing import Annotated, Literal, TypeAlias
 
 from msgspec import UNSET, Meta, UnsetType
 
-from shadercache.manifest.kinds import (
-    UNIQUE,
-    Dims,
-    GlslType,
-    Identifier,
-    ManifestPart,
-    Size,
-    StageName,
-    Unsigned,
-    Words,
-)
+from shadercache.manifest import kinds
 
 Dimension: TypeAlias = Literal["1D", "2D", "3D", "cube", "rectangle", "buffer"]
 Component: TypeAlias = Annotated[
@@ -24,27 +14,27 @@ Component: TypeAlias = Annotated[
     Meta(description="of a texel's numbers, as the shader has them"),
 ]
 Location: TypeAlias = Annotated[
-    Unsigned | None,
+    kinds.Unsigned | None,
     Meta(description="as it is declared; null: each program has one of its own choice"),
 ]
 Binding: TypeAlias = Annotated[
-    Unsigned | None,
+    kinds.Unsigned | None,
     Meta(description="as it is declared; null: texture or image unit 0 when left alone"),
 ]
 Twin: TypeAlias = Annotated[
-    Identifier | UnsetType,
+    kinds.Identifier | UnsetType,
     Meta(
         description="it is the twin of the input of this name, and gets what that one had in the "
         "last frame"
     ),
 ]
 StageNames: TypeAlias = Annotated[
-    tuple[StageName, ...],
-    Meta(description="the stages that declare it", min_length=1, extra_json_schema=UNIQUE),
+    tuple[kinds.StageName, ...],
+    Meta(description="the stages that declare it", min_length=1, extra_json_schema=kinds.UNIQUE),
 ]
 
 
-class MemberEntry(ManifestPart, frozen=True, kw_only=True):
+class MemberEntry(kinds.ManifestPart, frozen=True, kw_only=True):
     """A member of a block or of a struct.
 
     In blocks of packing std140 or std430 the offsets are told: those of a block's members from its
@@ -52,34 +42,34 @@ class MemberEntry(ManifestPart, frozen=True, kw_only=True):
     name.
     """
 
-    name: Identifier
-    type: GlslType
-    dims: Dims = ()
-    offset: Annotated[Unsigned | UnsetType, Meta(description="in bytes")] = UNSET
+    name: kinds.Identifier
+    type: kinds.GlslType
+    dims: kinds.Dims = ()
+    offset: Annotated[kinds.Unsigned | UnsetType, Meta(description="in bytes")] = UNSET
     stride: Annotated[
-        Size | UnsetType,
+        kinds.Size | UnsetType,
         Meta(description="of an array: bytes from one element of the innermost array to the next"),
     ] = UNSET
     matrix_stride: Annotated[
-        Size | UnsetType,
+        kinds.Size | UnsetType,
         Meta(description="of a matrix: bytes from one column (row_major: one row) to the next"),
     ] = UNSET
-    layout: Annotated[Words | UnsetType, Meta(description="what is written in its layout(...)")] = (
-        UNSET
-    )
+    layout: Annotated[
+        kinds.Words | UnsetType, Meta(description="what is written in its layout(...)")
+    ] = UNSET
     read: Annotated[
         bool, Meta(description="of a block's member: false where no program reads it")
     ] = True
     members: Annotated[tuple[MemberEntry, ...], Meta(description="of a struct", min_length=1)] = ()
 
 
-class _Variable(ManifestPart, frozen=True, kw_only=True):
+class _Variable(kinds.ManifestPart, frozen=True, kw_only=True):
     """What all inputs but blocks have."""
 
-    name: Identifier
+    name: kinds.Identifier
     stages: StageNames
-    type: GlslType
-    dims: Dims = ()
+    type: kinds.GlslType
+    dims: kinds.Dims = ()
 
 
 class AttributeInput(_Variable, frozen=True, kw_only=True, tag_field="kind", tag="attribute"):
@@ -134,14 +124,14 @@ class ImageInput(_Texture, frozen=True, kw_only=True, tag_field="kind", tag="ima
 class CounterInput(_Variable, frozen=True, kw_only=True, tag_field="kind", tag="atomic counter"):
     """An atomic counter."""
 
-    binding: Annotated[Unsigned | None, Meta(description="as it is declared")]
+    binding: Annotated[kinds.Unsigned | None, Meta(description="as it is declared")]
 
 
-class _BlockInput(ManifestPart, frozen=True, kw_only=True):
+class _BlockInput(kinds.ManifestPart, frozen=True, kw_only=True):
     """What blocks have."""
 
     name: Annotated[
-        Identifier,
+        kinds.Identifier,
         Meta(
             description="the block's name, by which GL knows it (of an array of blocks: name[0], "
             "name[1], ...)"
@@ -149,21 +139,21 @@ class _BlockInput(ManifestPart, frozen=True, kw_only=True):
     ]
     stages: StageNames
     instance: Annotated[
-        Identifier | None,
+        kinds.Identifier | None,
         Meta(description="by which the shaders know it; null: they know its members"),
     ]
     dims: Annotated[
-        tuple[Size, ...],
+        tuple[kinds.Size, ...],
         Meta(description="sizes of an array of blocks; each element has a buffer"),
     ]
     packing: Literal["shared", "packed", "std140", "std430"]
     matrices: Literal["column_major", "row_major"]
     binding: Annotated[
-        Unsigned | None,
+        kinds.Unsigned | None,
         Meta(description="as it is declared; null: point 0 when left alone, so give it a free one"),
     ]
     size: Annotated[
-        Unsigned | UnsetType,
+        kinds.Unsigned | UnsetType,
         Meta(
             description="bytes that a buffer has to have (and more for an array without a size at "
             "its end); with std140 and std430"

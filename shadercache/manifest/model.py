@@ -10,30 +10,9 @@ from typing import Annotated, Literal, TypeAlias
 
 from msgspec import UNSET, Meta, UnsetType
 
+from shadercache.manifest import kinds, pass_model
 from shadercache.manifest.cache_model import CacheEntry, NodeEntry, TargetEntry
 from shadercache.manifest.interface import InputEntry
-from shadercache.manifest.kinds import (
-    UNIQUE,
-    Identifier,
-    ManifestPart,
-    Sentences,
-    StageName,
-    TargetName,
-    Words,
-)
-from shadercache.manifest.pass_model import (
-    AddedUniform,
-    DebugEntry,
-    DepthFunctionName,
-    DepthFunctions,
-    NeededEntry,
-    ObjectsEntry,
-    PassEntry,
-    RefusedEntry,
-    StateEntry,
-    TriangleEntry,
-    VariantEntry,
-)
 
 SCHEMA_VERSION: Literal[2] = 2
 
@@ -43,28 +22,28 @@ ModeName: TypeAlias = Annotated[
 ]
 
 
-class SourceEntry(ManifestPart, frozen=True, kw_only=True):
+class SourceEntry(kinds.ManifestPart, frozen=True, kw_only=True):
     """A shader that was rewritten."""
 
-    name: Words
+    name: kinds.Words
     sha256: Annotated[str, Meta(pattern="^[0-9a-f]{64}$")]
 
 
-class SourcesEntry(ManifestPart, frozen=True, kw_only=True):
+class SourcesEntry(kinds.ManifestPart, frozen=True, kw_only=True):
     """The shaders that were rewritten."""
 
     fragment: SourceEntry
     vertex: SourceEntry
 
 
-class ColorEntry(ManifestPart, frozen=True, kw_only=True):
+class ColorEntry(kinds.ManifestPart, frozen=True, kw_only=True):
     """The one colour output."""
 
-    output: Identifier
+    output: kinds.Identifier
     location: Literal[0]
 
 
-class DependencyEntry(ManifestPart, frozen=True, kw_only=True):
+class DependencyEntry(kinds.ManifestPart, frozen=True, kw_only=True):
     """Something that the cached values depend on."""
 
     kind: Literal[
@@ -77,21 +56,21 @@ class DependencyEntry(ManifestPart, frozen=True, kw_only=True):
         "storage block",
         "built-in",
     ]
-    name: Identifier
+    name: kinds.Identifier
     stages: Annotated[
-        tuple[StageName, ...],
+        tuple[kinds.StageName, ...],
         Meta(
             description="the stages that read it for the values",
             min_length=1,
-            extra_json_schema=UNIQUE,
+            extra_json_schema=kinds.UNIQUE,
         ),
     ]
     members: Annotated[
-        tuple[Identifier, ...], Meta(description="of a block: these alone", min_length=1)
+        tuple[kinds.Identifier, ...], Meta(description="of a block: these alone", min_length=1)
     ] = ()
 
 
-class MappingEntry(ManifestPart, frozen=True, kw_only=True):
+class MappingEntry(kinds.ManifestPart, frozen=True, kw_only=True):
     """Where a fragment finds what the previous frame stored."""
 
     kind: Annotated[
@@ -102,7 +81,7 @@ class MappingEntry(ManifestPart, frozen=True, kw_only=True):
         ),
     ]
     exact_while_unchanged: Annotated[
-        tuple[Identifier, ...] | UnsetType,
+        tuple[kinds.Identifier, ...] | UnsetType,
         Meta(
             description="with screen: the uniforms, textures and attributes that the value depends "
             "on; while none of them changes reuse is exact, and else what is reused is up to a "
@@ -111,13 +90,13 @@ class MappingEntry(ManifestPart, frozen=True, kw_only=True):
     ] = UNSET
 
 
-class Manifest(ManifestPart, frozen=True, kw_only=True):
+class Manifest(kinds.ManifestPart, frozen=True, kw_only=True):
     """Everything an engine must know to run the variants of one cached value, or of several that
     are cached together. A renderer that knows only this file and the shaders it names can run them.
     """
 
     schema_version: Literal[2]
-    generator: Annotated[Words, Meta(description="program and version that wrote the files")]
+    generator: Annotated[kinds.Words, Meta(description="program and version that wrote the files")]
     source: SourcesEntry
     nodes: Annotated[
         tuple[NodeEntry, ...],
@@ -131,25 +110,25 @@ class Manifest(ManifestPart, frozen=True, kw_only=True):
     color: ColorEntry
     cache: CacheEntry
     targets: Annotated[
-        dict[TargetName, TargetEntry],
+        dict[kinds.TargetName, TargetEntry],
         Meta(description="every target that a pass names; all are as large as the colour target"),
     ]
     uniforms: Annotated[
-        tuple[AddedUniform, ...],
+        tuple[pass_model.AddedUniform, ...],
         Meta(
             description="every uniform that was added, the previous twins apart; none has a "
             "location or binding of its own"
         ),
     ]
     renamed: Annotated[
-        dict[Words, Identifier],
+        dict[kinds.Words, kinds.Identifier],
         Meta(
             description="attribute, uniform or output of the user's text -> its name in the "
             "shaders beside this file, where it is another: in shaders of older versions"
         ),
     ]
     previous: Annotated[
-        dict[Identifier, Identifier],
+        dict[kinds.Identifier, kinds.Identifier],
         Meta(
             description="name -> its twin, which gets what the name's had in the last frame: "
             "uniforms, and of blocks the block and its instance or members (inputs tells them "
@@ -173,46 +152,46 @@ class Manifest(ManifestPart, frozen=True, kw_only=True):
     ]
     mapping: MappingEntry
     draw: Annotated[
-        ObjectsEntry | TriangleEntry,
+        pass_model.ObjectsEntry | pass_model.TriangleEntry,
         Meta(description="what each pass draws"),
     ]
-    original: Annotated[PassEntry, Meta(description="the unchanged shader")]
+    original: Annotated[pass_model.PassEntry, Meta(description="the unchanged shader")]
     geometry: Annotated[
-        PassEntry | UnsetType,
+        pass_model.PassEntry | UnsetType,
         Meta(description="the bare geometry: what no cache can save of the original"),
     ] = UNSET
     variants: Annotated[
-        tuple[VariantEntry, ...],
+        tuple[pass_model.VariantEntry, ...],
         Meta(description="the algorithms; the passes of one are drawn in order", min_length=1),
     ]
     refused: Annotated[
-        tuple[RefusedEntry, ...],
+        tuple[pass_model.RefusedEntry, ...],
         Meta(description="algorithms that these values cannot be cached with"),
     ]
     payload: Annotated[
-        PassEntry,
+        pass_model.PassEntry,
         Meta(
             description="draws the payload alone in place of the colour: what computing it costs; "
             "no part of any variant"
         ),
     ]
-    debug: DebugEntry
-    frame: Annotated[Sentences, Meta(description="what the engine does each frame, in order")]
+    debug: pass_model.DebugEntry
+    frame: Annotated[kinds.Sentences, Meta(description="what the engine does each frame, in order")]
     reset: Annotated[
-        Sentences,
+        kinds.Sentences,
         Meta(description="what it does on the first frame and whenever the last one does not fit"),
     ]
     relies_on: Annotated[
-        tuple[Words, ...], Meta(description="engine state that the variants take for granted")
+        tuple[kinds.Words, ...], Meta(description="engine state that the variants take for granted")
     ]
     state: Annotated[
-        tuple[StateEntry, ...],
+        tuple[pass_model.StateEntry, ...],
         Meta(
             description="what the engine sets of the pipeline while passes are drawn", min_length=1
         ),
     ]
     depth_functions: Annotated[
-        dict[DepthFunctionName, DepthFunctions] | UnsetType,
+        dict[pass_model.DepthFunctionName, pass_model.DepthFunctions] | UnsetType,
         Meta(
             description="an application's depth function -> what 'less' and 'lequal' of a pass are "
             "there, and what depth is cleared to; 'equal' stands for an application that draws "
@@ -222,22 +201,22 @@ class Manifest(ManifestPart, frozen=True, kw_only=True):
     ] = UNSET
 
 
-class OriginalManifest(ManifestPart, frozen=True, kw_only=True):
+class OriginalManifest(kinds.ManifestPart, frozen=True, kw_only=True):
     """How the unchanged shader is drawn: what the harness compares variants with."""
 
     schema_version: Literal[2]
     mode: ModeName
     inputs: tuple[InputEntry, ...]
-    original: PassEntry
+    original: pass_model.PassEntry
 
 
-class NeededManifest(ManifestPart, frozen=True, kw_only=True):
+class NeededManifest(kinds.ManifestPart, frozen=True, kw_only=True):
     """How it is drawn which pixels have payloads."""
 
     schema_version: Literal[2]
     mode: ModeName
     inputs: tuple[InputEntry, ...]
-    needed: NeededEntry
+    needed: pass_model.NeededEntry
 
 
 AnyManifest: TypeAlias = Manifest | OriginalManifest | NeededManifest

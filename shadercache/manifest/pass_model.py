@@ -7,15 +7,7 @@ from typing import Annotated, Literal, TypeAlias
 from msgspec import UNSET, Meta, UnsetType
 
 from shadercache.caching.algorithms import NAMES
-from shadercache.manifest.kinds import (
-    UNIQUE,
-    FileName,
-    Identifier,
-    ManifestPart,
-    ReadName,
-    TargetName,
-    Words,
-)
+from shadercache.manifest import kinds
 
 Role: TypeAlias = Literal[
     "previous-cache",
@@ -60,13 +52,13 @@ Outcomes: TypeAlias = Annotated[
 ]
 
 
-class AddedUniform(ManifestPart, frozen=True, kw_only=True):
+class AddedUniform(kinds.ManifestPart, frozen=True, kw_only=True):
     """A uniform that was added; it has no location or binding of its own."""
 
-    name: Identifier
+    name: kinds.Identifier
     type: Literal["ivec4", "sampler2D", "usampler2D", "int", "float"]
     role: Role
-    meaning: Words
+    meaning: kinds.Words
     unit: str | None
     range: str | None
     default: int | float | None
@@ -75,12 +67,14 @@ class AddedUniform(ManifestPart, frozen=True, kw_only=True):
     ] = UNSET
 
 
-class ObjectsEntry(ManifestPart, frozen=True, kw_only=True, tag_field="geometry", tag="objects"):
+class ObjectsEntry(
+    kinds.ManifestPart, frozen=True, kw_only=True, tag_field="geometry", tag="objects"
+):
     """The engine's own objects."""
 
 
 class TriangleEntry(
-    ManifestPart, frozen=True, kw_only=True, tag_field="geometry", tag="full-screen triangle"
+    kinds.ManifestPart, frozen=True, kw_only=True, tag_field="geometry", tag="full-screen triangle"
 ):
     """One triangle over the whole target, of three vertices without attributes or index."""
 
@@ -88,7 +82,7 @@ class TriangleEntry(
     vertices: Literal[3]
 
 
-class DepthEntry(ManifestPart, frozen=True, kw_only=True):
+class DepthEntry(kinds.ManifestPart, frozen=True, kw_only=True):
     """What a pass does with the depth buffer."""
 
     test: Annotated[
@@ -98,49 +92,53 @@ class DepthEntry(ManifestPart, frozen=True, kw_only=True):
     write: bool
 
 
-class PassEntry(ManifestPart, frozen=True, kw_only=True):
+class PassEntry(kinds.ManifestPart, frozen=True, kw_only=True):
     """One draw of all objects, or of the screen.
 
     What it declares is told by name; each name has one entry in 'inputs' or 'uniforms'.
     """
 
-    name: Annotated[Words, Meta(description="what the pass is called in messages and results")]
-    vertex: Annotated[FileName, Meta(description="file of the vertex shader, beside the manifest")]
+    name: Annotated[
+        kinds.Words, Meta(description="what the pass is called in messages and results")
+    ]
+    vertex: Annotated[
+        kinds.FileName, Meta(description="file of the vertex shader, beside the manifest")
+    ]
     fragment: Annotated[
-        FileName, Meta(description="file of the fragment shader, beside the manifest")
+        kinds.FileName, Meta(description="file of the fragment shader, beside the manifest")
     ]
     targets: Annotated[
-        tuple[TargetName, ...],
+        tuple[kinds.TargetName, ...],
         Meta(
             description="entry i is bound at colour attachment i: the colour target, the cache "
             "that is written in this frame (cache-2: its second texture), or the debug mask (one "
             "float channel)",
             min_length=1,
-            extra_json_schema=UNIQUE,
+            extra_json_schema=kinds.UNIQUE,
         ),
     ]
     depth: DepthEntry
     reads: Annotated[
-        tuple[ReadName, ...],
+        tuple[kinds.ReadName, ...],
         Meta(
             description="caches that the pass samples: that of the last frame, or the one written "
             "in this frame",
-            extra_json_schema=UNIQUE,
+            extra_json_schema=kinds.UNIQUE,
         ),
     ]
     uniforms: Annotated[
-        tuple[Identifier, ...],
+        tuple[kinds.Identifier, ...],
         Meta(
             description="every uniform that the program declares, the user's and the added ones, "
             "and every block",
-            extra_json_schema=UNIQUE,
+            extra_json_schema=kinds.UNIQUE,
         ),
     ]
     attributes: Annotated[
-        tuple[Identifier, ...],
+        tuple[kinds.Identifier, ...],
         Meta(
             description="every vertex attribute that the program declares",
-            extra_json_schema=UNIQUE,
+            extra_json_schema=kinds.UNIQUE,
         ),
     ]
     on_reset: Annotated[bool, Meta(description="whether the pass is drawn on a reset frame")]
@@ -168,7 +166,7 @@ class DebugEntry(PassEntry, frozen=True, kw_only=True):
             "and after; it is cleared like theirs"
         ),
     ]
-    when: Words
+    when: kinds.Words
 
 
 class NeededEntry(PassEntry, frozen=True, kw_only=True):
@@ -180,10 +178,10 @@ class NeededEntry(PassEntry, frozen=True, kw_only=True):
     by_some: bool
 
 
-class VariantEntry(ManifestPart, frozen=True, kw_only=True):
+class VariantEntry(kinds.ManifestPart, frozen=True, kw_only=True):
     """An algorithm; its passes are drawn in order."""
 
-    algorithm: Annotated[Words, Meta(examples=list(NAMES))]
+    algorithm: Annotated[kinds.Words, Meta(examples=list(NAMES))]
     passes: Annotated[
         tuple[PassEntry, ...],
         Meta(
@@ -195,17 +193,17 @@ class VariantEntry(ManifestPart, frozen=True, kw_only=True):
     ]
 
 
-class RefusedEntry(ManifestPart, frozen=True, kw_only=True):
+class RefusedEntry(kinds.ManifestPart, frozen=True, kw_only=True):
     """An algorithm that the values cannot be cached with."""
 
-    algorithm: Words
-    reason: Words
+    algorithm: kinds.Words
+    reason: kinds.Words
 
 
-class StateEntry(ManifestPart, frozen=True):
+class StateEntry(kinds.ManifestPart, frozen=True):
     """Something an engine sets of the pipeline, and what it must be."""
 
-    state: Words
+    state: kinds.Words
     must: Annotated[
         Literal["off", "on", "equal", "fill"],
         Meta(
@@ -213,13 +211,13 @@ class StateEntry(ManifestPart, frozen=True):
             "the shader is drawn without a cache"
         ),
     ]
-    why: Words
+    why: kinds.Words
 
 
 DepthFunctionName: TypeAlias = Literal["less", "lequal", "greater", "gequal", "equal"]
 
 
-class DepthFunctions(ManifestPart, frozen=True, kw_only=True):
+class DepthFunctions(kinds.ManifestPart, frozen=True, kw_only=True):
     """What the depth functions of passes are in an application with another one."""
 
     less: Literal["less", "greater"]
