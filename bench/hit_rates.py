@@ -30,7 +30,7 @@ def curves_of(name: str, options: argparse.Namespace) -> dict[str, Curve]:
     """A curve for each of ``CHOICES``, over the scene's whole path or its first frames."""
     scene, analysis = open_scene(data_path("corpus", name, "scene.toml"))
     (node,) = scene.nodes.values()
-    frames = min(scene.motion.frames, options.frames or scene.motion.frames)
+    frames = min(scene.common.motion.frames, options.frames or scene.common.motion.frames)
     linker = Linker(scene, analysis)
     curves: dict[str, Curve] = {}
     base = Configuration((node,), refresh=Refresh(period=options.period))

@@ -31,7 +31,7 @@ class Busy(VariantSubject):
     def prepare(self, world: RenderScene) -> None:
         """As if something might always be due."""
         super().prepare(world)
-        self.runner._idle = EmptyPasses(Refresh(), world.sample_counter)
+        self.runner.idle = EmptyPasses(Refresh(), world.sample_counter)
 
 
 def main() -> None:
@@ -42,7 +42,8 @@ def main() -> None:
     parser.add_argument("--size", type=int, default=512)
     options = parser.parse_args()
     scene, analysis = open_scene(data_path("corpus", options.scene, "scene.toml"))
-    still = replace(scene, motion=replace(scene.motion, degrees_per_frame=0.0))
+    resting = replace(scene.common.motion, degrees_per_frame=0.0)
+    still = replace(scene, common=replace(scene.common, motion=resting))
     linker = Linker(still, analysis)
     chosen = Configuration((scene.nodes[options.node],), refresh=Refresh("none"))
     idle = subjects_of(linker, options.node, by_every_algorithm(chosen))

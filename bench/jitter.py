@@ -24,8 +24,8 @@ from shadercache.measure.measure import measure
 from shadercache.measure.measurement import MeasureOptions
 from shadercache.measure.subjects import VariantSubject
 from shadercache.paths import data_path
+from shadercache.render.pass_runners import CoverageRunner, render_original
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import CoverageRunner, render_original
 from shadercache.scene.graphics_state import GraphicsState
 
 PLACES = 8
@@ -118,11 +118,13 @@ def main() -> None:
         hit_test=HitTest(epsilon=options.epsilon),
     )
     chosen = with_settings(chosen, options.cache)
-    still = replace(scene, motion=replace(scene.motion, degrees_per_frame=0.0))
+    resting = replace(scene.common.motion, degrees_per_frame=0.0)
+    still = replace(scene, common=replace(scene.common, motion=resting))
     with open_context() as gpu:
         for way, moved in (("at rest", still), ("1 degree", scene)):
             for name, engine in CASES.items():
-                jittered, size = replace(moved, engine=engine), (options.size, options.size)
+                jittered = replace(moved, view=replace(moved.view, engine=engine))
+                size = (options.size, options.size)
                 with RenderScene(gpu, jittered, size, "rgba32f") as world:
                     result = run(world, linker, chosen)
                 print(

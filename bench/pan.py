@@ -44,7 +44,9 @@ def pan(
 ) -> Iterator[VariantRunner]:
     """The picture, with a runner of its two-pass variant in RGBA32F."""
     scene, analysis = open_scene(SHADER, mapping="user")
-    scene = replace(scene, constants={**scene.constants, "u_velocity": velocity})
+    constants = {**scene.common.inputs.constants, "u_velocity": velocity}
+    inputs = replace(scene.common.inputs, constants=constants)
+    scene = replace(scene, common=replace(scene.common, inputs=inputs))
     node = next(node for node in analysis.nodes if node.text == NODE)
     storage = replace(configuration.storage, format="rgba32f")
     linker = Linker(scene, analysis)

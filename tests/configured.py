@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from dataclasses import asdict, replace
 from functools import lru_cache
 from typing import Any, cast
 
 import numpy as np
+from msgspec import UNSET, structs
 from numpy.typing import NDArray
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.caching.algorithms import NAMES
-from shadercache.caching.configuration import Configuration
+from shadercache.caching.configuration import CacheFormat, Configuration
+from shadercache.caching.layout import precision_of
 from shadercache.caching.settings import with_settings
 from shadercache.compiler import Analysis, Emission, rewrite
 from shadercache.linking.linker import Linker
+from shadercache.manifest.model import Manifest
 from shadercache.render.bundle import Bundle
 from shadercache.render.linked_object import LinkedObject
 from shadercache.render.render_scene import RenderScene
@@ -76,7 +79,29 @@ def drawn_by(
     """A scene's objects by a variant of the scene's shader; ``chosen`` as :func:`configured`."""
     found = replace(configured(bundle.configuration, **chosen), algorithm=algorithm)
     linker = linker_of(scene)
-    return linker.link(linker.assign(found), bundle)
+    return linker.link(linker.assign(found), in_format(bundle, found.storage.format))
+
+
+def in_format(bundle: Bundle, form: CacheFormat) -> Bundle:
+    """The bundle with a cache whose floats have another precision."""
+    manifest = bundle.manifest
+    if not isinstance(manifest, Manifest) or bundle.configuration.storage.format == form:
+        return bundle
+    cache, kind = manifest.cache, form.removeprefix("rgba")
+    if cache.format.endswith("ui"):
+        return bundle
+    second = cache.second
+    if second is not UNSET:
+        wide = second.format.rstrip("0123456789f") + kind
+        second = structs.replace(second, format=wide)
+    held = asdict(precision_of(form))
+    added = (
+        structs.replace(item, default=held[item.role]) if item.role in held else item
+        for item in manifest.uniforms
+    )
+    cache = structs.replace(cache, format=form, second=second)
+    changed = structs.replace(manifest, cache=cache, uniforms=tuple(added))
+    return Bundle(changed, bundle.files)
 
 
 def originals(scene: Scene, bundle: Bundle) -> tuple[Bundle, ...]:

@@ -33,8 +33,8 @@ from shadercache.gpu.context import open_context
 from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.measure.result_files import environment, machine_name
 from shadercache.paths import data_path
-from shadercache.scene.animation import Rows
 from shadercache.scene.description import Scene, load_scene
+from shadercache.scene.object_inputs import Rows
 from shadercache.verify.parallel import VerifiedScene, verify_in_parallel
 from shadercache.verify.verdict import MAX_TIES, Difference, Verdict, worst_of
 from shadercache.verify.verifier import Verifier
@@ -143,11 +143,10 @@ def fingerprint(scene: Scene) -> str:
     )
     files = {*code, *data_path("grammars").glob("*"), scene.path}
     for item in scene.parts:
-        of = item.scene
-        given = (of.fragment, of.vertex, of.verify_mesh or of.mesh)
+        given = (item.fragment, item.vertex, item.verify_mesh or item.mesh)
         files |= {path for path in given if path is not None}
-        files |= {texture.path for texture in of.textures.values()}
-        files |= {rows.path for rows in of.animated.values() if isinstance(rows, Rows)}
+        files |= {texture.path for texture in item.inputs.textures.values()}
+        files |= {rows.path for rows in item.inputs.animated.values() if isinstance(rows, Rows)}
     digest = hashlib.sha256()
     for path in sorted(files):
         digest.update(path.name.encode() + b"\0" + path.read_bytes())

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -18,11 +17,12 @@ from shadercache.ast import nodes as n
 from shadercache.compiler import Analysis, Emission, analyse
 from shadercache.front.parse import parse
 from shadercache.gpu.context import Gpu
-from shadercache.linking.scene_shaders import with_aliases
+from shadercache.linking.scene_shaders import with_new_names
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
 from shadercache.scene.description import Scene, load_scene
 from shadercache.source import Source
+from tests.altered import altered
 from tests.cases.scenery import ring
 from tests.configured import configured, rewritten, variant
 
@@ -80,8 +80,8 @@ def made_scene(folder: Path, target: Path) -> Path:
 def scene_of(folder: Path, name: str, analysis: Analysis) -> Scene:
     """The scene of a made folder with one of its pairs."""
     paths = fragment_of(folder, name), folder / f"{name}.vert"
-    scene = replace(load_scene(folder), fragment=paths[0], vertex=paths[1])
-    return with_aliases(scene, analysis.renamed)
+    scene = altered(load_scene(folder), fragment=paths[0], vertex=paths[1])
+    return with_new_names(scene, analysis.renamed)
 
 
 def hit_rate(gpu: Gpu, scene: Scene, analysis: Analysis, text: str) -> float:

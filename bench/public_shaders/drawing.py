@@ -129,7 +129,8 @@ def _draw(original: Source, printed: Source) -> Iterator[NDArray[np.float32]]:
         raised=[SimpleNamespace(module=module, facts=facts)], renamed={}, mapping="screen"
     )
     scene = made_scene(Path(original.name), cast(Analysis, known), Path(vertex.name))
-    scene = replace(scene, attributes={POSITION: "position"})
+    named = replace(scene.common.inputs, attributes={POSITION: "position"})
+    scene = replace(scene, common=replace(scene.common, inputs=named))
     inputs = inputs_of([(module, facts, "fragment")])
     with RenderScene(_gpu(), scene, (32, 32), "rgba32f") as world:
         for text in (original, printed):

@@ -70,7 +70,7 @@ def command(
     analysis.require_all(chosen, unprofitable)
     cached = replace(draw.configured(scene), nodes=tuple(item.id for item in chosen), algorithm=by)
     cached = cached.with_refresh(period, edge)
-    context.obj.show(depth_warnings(cached, scene.camera.near, scene.camera.far))
+    context.obj.show(depth_warnings(cached, scene.view.camera.near, scene.view.camera.far))
     linker = Linker(scene, analysis)
     assignment = linker.assign(cached)
     subject = VariantSubject(label, cached, linker.link(assignment), assignment)

@@ -45,7 +45,7 @@ def _names(scene: Path, fragment: Path) -> bool:
     """Is it the scene of this fragment shader?"""
     from shadercache.scene.description import load_scene
 
-    return load_scene(scene).fragment.samefile(fragment)
+    return load_scene(scene).common.fragment.samefile(fragment)
 
 
 def choose_nodes(
@@ -69,5 +69,5 @@ def configured(
 
     Objects that share a cache are told apart by their numbers, unless ``ids=off`` is said.
     """
-    several = ["ids=on"] if sum(thing.cached for thing in scene.objects) > 1 else []
+    several = ["ids=on"] if sum(thing.caching.on for thing in scene.objects) > 1 else []
     return with_settings(configuration, [*several, *(settings or ())])

@@ -15,24 +15,14 @@ from numpy.typing import NDArray
 from shadercache.diagnostics import input_error
 
 _KINDS = {"16f": "f2", "32f": "f4", "32ui": "u4"}
-_CHANNELS = {"r": 1, "rg": 2, "rgba": 4}
 _FORMATS = {
-    channels + kind: (_CHANNELS[channels], dtype)
+    channels + kind: (len(channels), dtype)
     for kind, dtype in _KINDS.items()
-    for channels in _CHANNELS
+    for channels in ("r", "rg", "rgba")
 }
 _FILTERS = {"linear": moderngl.LINEAR, "nearest": moderngl.NEAREST}
 
 Textures = tuple[moderngl.Texture, ...]
-
-
-def as_precise_as(formats: Sequence[str], wanted: str | None) -> tuple[str, ...]:
-    """The formats with the precision of ``wanted`` (``rgba16f``) where they hold floats."""
-    kind = (wanted or "").removeprefix("rgba")
-    return tuple(
-        form.rstrip("0123456789f") + kind if wanted and form.endswith("f") else form
-        for form in formats
-    )
 
 
 @dataclass(eq=False)
@@ -49,12 +39,17 @@ class _Layer:
             red, green, blue, alpha = value
             self.frame.clear(red, green, blue, alpha)
             return
-        # The result of ``glClear`` is undefined for integers; empty texels are copied instead.
+        # The result of glClear is undefined for integers; empty texels are copied instead.
         if self.empty is None:
             width, height = self.texture.size
             texel = np.array(value[: self.texture.components], self.dtype)
             self.empty = self.texture.ctx.buffer(np.tile(texel, width * height).tobytes())
         self.texture.write(self.empty)
+
+    def read(self) -> NDArray[np.float32]:
+        width, height = self.texture.size
+        data = np.frombuffer(self.texture.read(), self.dtype).reshape(height, width, -1)
+        return data.view(np.float32) if self.dtype.kind == "u" else data.astype(np.float32)
 
     def release(self) -> None:
         if self.empty is not None:
@@ -96,7 +91,7 @@ class CachePair:
         """How all are sampled between texels: ``linear`` or ``nearest`` (else SC021)."""
         if name not in _FILTERS:
             raise input_error("SC021", f"the manifest's cache filter {name!r} is not known")
-        for texture in self.textures():
+        for texture in self.previous + self.current:
             texture.filter = (_FILTERS[name], _FILTERS[name])
 
     def clear_current(self, values: Sequence[Sequence[float]]) -> None:
@@ -106,8 +101,7 @@ class CachePair:
 
     def clear(self, values: Sequence[Sequence[float]]) -> None:
         """Fill all, as on a reset."""
-        self.clear_current(values)
-        for layer, value in zip(self._previous, values, strict=True):
+        for layer, value in zip(self._previous + self._current, (*values, *values), strict=True):
             layer.clear(value)
 
     def swap(self) -> None:
@@ -119,7 +113,7 @@ class CachePair:
 
         Unsigned integers come as the floats of the same bits.
         """
-        return np.concatenate([_read(layer) for layer in self._previous], axis=-1)
+        return np.concatenate([layer.read() for layer in self._previous], axis=-1)
 
     def write_previous(self, values: NDArray[np.float32]) -> None:
         """Replace what the next frame will read by what ``read_previous`` once gave."""
@@ -130,10 +124,6 @@ class CachePair:
             stored = part.view(layer.dtype) if layer.dtype.kind == "u" else part.astype(layer.dtype)
             layer.texture.write(stored.tobytes())
             start = end
-
-    def textures(self) -> Textures:
-        """All textures, in no order."""
-        return self.previous + self.current
 
     def release(self) -> None:
         """Free the GL objects."""
@@ -146,9 +136,3 @@ def _layer(ctx: moderngl.Context, size: tuple[int, int], form: str) -> _Layer:
     texture = ctx.texture(size, components, dtype=dtype)
     texture.repeat_x = texture.repeat_y = False
     return _Layer(texture, ctx.framebuffer([texture]), np.dtype(dtype))
-
-
-def _read(layer: _Layer) -> NDArray[np.float32]:
-    width, height = layer.texture.size
-    data = np.frombuffer(layer.texture.read(), layer.dtype).reshape(height, width, -1)
-    return data.view(np.float32) if layer.dtype.kind == "u" else data.astype(np.float32)

@@ -1,22 +1,26 @@
-"""Open an OpenGL context without a screen and say what it runs on."""
+"""An OpenGL context without a screen: what it runs on, and the state that is set once a frame."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from ctypes import CFUNCTYPE
+from ctypes import CFUNCTYPE, c_uint
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import moderngl
 
 from shadercache.diagnostics import Diagnostic, GraphicsError
 from shadercache.gpu.resource import Resource
+from shadercache.scene.graphics_state import GraphicsState
 
 APT_LINE = "apt-get install -y --no-install-recommends libegl1 libgl1"
 """Brings a software OpenGL to Debian 12/13 and Ubuntu 24.04 (glcontext loads both libraries)."""
 
 _SOFTWARE = ("llvmpipe", "softpipe", "swrast", "swiftshader")
-_SEAMLESS_CUBE_MAPS = 0x884F  # GL_TEXTURE_CUBE_MAP_SEAMLESS; moderngl has no name for it
+# moderngl has no names for GL_TEXTURE_CUBE_MAP_SEAMLESS, GL_LOWER_LEFT and the clip spaces.
+_SEAMLESS_CUBE_MAPS, _LOWER_LEFT = 0x884F, 0x8CA1
+_CLIP = {"symmetric": 0x935E, "zero-to-one": 0x935F}
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,8 +35,7 @@ class Gpu(Resource):
     vendor: str
     version: str
     submit: Callable[[], None]
-    """Hand over what was drawn, without waiting for it (``glFlush``). A renderer on the CPU fills
-    the pixels of one pass while the vertices of the next are processed; elsewhere it is no use."""
+    """Hand over what was drawn, without waiting for it."""
 
     @property
     def is_software(self) -> bool:
@@ -40,7 +43,7 @@ class Gpu(Resource):
         return _is_software(self.renderer)
 
     def describe(self) -> dict[str, Any]:
-        """Renderer, vendor, version and whether it is a software renderer, for result files."""
+        """What result files say of the renderer."""
         return {
             "renderer": self.renderer,
             "vendor": self.vendor,
@@ -64,18 +67,38 @@ def open_context() -> Gpu:
     ctx.enable_direct(_SEAMLESS_CUBE_MAPS)
     info = ctx.info
     renderer = info["GL_RENDERER"]
-    submit = _find_flush(ctx) if _is_software(renderer) else _nothing
-    return Gpu(ctx, renderer, info["GL_VENDOR"], info["GL_VERSION"], submit)
+    # A renderer on the CPU fills the pixels of one pass while the vertices of the next are
+    # processed, if only it has them: so passes are flushed. Elsewhere that is no use.
+    submit = gl_function(ctx, "glFlush") if _is_software(renderer) else None
+    return Gpu(ctx, renderer, info["GL_VENDOR"], info["GL_VERSION"], submit or _nothing)
 
 
 def _is_software(renderer: str) -> bool:
     return any(word in renderer.lower() for word in _SOFTWARE)
 
 
-def _find_flush(ctx: moderngl.Context) -> Callable[[], None]:
-    """``glFlush``, for which moderngl has no name."""
-    address = ctx.mglo._context.load("glFlush")
-    return CFUNCTYPE(None)(address) if address else _nothing
+def apply_state(ctx: moderngl.Context, state: GraphicsState) -> None:
+    """Set of an application's state what is not set with each draw.
+
+    Raises:
+        GraphicsError: SC605, the driver has no clip control.
+    """
+    ctx.polygon_offset = state.offset
+    control = gl_function(ctx, "glClipControl", c_uint, c_uint)
+    if control is not None:
+        control(_LOWER_LEFT, _CLIP[state.clip])
+    elif state.clip != "symmetric":
+        message = "this OpenGL has no glClipControl (4.5 has it)"
+        raise GraphicsError(Diagnostic("SC605", message))
+
+
+@lru_cache(maxsize=8)
+def gl_function(
+    ctx: moderngl.Context, name: str, *arguments: type[c_uint]
+) -> Callable[..., None] | None:
+    """A function of GL that moderngl does not have; None where the driver has none either."""
+    address = ctx.mglo._context.load(name)
+    return CFUNCTYPE(None, *arguments)(address) if address else None
 
 
 def _nothing() -> None:

@@ -1,4 +1,4 @@
-"""Compile and link programs, once for each pair of texts, and know what they want as input."""
+"""Programs, linked once for each pair of texts, and what they want as input."""
 
 from __future__ import annotations
 
@@ -10,12 +10,11 @@ from typing import Any
 
 import moderngl
 import numpy as np
-from numpy.typing import NDArray
 
 from shadercache.diagnostics import Diagnostic, InputError, input_error
 from shadercache.gpu.context import Gpu
-from shadercache.gpu.uniform_blocks import BlockNumbers, BufferPlace, UniformBuffer, members_of
-from shadercache.manifest.interface import UniformBlockInput
+from shadercache.gpu.uniform_blocks import Uniform, UniformBuffer, block_uniforms
+from shadercache.manifest.interface import InputEntry
 from shadercache.source import Source, Span
 
 # GL types of samplers and what moderngl must bind for them; others are told to be unsupported.
@@ -29,8 +28,7 @@ _SAMPLER_RANGES = (range(0x8B5D, 0x8B64), range(0x8DC0, 0x8DD9), range(0x9108, 0
 _FORMATS = {code: np.dtype(code) for code in "fiId"}
 
 MOST_IDLE = 32
-"""Unused programs that are kept: a node in proof and plain mode has twelve, and what look-ups alone
-do is the same for all payloads of a type."""
+"""Unused programs that are kept: a node in proof and plain mode has twelve."""
 
 # Our own comment names the pass and the node. Programs that differ in nothing else are one, and so
 # are shaders to the driver's cache of compiled code, which goes by the text.
@@ -46,39 +44,8 @@ _LOG_LINE = re.compile(r"^(?:ERROR: )?0[:(](\d+)(?:\((\d+)\))?[):]*\s*(.*)$", re
 
 
 @dataclass(eq=False)
-class Uniform:
-    """One active uniform of a linked program, or member of a block, and the bytes it holds now."""
-
-    name: str
-    sampler: str | None
-    _gl: moderngl.Uniform | BufferPlace
-    _dtype: np.dtype[Any]
-    _count: int
-    _is_array: bool
-    _written: bytes = b""
-
-    def encode(self, values: NDArray[np.float64], giver: str) -> bytes:
-        """The bytes of a value; ``giver`` is who provided it, for the message.
-
-        Raises:
-            InputError: SC523, the value has more or fewer components than the uniform.
-        """
-        # Drivers drop unused elements at the end of an array, so a longer value is right there.
-        if values.size == self._count or (self._is_array and values.size > self._count):
-            return values[: self._count].astype(self._dtype).tobytes()
-        message = f"uniform {self.name} takes {self._count} numbers, but {giver} has {values.size}"
-        raise input_error("SC523", message)
-
-    def write(self, data: bytes) -> None:
-        """Upload, unless the program holds these bytes already."""
-        if data != self._written:
-            self._gl.write(data)
-            self._written = data
-
-
-@dataclass(eq=False)
 class Program:
-    """A linked program with its active uniforms and vertex attributes (name -> components).
+    """A linked program with its active uniforms and vertex attributes.
 
     ``arrays`` are meshes as its input, each made when it is first drawn.
     """
@@ -86,7 +53,7 @@ class Program:
     name: str
     gl: moderngl.Program
     uniforms: dict[str, Uniform]
-    attributes: dict[str, int]
+    attributes: tuple[str, ...]
     blocks: tuple[UniformBuffer, ...] = ()
     arrays: dict[tuple[int, ...], moderngl.VertexArray] = field(default_factory=dict)
     users: int = 0
@@ -108,9 +75,11 @@ class Program:
 class Programs:
     """Linked programs of one render scene, shared by text and counted by user.
 
-    Programs that nobody uses are kept for a while, the last used longest: a node is verified in
-    several runs, and compiling its programs anew for each would take most of the time.
+    Programs that nobody uses are kept for a while, the last used longest.
     """
+
+    # A node is verified in several runs; compiling its programs anew for each would take most of
+    # the time.
 
     def __init__(self, gpu: Gpu) -> None:
         self._gpu = gpu
@@ -130,13 +99,13 @@ class Programs:
         self,
         vertex: Source,
         fragment: Source,
-        blocks: Sequence[UniformBlockInput] = (),
+        inputs: Sequence[InputEntry] = (),
         captured: str = "",
     ) -> Program:
         """The program of two shaders; call ``release`` with it once for every ``acquire``.
 
-        ``blocks`` are the uniform blocks that it may have. ``captured`` is a varying: the program
-        is the vertex shader alone, and keeps that.
+        ``inputs`` are what it declares, as the manifest has it. ``captured`` is a varying: the
+        program is the vertex shader alone, and keeps that.
 
         Raises:
             InputError: SC602 with the driver's log, SC524 for inputs the harness cannot give.
@@ -144,7 +113,7 @@ class Programs:
         key = (_HEADING.sub("//", vertex.text), _HEADING.sub("//", fragment.text), captured)
         program = self._by_text.get(key)
         if program is None:
-            program = self._by_text[key] = _link(self._gpu.ctx, vertex, fragment, key, blocks)
+            program = self._by_text[key] = _link(self._gpu.ctx, vertex, fragment, key, inputs)
         program.users += 1
         self._by_text.move_to_end(key)
         return program
@@ -168,7 +137,7 @@ def _link(
     vertex: Source,
     fragment: Source,
     texts: tuple[str, str, str],
-    told: Sequence[UniformBlockInput],
+    inputs: Sequence[InputEntry],
 ) -> Program:
     try:
         if texts[2]:
@@ -178,51 +147,38 @@ def _link(
     except moderngl.Error as error:
         raise _refused(str(error), vertex, fragment) from None
     uniforms: dict[str, Uniform] = {}
-    attributes: dict[str, int] = {}
-    blocks: dict[str, moderngl.UniformBlock] = {}
+    attributes: list[str] = []
+    buffers: dict[str, UniformBuffer] = {}
     for name in gl:
         member: Any = gl[name]
         if isinstance(member, moderngl.Uniform):
             uniforms[name] = _uniform(fragment.name, name, member)
         elif isinstance(member, moderngl.Attribute):
             if not name.startswith("gl_"):
-                attributes[name] = _attribute(vertex.name, name, member)
+                _check_attribute(vertex.name, name, member)
+                attributes.append(name)
         elif isinstance(member, moderngl.UniformBlock):
-            blocks[name.partition("[")[0]] = member
-    buffers: dict[str, UniformBuffer] = {}
-    if blocks:
-        sizes = {name: block.size for name, block in blocks.items()}
-        members = members_of(fragment.name, told, sizes)
-        for at, (name, block) in enumerate(blocks.items()):
-            buffers[name] = UniformBuffer(ctx, block, at)
-        uniforms |= {item.name: _member(item, buffers[item.block]) for item in members}
-    return Program(fragment.name, gl, uniforms, attributes, tuple(buffers.values()))
-
-
-def _member(item: BlockNumbers, buffer: UniformBuffer) -> Uniform:
-    place = BufferPlace(buffer, item.words)
-    return Uniform(item.name, None, place, item.dtype, len(item.words), item.is_array)
+            buffers[name.partition("[")[0]] = UniformBuffer(ctx, member, len(buffers))
+    uniforms |= {item.name: item for item in block_uniforms(fragment.name, inputs, buffers)}
+    return Program(fragment.name, gl, uniforms, tuple(attributes), tuple(buffers.values()))
 
 
 def _uniform(shader: str, name: str, member: Any) -> Uniform:
     sampler = _SAMPLERS.get(member.gl_type)
     if sampler is None and any(member.gl_type in kinds for kinds in _SAMPLER_RANGES):
         given = "2D textures, their arrays and cube maps only"
-        message = f"{shader}: the harness gives {given}, {name} is none"
-        raise input_error("SC524", message)
-    if sampler is not None and member.array_length > 1:
+        raise input_error("SC524", f"{shader}: the harness gives {given}, {name} is none")
+    is_array = member.array_length > 1
+    if sampler is not None and is_array:
         raise input_error("SC524", f"{shader}: the harness cannot fill the sampler array {name}")
     count = member.dimension * member.array_length
-    dtype = _FORMATS[member.fmt[-1]]
-    return Uniform(name, sampler, member, dtype, count, member.array_length > 1)
+    return Uniform(name, sampler, member.write, _FORMATS[member.fmt[-1]], count, is_array)
 
 
-def _attribute(shader: str, name: str, member: Any) -> int:
-    components = int(member.dimension)
-    if member.shape != "f" or member.array_length > 1 or components > 4:
+def _check_attribute(shader: str, name: str, member: Any) -> None:
+    if member.shape != "f" or member.array_length > 1 or member.dimension > 4:
         message = f"{shader}: the harness gives float vectors only, attribute {name} is none"
         raise input_error("SC524", message)
-    return components
 
 
 def _refused(log: str, vertex: Source, fragment: Source) -> InputError:
@@ -233,13 +189,13 @@ def _refused(log: str, vertex: Source, fragment: Source) -> InputError:
     places = [
         Diagnostic(
             "SC602",
-            f"the driver says: {found[3]}",
+            f"the driver says: {complaint[3]}",
             source,
-            _place(source, found),
-            VERSION_HINT if "GLSL" in found[3] and "not supported" in found[3] else None,
+            _place(source, complaint),
+            VERSION_HINT if "GLSL" in complaint[3] and "not supported" in complaint[3] else None,
         )
-        for found in _LOG_LINE.finditer(body)
-        if "warning" not in found[3].lower()
+        for complaint in _LOG_LINE.finditer(body)
+        if "warning" not in complaint[3].lower()
     ]
     if places:
         return InputError(places)
@@ -248,10 +204,10 @@ def _refused(log: str, vertex: Source, fragment: Source) -> InputError:
     return InputError(Diagnostic("SC602", message))
 
 
-def _place(source: Source, found: re.Match[str]) -> Span:
+def _place(source: Source, complaint: re.Match[str]) -> Span:
     # moderngl strips the text before it compiles it, which moves the lines.
     text = source.text
-    line = int(found[1]) + text[: len(text) - len(text.lstrip())].count("\n")
+    line = int(complaint[1]) + text[: len(text) - len(text.lstrip())].count("\n")
     lines = text.splitlines(keepends=True)
-    start = sum(map(len, lines[: line - 1])) + max(0, int(found[2] or 1) - 1)
+    start = sum(map(len, lines[: line - 1])) + max(0, int(complaint[2] or 1) - 1)
     return Span(start, start + 1)

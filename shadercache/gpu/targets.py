@@ -33,9 +33,7 @@ class Targets:
         if color not in COLOR_FORMATS:
             known = ", ".join(COLOR_FORMATS)
             raise input_error("SC603", f"unknown colour format {color!r}", hint=f"one of {known}")
-        self.ctx = ctx
-        self.size = size
-        self.color_format = color
+        self.ctx, self.size, self.color_format = ctx, size, color
         self._empty_depth = empty_depth
         self._framebuffers: dict[tuple[Any, ...], moderngl.Framebuffer] = {}
         self._idle: list[CachePair] = []
@@ -44,8 +42,7 @@ class Targets:
         try:
             self.color = ctx.texture(size, 4, dtype=COLOR_FORMATS[color])
             self.depth = ctx.depth_renderbuffer(size)
-            self._cleared = ctx.framebuffer([self.color], self.depth)
-            self._color_alone = ctx.framebuffer([self.color])
+            self.framebuffer((self.color,), depth_write=True)
         except moderngl.Error as error:
             message = f"the driver cannot make a {size[0]}x{size[1]} {color} target: {error}"
             raise GraphicsError(Diagnostic("SC603", message)) from None
@@ -57,35 +54,21 @@ class Targets:
             self._mask = self.ctx.texture(self.size, 1, dtype="f4")
         return self._mask
 
-    def clear(self) -> None:
-        """Start a frame: colour (0, 0, 0, 0), depth empty."""
-        self._cleared.clear(0.0, 0.0, 0.0, 0.0, depth=self._empty_depth)
-
-    def clear_color(self) -> None:
-        """Clear the colour target and keep the depth."""
-        self._color_alone.clear(0.0, 0.0, 0.0, 0.0)
-
-    def clear_mask(self) -> None:
-        """Mark every pixel as uncovered."""
-        self.framebuffer((self.mask,), True).clear(0.0, 0.0, 0.0, 0.0, depth=self._empty_depth)
-
-    def clear_mask_alone(self) -> None:
-        """Mark every pixel as uncovered, and keep the depth."""
-        alone = self.ctx.framebuffer([self.mask])
-        alone.clear(0.0, 0.0, 0.0, 0.0)
-        alone.release()
+    def clear(self, texture: moderngl.Texture, keep_depth: bool = False) -> None:
+        """Start drawing into colour or mask: all channels 0, depth empty."""
+        framebuffer = self.framebuffer((texture,), None if keep_depth else True)
+        framebuffer.clear(0.0, 0.0, 0.0, 0.0, depth=self._empty_depth)
 
     def framebuffer(
-        self, textures: tuple[moderngl.Texture, ...], depth_write: bool
+        self, textures: tuple[moderngl.Texture, ...], depth_write: bool | None
     ) -> moderngl.Framebuffer:
-        """The framebuffer with these attachments (in order) and the shared depth."""
+        """The framebuffer with these attachments (in order) and the shared depth; None: without."""
         key = (*(texture.glo for texture in textures), depth_write)
-        found = self._framebuffers.get(key)
-        if found is None:
-            found = self.ctx.framebuffer(textures, self.depth)
-            found.depth_mask = depth_write
-            self._framebuffers[key] = found
-        return found
+        if key not in self._framebuffers:
+            depth = None if depth_write is None else self.depth
+            self._framebuffers[key] = self.ctx.framebuffer(textures, depth)
+            self._framebuffers[key].depth_mask = bool(depth_write)
+        return self._framebuffers[key]
 
     def lend_cache(self, formats: tuple[str, ...]) -> CachePair:
         """Cache textures with undefined contents; hand them back with ``take_back``."""
@@ -122,11 +105,10 @@ class Targets:
 
     def release(self) -> None:
         """Free every GL object, lent caches included."""
-        for framebuffer in (*self._framebuffers.values(), self._cleared, self._color_alone):
+        for framebuffer in self._framebuffers.values():
             framebuffer.release()
         for pair in self._pairs:
             pair.release()
-        if self._mask is not None:
-            self._mask.release()
-        self.color.release()
-        self.depth.release()
+        for texture in (self.color, self.depth, self._mask):
+            if texture is not None:
+                texture.release()

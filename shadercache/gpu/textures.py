@@ -19,8 +19,8 @@ from PIL import Image, UnidentifiedImageError
 
 from shadercache.diagnostics import InputError, input_error
 from shadercache.gpu.context import Gpu
-from shadercache.scene.description import TextureSpec
 from shadercache.scene.npz import load_npz
+from shadercache.scene.object_inputs import TextureSpec
 
 GlTexture = moderngl.Texture | moderngl.TextureCube | moderngl.TextureArray
 

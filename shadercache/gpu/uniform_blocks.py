@@ -1,44 +1,61 @@
-"""Uniform blocks: where std140 puts each member, and the buffer that holds them.
+"""Uniforms of programs: those outside of blocks, and those that std140 lays out in blocks.
 
-OpenGL 3.3 lists no offsets through moderngl; the manifest has them. Members are told apart by the
-names a shader uses: ``view`` of a block without an instance name, ``camera.view`` of one with,
-``lights[1].color`` of structs in arrays.
+Members are known by the names that a shader uses: ``view`` of a block without an instance name,
+``camera.view`` of one with, ``lights[1].color`` of structs in arrays.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 from itertools import product
 from math import prod
+from typing import Any
 
 import moderngl
 import numpy as np
 from msgspec import UNSET, UnsetType
+from numpy.typing import NDArray
 
 from shadercache.diagnostics import input_error
 from shadercache.lang.types import builtin_type
 from shadercache.manifest.interface import InputEntry, MemberEntry, UniformBlockInput
 
-PACKING = "std140"
 _WORD = 4
 _VEC4 = 16
 _DTYPES = {"float": "f4", "int": "i4", "uint": "u4", "bool": "i4"}
 
 
-@dataclass(frozen=True, slots=True)
-class BlockNumbers:
-    """Numbers of one type in a block.
-
-    ``words``: where each lies, in words of four bytes, in the order in which uniforms are uploaded
-    (columns of matrices, elements of arrays one after another).
-    """
+@dataclass(eq=False)
+class Uniform:
+    """One active uniform of a linked program, or member of a block, and the bytes it holds now."""
 
     name: str
-    block: str
-    dtype: np.dtype[np.generic]
-    words: tuple[int, ...]
+    sampler: str | None
+    upload: Callable[[bytes], None]
+    dtype: np.dtype[Any]
+    count: int
     is_array: bool
+    _written: bytes = b""
+
+    def encode(self, values: NDArray[np.float64], giver: str) -> bytes:
+        """The bytes of a value; ``giver`` is who provided it, for the message.
+
+        Raises:
+            InputError: SC523, the value has more or fewer components than the uniform.
+        """
+        # Drivers drop unused elements at the end of an array, so a longer value is right there.
+        if values.size == self.count or (self.is_array and values.size > self.count):
+            return values[: self.count].astype(self.dtype).tobytes()
+        message = f"uniform {self.name} takes {self.count} numbers, but {giver} has {values.size}"
+        raise input_error("SC523", message)
+
+    def write(self, data: bytes) -> None:
+        """Upload, unless the program holds these bytes already."""
+        if data != self._written:
+            self.upload(data)
+            self._written = data
 
 
 class UniformBuffer:
@@ -46,14 +63,15 @@ class UniformBuffer:
 
     def __init__(self, ctx: moderngl.Context, block: moderngl.UniformBlock, binding: int) -> None:
         block.binding = binding
+        self.size = int(block.size)
         self._binding = binding
         self._words = np.zeros(-(-block.size // _WORD), np.uint32)
         self._buffer = ctx.buffer(self._words.tobytes())
         self._changed = False
 
-    def write(self, words: tuple[int, ...], data: bytes) -> None:
-        """Set some words."""
-        self._words[list(words)] = np.frombuffer(data, np.uint32)
+    def write(self, words: list[int], data: bytes) -> None:
+        """Set some words, which lie close together in ``data``."""
+        self._words[words] = np.frombuffer(data, np.uint32)
         self._changed = True
 
     def bind(self) -> None:
@@ -68,61 +86,41 @@ class UniformBuffer:
         self._buffer.release()
 
 
-@dataclass(frozen=True, slots=True)
-class BufferPlace:
-    """A member's part of the buffer; written as a uniform is."""
+def block_uniforms(
+    shader: str, inputs: Iterable[InputEntry], buffers: Mapping[str, UniformBuffer]
+) -> Iterator[Uniform]:
+    """The members of the blocks that a program has; a scene need not give those nobody reads.
 
-    buffer: UniformBuffer
-    words: tuple[int, ...]
-
-    def write(self, data: bytes) -> None:
-        """Set the member's numbers, which lie close together in ``data``."""
-        self.buffer.write(self.words, data)
-
-
-def blocks_of(inputs: Iterable[InputEntry]) -> tuple[UniformBlockInput, ...]:
-    """The uniform blocks among what an engine gives."""
-    return tuple(item for item in inputs if isinstance(item, UniformBlockInput))
-
-
-def members_of(
-    shader: str, blocks: Iterable[UniformBlockInput], sizes: Mapping[str, int]
-) -> list[BlockNumbers]:
-    """The numbers of the blocks that a program has; a scene need not give those that nobody reads.
-
-    Args:
-        shader: the program's name in messages.
-        sizes: the driver's size of each block in bytes.
+    OpenGL 3.3 lists no offsets through moderngl; the manifest's ``inputs`` have them. ``buffers``
+    are the program's, by the names of their blocks; ``shader`` is its name in messages.
 
     Raises:
         InputError: SC524 for a block that is not laid out as std140 lays out columns.
     """
-    found: list[BlockNumbers] = []
-    told = {block.name: block for block in blocks}
-    for name, size in sizes.items():
+    told = {item.name: item for item in inputs if isinstance(item, UniformBlockInput)}
+    for name, buffer in buffers.items():
         block = told.get(name)
-        if block is None or not _is_usual(block, size):
+        if block is None or not _is_usual(block, buffer.size):
             message = f"{shader}: the harness cannot fill the uniform block {name}"
             hint = "it fills blocks with layout(std140), by columns, and not in arrays"
             raise input_error("SC524", message, hint)
         prefix = f"{block.instance}." if block.instance else ""
         for member in block.members:
             if member.read:
-                found += _leaves(prefix + member.name, name, member, 0)
-    return found
+                yield from _leaves(prefix + member.name, buffer, member, 0)
 
 
 def _is_usual(block: UniformBlockInput, size: int) -> bool:
     """Is it std140 by columns, with no places of its own, and as the driver has it?"""
     words = " ".join(member.layout or "" for member in block.members)
     placed = any(word in words for word in ("row_major", "offset", "align"))
-    if block.dims or block.packing != PACKING or block.matrices == "row_major" or placed:
+    if block.dims or block.packing != "std140" or block.matrices == "row_major" or placed:
         return False
     # Drivers may leave out what only fills up the last vec4.
     return block.size is not UNSET and block.size - _VEC4 < size <= block.size
 
 
-def _leaves(name: str, block: str, member: MemberEntry, start: int) -> Iterator[BlockNumbers]:
+def _leaves(name: str, buffer: UniformBuffer, member: MemberEntry, start: int) -> Iterator[Uniform]:
     """The uniforms that a member is, as GL counts them: parts of structs are uniforms."""
     offset, step = start + _given(member.offset), _given(member.stride)
     whole = member.dims if member.members else member.dims[:-1]
@@ -131,23 +129,26 @@ def _leaves(name: str, block: str, member: MemberEntry, start: int) -> Iterator[
         element = name + "".join(f"[{index}]" for index in place)
         first = offset + at * left * step
         for inner in member.members:
-            yield from _leaves(f"{element}.{inner.name}", block, inner, first)
+            yield from _leaves(f"{element}.{inner.name}", buffer, inner, first)
         if not member.members:
-            yield _numbers(element, block, member, first)
+            yield _numbers(element, buffer, member, first)
 
 
-def _numbers(name: str, block: str, member: MemberEntry, offset: int) -> BlockNumbers:
+def _numbers(name: str, buffer: UniformBuffer, member: MemberEntry, offset: int) -> Uniform:
     kind = builtin_type(member.type.partition("[")[0])
     if kind is None or kind.base not in _DTYPES:
         raise input_error("SC524", f"the harness cannot fill {name}: {member.type} in a block")
-    words = tuple(
+    # Where each number lies, in the order of upload: elements of arrays and columns of matrices
+    # one after another.
+    words = [
         (offset + element * _given(member.stride) + column * _given(member.matrix_stride)) // _WORD
         + row
         for element in range(member.dims[-1] if member.dims else 1)
         for column in range(kind.cols)
         for row in range(kind.rows)
-    )
-    return BlockNumbers(name, block, np.dtype(_DTYPES[kind.base]), words, bool(member.dims))
+    ]
+    dtype = np.dtype(_DTYPES[kind.base])
+    return Uniform(name, None, partial(buffer.write, words), dtype, len(words), bool(member.dims))
 
 
 def _given(number: int | UnsetType) -> int:

@@ -8,7 +8,7 @@ from pathlib import Path
 from shadercache.caching.algorithms import NAMES
 from shadercache.caching.configuration import Assignment, Configuration, Mode, by_every_algorithm
 from shadercache.compiler import Analysis, emit_original, rewrite
-from shadercache.linking.scene_shaders import analyse_scene, with_aliases
+from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.render.bundle import Bundle
 from shadercache.render.linked_object import LinkedObject
 from shadercache.scene.description import Scene, SceneObject
@@ -28,8 +28,9 @@ class Linker:
         self.analysis = analysis
         self._own: dict[tuple[Path, Path | None], Analysis] = {}
         self._bundles: dict[tuple[object, ...], Bundle] = {}
+        self.scene = scene
         named = tuple(
-            replace(item, scene=with_aliases(item.scene, self._analysis(item).renamed))
+            replace(item, inputs=item.inputs.with_aliases(self._analysis(item).renamed))
             if item.own_shader
             else item
             for item in scene.objects
@@ -59,15 +60,15 @@ class Linker:
         """
         modes = [chosen.mode for _, chosen in assignment.objects if chosen is not None]
         mode: Mode = modes[0] if modes else "plain"
-        found = []
+        linked = []
         for item, (_, chosen) in zip(self.scene.parts, assignment.objects, strict=True):
             given = None if item.own_shader else bundle
             if chosen is None:
-                found.append(LinkedObject(given or self._original(item, mode)))
+                linked.append(LinkedObject(given or self._original(item, mode)))
                 continue
-            linked = LinkedObject(given or self._variants(item, chosen), chosen)
-            found.append(linked.by(chosen.algorithm) if item.own_shader else linked)
-        return tuple(found)
+            cached = LinkedObject(given or self._variants(item, chosen), chosen)
+            linked.append(cached.by(chosen.algorithm) if item.own_shader else cached)
+        return tuple(linked)
 
     def algorithms(self, configuration: Configuration) -> tuple[str, ...]:
         """Those that fit the configuration's nodes. Raises as :meth:`link`."""
@@ -81,14 +82,13 @@ class Linker:
         )
 
     def _chosen(self, item: SceneObject, configuration: Configuration) -> Configuration | None:
-        if not item.cached or (item.own_shader and item.node is None):
+        wanted, longest = item.caching, configuration.refresh.period
+        if not wanted.on:
             return None
-        period = min(item.period or configuration.refresh.period, configuration.refresh.period)
-        own = configuration.with_refresh(period, item.block)
-        if not item.own_shader:
+        own = configuration.with_refresh(min(wanted.period or longest, longest), wanted.block)
+        if wanted.node is None:
             return own
-        nodes = tuple((item.node or "").split("+"))
-        return replace(own, nodes=nodes, fetches="whole")
+        return replace(own, nodes=tuple(wanted.node.split("+")), fetches="whole")
 
     def _variants(self, item: SceneObject | None, configuration: Configuration) -> Bundle:
         """All variants, since the parts of P/T and of the floor are measured on them.
@@ -114,7 +114,7 @@ class Linker:
     def _analysis(self, item: SceneObject) -> Analysis:
         if not item.own_shader:
             return self.analysis
-        shaders = (item.scene.fragment, item.scene.vertex)
+        shaders = (item.fragment, item.vertex)
         if shaders not in self._own:
-            self._own[shaders] = analyse_scene(item.scene)[1]
+            self._own[shaders] = analyse_scene(self.scene.alone(item))[1]
         return self._own[shaders]

@@ -18,13 +18,8 @@ from shadercache.ast import nodes as n
 from shadercache.compiler import Analysis
 from shadercache.lang.types import Type
 from shadercache.manifest.block_members import block_fields
-from shadercache.scene.description import (
-    RESTING_CAMERA,
-    RESTING_MOTION,
-    Scene,
-    TextureSpec,
-    causes,
-)
+from shadercache.scene.description import Scene, SceneObject, View
+from shadercache.scene.object_inputs import Inputs, TextureSpec
 from shadercache.transform.versions.raise_version import Raised
 
 START = 4.0
@@ -75,26 +70,16 @@ def made_scene(fragment: Path, analysis: Analysis, vertex: Path | None = None) -
             semantics[name] = "resolution-aspect" if wide else SEMANTIC[word]
         else:
             constants |= _constants(name, word, kind)
+    attributes = {name: _array(name) for name, _ in _declared(analysis.raised[1:], "in", old)}
+    inputs = Inputs(attributes, constants, semantics, textures=textures)
     return Scene(
         path=fragment,
         name=fragment.stem,
         title=fragment.stem,
-        fragment=fragment,
-        vertex=vertex,
-        mesh=None,
-        verify_mesh=None,
-        attributes={name: _array(name) for name, _ in _declared(analysis.raised[1:], "in", old)},
-        camera=RESTING_CAMERA,
-        motion=RESTING_MOTION,
-        constants=constants,
-        semantics=semantics,
-        textures=textures,
-        nodes={},
-        demo=None,
-        cull=False,
-        changes=causes(semantics),
+        common=SceneObject(fragment.stem, fragment, vertex, inputs=inputs),
+        view=View(start_time=START),
+        changes=inputs.causes,
         mapping=analysis.mapping,
-        start_time=START,
     )
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import TypeVar
 
 import numpy as np
 
@@ -15,11 +14,10 @@ from shadercache.diagnostics import input_error, usage_error
 from shadercache.foreign_files import read_text
 from shadercache.front.read_options import ReadOptions
 from shadercache.linking.made_scene import made_scene
-from shadercache.scene.camera import root_of, scene_values
-from shadercache.scene.description import Scene, load_scene
+from shadercache.scene.camera import uniform_values
+from shadercache.scene.description import Scene, SceneObject, View, load_scene
+from shadercache.scene.object_inputs import with_aliases
 from shadercache.source import Source
-
-T = TypeVar("T")
 
 FULL_SCREEN = "--mapping screen"
 
@@ -63,22 +61,23 @@ def analyse_scene(
     reading = replace(reading, unroll=reading.unroll or scene.unroll)
     sources, wanted = read_shaders(scene), mapping or scene.mapping
     analysis = analyse(*sources, reading, wanted)
-    made = with_aliases(scene, analysis.renamed)
-    if wanted is None and analysis.mapping == "surface" and _rests(made, analysis):
+    named = with_new_names(scene, analysis.renamed)
+    if wanted is None and analysis.mapping == "surface" and _rests(named, analysis):
         analysis = analyse(*sources, reading, "screen")
-    return made, analysis
+    return named, analysis
 
 
 def _rests(scene: Scene, analysis: Analysis) -> bool:
     """Is each vertex at the same place of the picture in every frame?"""
     names = analysis.vertex_emitter.previous_twins()
-    scenes = [item.scene for item in scene.objects if not item.own_shader] or [scene]
-    return all(_is_constant(item, names) for item in scenes)
+    frames = range(scene.common.motion.frames + 1)
+    items = [item for item in scene.objects if not item.own_shader] or [scene.common]
+    return all(_is_constant(scene.view, item, names, frames) for item in items)
 
 
-def _is_constant(scene: Scene, names: Iterable[str]) -> bool:
-    """Do these uniforms have one value all along the path? Their size in pixels does not matter."""
-    every = [scene_values(scene, frame, (64, 64)) for frame in range(scene.motion.frames + 1)]
+def _is_constant(view: View, item: SceneObject, names: Iterable[str], frames: range) -> bool:
+    """Do these uniforms have one value in all frames? Their size in pixels does not matter."""
+    every = [uniform_values(view, item, frame, (64, 64)) for frame in frames]
     return all(
         name in values and np.array_equal(values[name], every[0][name])
         for values in every
@@ -88,8 +87,8 @@ def _is_constant(scene: Scene, names: Iterable[str]) -> bool:
 
 def read_shaders(scene: Scene) -> tuple[Source, Source | None]:
     """The scene's fragment shader, and its vertex shader if it has one."""
-    vertex = None if scene.vertex is None else read_shader(scene.vertex)
-    return read_shader(scene.fragment), vertex
+    item = scene.common
+    return read_shader(item.fragment), None if item.vertex is None else read_shader(item.vertex)
 
 
 def read_shader(path: Path) -> Source:
@@ -100,30 +99,15 @@ def read_shader(path: Path) -> Source:
         raise input_error("SC001", f"cannot read {path}: {error}") from None
 
 
-def with_aliases(scene: Scene, renamed: Mapping[str, str]) -> Scene:
-    """The scene with everything named ``old``, ``old[0]`` or ``old.member`` also under its new
-    name."""
+def with_new_names(scene: Scene, renamed: Mapping[str, str]) -> Scene:
+    """The scene with everything that its shaders name also under its new name."""
 
-    def aliased(values: Mapping[str, T]) -> dict[str, T]:
-        made = dict(values)
-        for name, value in values.items():
-            root = root_of(name)
-            if root in renamed:
-                made[renamed[root] + name[len(root) :]] = value
-        return made
+    def named(item: SceneObject) -> SceneObject:
+        return replace(item, inputs=item.inputs.with_aliases(renamed))
 
-    if not renamed:
-        return scene
     return replace(
         scene,
-        objects=tuple(
-            item if item.own_shader else replace(item, scene=with_aliases(item.scene, renamed))
-            for item in scene.objects
-        ),
-        attributes=aliased(scene.attributes),
-        constants=aliased(scene.constants),
-        semantics=aliased(scene.semantics),
-        animated=aliased(scene.animated),
-        textures=aliased(scene.textures),
-        changes=aliased(scene.changes),
+        common=named(scene.common),
+        objects=tuple(item if item.own_shader else named(item) for item in scene.objects),
+        changes=with_aliases(scene.changes, renamed),
     )

@@ -233,7 +233,7 @@ class TimedParts:
         self.hit: dict[int, float] = {}
         self.subject = subject
         # Ages in half floats count no further, so the period may be no longer.
-        never = NEVER if subject.bundle.age_channel is None else OLDEST_IN_HALF
+        never = NEVER if subject.bundle.cache.age_channel is None else OLDEST_IN_HALF
         objects = subject.at_rest(never)
         self._payload = PayloadRunner(world, *subject.objects)
         self._hit = VariantRunner(world, *objects) if objects else None
@@ -280,7 +280,7 @@ class TimedParts:
             path=bundle.node("path"),
             text=bundle.node("text"),
             type=bundle.node("type"),
-            mode=bundle.mode,
+            mode=bundle.manifest.mode,
             ratio=self._ratio(reference),
             payload=_timing(self.payload),
             hit=_timing(self.hit),

@@ -51,7 +51,7 @@ def _own_shaders(world: RenderScene, subject: VariantSubject) -> dict[Path, list
     if len(subject.objects) == len(world.drawables):
         for drawable, linked in zip(world.drawables, subject.objects, strict=True):
             if drawable.item.own_shader and linked.configuration is not None:
-                shaders.setdefault(drawable.scene.fragment, []).append(drawable.item.name)
+                shaders.setdefault(drawable.item.fragment, []).append(drawable.item.name)
     return shaders
 
 

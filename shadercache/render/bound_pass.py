@@ -2,31 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Literal
 
 import moderngl
 import numpy as np
 from msgspec import UNSET
+from numpy.typing import NDArray
 
 from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.gpu.cache_textures import CachePair
-from shadercache.gpu.programs import Uniform
 from shadercache.gpu.textures import GlTexture, texture_kind
-from shadercache.gpu.uniform_blocks import blocks_of
+from shadercache.gpu.uniform_blocks import Uniform
 from shadercache.manifest.interface import UniformInput
-from shadercache.render.bundle import PassSpec
+from shadercache.render.bundle import Naming, PassSpec
 from shadercache.render.drawable import Drawable
 from shadercache.render.render_scene import RenderScene
-from shadercache.scene.camera import Values, root_of
-from shadercache.source import Source
+from shadercache.scene.camera import Values
+from shadercache.scene.object_inputs import root_of
 
 CACHE_ROLES = ("previous-cache", "current-cache", "previous-cache-2", "current-cache-2")
 CACHE_TARGETS = ("cache", "cache-2")
-NUMBER_ROLES = (
-    *("clock", "period", "block", "epsilon", "object", "mask", "unit", "magnification"),
-    *("resolution", "limit", "least", "reset", "viewport", "previous-viewport"),
-)
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,22 +38,20 @@ class FrameInputs:
     viewport: tuple[int, int, int, int]
 
 
-@dataclass(frozen=True, slots=True)
-class Naming:
-    """How the manifest names what it added: uniform -> role, twin -> original uniform."""
-
-    roles: Mapping[str, str]
-    twins: Mapping[str, str]
-
-    def original(self, name: str) -> str | None:
-        """What a twin, or a part of one, has the last value of; None for other uniforms."""
-        whole = root_of(name)
-        found = self.twins.get(whole)
-        return None if found is None else found + name[len(whole) :]
+def plain_inputs(
+    world: RenderScene, drawable: Drawable, frame: int, jittered: int | None = None
+) -> FrameInputs:
+    """What a program reads that looks nothing up; ``jittered`` as in ``Drawable.values``."""
+    values = drawable.values(frame, jittered)
+    return FrameInputs(values, values, object_numbers(drawable), world.viewport(frame))
 
 
-NO_NAMES = Naming({}, {})
-"""For programs that hold nothing but the user's own uniforms."""
+def object_numbers(drawable: Drawable) -> dict[str, NDArray[np.float64]]:
+    """The numbers that are an object's own, by role."""
+    return {
+        "object": np.array([drawable.number], np.float64),
+        "mask": np.array([drawable.item.caching.mask], np.float64),
+    }
 
 
 class BoundPass:
@@ -77,26 +71,14 @@ class BoundPass:
 
         Raises:
             InputError: SC520 no value for a uniform, SC521 none for an attribute, SC522 none for
-                a texture, SC523 a value of a wrong size, SC525 a target or role that is not
-                known, SC602 the driver refuses.
+                a texture, SC523 a value of a wrong size, SC525 a role that does not fit, SC602 the
+                driver refuses.
         """
-        self.name = spec.name
-        self.over_screen = spec.over_screen
-        self._world = world
-        self._drawable = drawable
-        self._spec = spec
-        self._now: list[tuple[Uniform, str]] = []
-        self._before: list[tuple[Uniform, str]] = []
-        self._numbers: list[tuple[Uniform, str]] = []
+        self.name, self.over_screen = spec.name, spec.over_screen
+        self._world, self._drawable, self._spec = world, drawable, spec
+        self._values: list[tuple[Uniform, Literal["now", "before", "numbers"], str]] = []
         self._units: list[tuple[Uniform, GlTexture | str]] = []
-        self._initialised = {
-            item.name
-            for item in spec.inputs
-            if isinstance(item, UniformInput) and item.default is not UNSET
-        }
-        self._program = world.programs.acquire(
-            spec.vertex, spec.fragment, blocks_of(spec.inputs), captured
-        )
+        self._program = world.programs.acquire(spec.vertex, spec.fragment, spec.inputs, captured)
         try:
             self._array = drawable.vertex_array(self._program, self.over_screen)
             self._bind(naming)
@@ -118,7 +100,7 @@ class BoundPass:
         framebuffer = self._world.targets.framebuffer(targets, self._spec.depth_write)
         framebuffer.viewport = inputs.viewport
         framebuffer.use()
-        test = depth_test or self._world.scene.engine.function(self._spec.depth_test)
+        test = depth_test or self._world.scene.view.engine.function(self._spec.depth_test)
         self._world.gpu.ctx.depth_func = test
         self._world.set_culling(self._drawable)
         self._load(inputs, caches)
@@ -129,12 +111,8 @@ class BoundPass:
         self._world.programs.release(self._program)
 
     def _load(self, inputs: FrameInputs, caches: CachePair | None) -> None:
-        for uniform, name in self._now:
-            uniform.write(uniform.encode(inputs.now[name], name))
-        for uniform, name in self._before:
-            uniform.write(uniform.encode(inputs.before[name], name))
-        for uniform, role in self._numbers:
-            uniform.write(uniform.encode(inputs.numbers[role], role))
+        for uniform, table, name in self._values:
+            uniform.write(uniform.encode(getattr(inputs, table)[name], name))
         for unit, (uniform, source) in enumerate(self._units):
             texture = _cache_texture(source, caches) if isinstance(source, str) else source
             texture.use(unit)
@@ -152,62 +130,59 @@ class BoundPass:
 
     def _bind(self, naming: Naming) -> None:
         problems: list[Diagnostic] = []
-        for target in self._spec.targets:
-            if target not in ("color", *CACHE_TARGETS, "mask"):
-                problems.append(self._problem("SC525", f"has an unknown target {target!r}"))
         values = self._drawable.values(0)
         for name, uniform in self._program.uniforms.items():
-            role = naming.roles.get(name)
-            if uniform.sampler is not None:
-                problems += self._bind_sampler(uniform, role)
-            elif role is not None:
-                problems += self._bind_role(uniform, role)
-            else:
-                problems += self._bind_value(uniform, naming.original(name), values)
+            try:
+                if name in naming.roles:
+                    self._bind_role(uniform, naming.roles[name])
+                elif uniform.sampler is not None:
+                    self._bind_texture(uniform)
+                else:
+                    self._bind_value(uniform, naming.original(name), values)
+            except InputError as error:
+                problems += error.diagnostics
         if problems:
             raise InputError(problems)
 
-    def _bind_sampler(self, uniform: Uniform, role: str | None) -> list[Diagnostic]:
-        if role is not None:
-            if role not in CACHE_ROLES:
-                return [self._problem("SC525", f"has a sampler of unknown role {role!r}")]
+    def _bind_role(self, uniform: Uniform, role: str) -> None:
+        if (role in CACHE_ROLES) != (uniform.sampler is not None):
+            hint = f"samplers have one of the roles {', '.join(CACHE_ROLES)}"
+            raise self._problem("SC525", f"has {uniform.name} of the role {role}", hint)
+        if uniform.sampler is None:
+            self._values.append((uniform, "numbers", role))
+        else:
             self._units.append((uniform, role))
-            return []
-        texture = self._drawable.texture(uniform.name)
+
+    def _bind_texture(self, uniform: Uniform) -> None:
+        name = uniform.name
+        texture = self._drawable.texture(name)
         if texture is None:
-            hint = f"in the scene, add [textures.{uniform.name}] with a file"
-            return [self._problem("SC522", f"needs the texture {uniform.name}", hint)]
+            hint = f"in the scene, add [textures.{name}] with a file"
+            raise self._problem("SC522", f"needs the texture {name}", hint)
         kind = texture_kind(texture)
         if kind != uniform.sampler:
-            message = f"samples {uniform.name} as a {uniform.sampler}, but the scene has a {kind}"
-            return [self._problem("SC523", message)]
+            what = f"samples {name} as a {uniform.sampler}, but the scene has a {kind}"
+            raise self._problem("SC523", what)
         self._units.append((uniform, texture))
-        return []
 
-    def _bind_role(self, uniform: Uniform, role: str) -> list[Diagnostic]:
-        if role not in NUMBER_ROLES:
-            return [self._problem("SC525", f"has a uniform of unknown role {role!r}")]
-        self._numbers.append((uniform, role))
-        return []
-
-    def _bind_value(self, uniform: Uniform, twin: str | None, values: Values) -> list[Diagnostic]:
-        name = uniform.name if twin is None else twin
-        if name not in values:
-            if uniform.name in self._initialised:
-                return []
+    def _bind_value(self, uniform: Uniform, twin_of: str | None, values: Values) -> None:
+        name = twin_of or uniform.name
+        if name in values:
+            uniform.encode(values[name], f"{name} of {self._drawable.scene.path}")
+            self._values.append((uniform, "before" if twin_of else "now", name))
+            return
+        initialised = (
+            item.name == uniform.name and item.default is not UNSET
+            for item in self._spec.inputs
+            if isinstance(item, UniformInput)
+        )
+        if not any(initialised):
             key = name if root_of(name) == name else f'"{name}"'
             hint = f"in the scene, under [uniforms], add: {key} = ..."
-            return [self._problem("SC520", f"needs the uniform {name}", hint)]
-        try:
-            uniform.encode(values[name], f"{name} of {self._drawable.scene.path}")
-        except InputError as error:
-            return list(error.diagnostics)
-        (self._now if twin is None else self._before).append((uniform, name))
-        return []
+            raise self._problem("SC520", f"needs the uniform {name}", hint)
 
-    def _problem(self, code: str, what: str, hint: str | None = None) -> Diagnostic:
-        place = Source(str(self._drawable.scene.path), "")
-        return Diagnostic(code, f"{self._spec.fragment.name} {what}", place, hint=hint)
+    def _problem(self, code: str, what: str, hint: str | None = None) -> InputError:
+        return self._drawable.problem(code, f"{self._spec.fragment.name} {what}", hint)
 
 
 def _cache_texture(role: str, caches: CachePair | None) -> moderngl.Texture:

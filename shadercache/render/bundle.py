@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any, Literal
@@ -15,16 +15,17 @@ from typing import Any, Literal
 from msgspec import UNSET
 
 from shadercache import foreign_files as foreign
-from shadercache.caching.configuration import DEFAULT_EPSILON, Configuration, Mode
+from shadercache.caching.configuration import DEFAULT_EPSILON, Configuration
 from shadercache.caching.settings import with_settings
-from shadercache.diagnostics import UsageError, input_error, usage_error
+from shadercache.diagnostics import input_error, usage_error
 from shadercache.manifest.codec import decode, unusable
 from shadercache.manifest.interface import InputEntry
 from shadercache.manifest.model import AnyManifest, Manifest, NeededManifest
-from shadercache.manifest.pass_model import NeededEntry, PassEntry
+from shadercache.manifest.pass_model import PassEntry
+from shadercache.scene.object_inputs import root_of
 from shadercache.source import Source
 
-_GLSL = Path(__file__).parent / "glsl"
+_CONSTANT = Path(__file__).parent / "glsl" / "constant.frag"
 _DEPTH_TESTS = {"less": "<", "lequal": "<="}
 _VERSION_LINE = re.compile(r"^\s*#\s*version\b.*$", re.MULTILINE)
 
@@ -33,19 +34,17 @@ _VERSION_LINE = re.compile(r"^\s*#\s*version\b.*$", re.MULTILINE)
 class PassSpec:
     """One draw of all objects, or of one triangle ``over_screen`` for all of them.
 
-    ``depth_test`` is ``<`` or ``<=``; targets stand at their index.
-
-    ``looks``: does it look up what the last frame stored? ``inputs``: what it declares of the
-    user's, and the twins.
+    ``depth_test`` is ``<`` or ``<=``; targets stand at their index. ``looks``: does it look up what
+    the last frame stored? ``inputs``: what it declares of the user's, and the twins.
     """
 
     name: str
     vertex: Source
     fragment: Source
-    targets: tuple[str, ...]
-    depth_test: str
-    depth_write: bool
-    on_reset: bool
+    targets: tuple[str, ...] = ("color",)
+    depth_test: str = "<"
+    depth_write: bool = True
+    on_reset: bool = False
     looks: bool = False
     over_screen: bool = False
     inputs: tuple[InputEntry, ...] = ()
@@ -53,11 +52,36 @@ class PassSpec:
 
 @dataclass(frozen=True)
 class CacheSpec:
-    """Formats of a cache's textures (one, or two), what each is cleared to, and their filter."""
+    """Formats of a cache's textures (one, or two), what each is cleared to, and their filter.
+
+    ``age_channel``: which channel of a cache read back holds the payload's age, if one does.
+    """
 
     formats: tuple[str, ...]
     clear: tuple[tuple[float, ...], ...]
     filter: str
+    age_channel: int | None = field(default=None, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Naming:
+    """What the manifest says of the uniforms it added: roles and originals of twins by name;
+    numbers by role, those of a reset in ``on_reset``."""
+
+    roles: Mapping[str, str] = field(default_factory=dict)
+    twins: Mapping[str, str] = field(default_factory=dict)
+    defaults: Mapping[str, float] = field(default_factory=dict)
+    on_reset: Mapping[str, float] = field(default_factory=dict)
+
+    def original(self, name: str) -> str | None:
+        """What a twin, or a part of one, has the last value of; None for other uniforms."""
+        whole = root_of(name)
+        twin_of = self.twins.get(whole)
+        return None if twin_of is None else twin_of + name[len(whole) :]
+
+
+NO_NAMES = Naming()
+"""For programs that hold nothing but the user's own uniforms."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,46 +100,47 @@ class Bundle:
         """Is anything cached, so that there is more than the original?"""
         return isinstance(self.manifest, Manifest)
 
+    @property
+    def _variants(self) -> Manifest:
+        if not isinstance(self.manifest, Manifest):
+            raise unusable("it tells of no variants")
+        return self.manifest
+
     def node(self, key: Literal["id", "path", "text", "type"]) -> str:
         """What the manifest says of the cached nodes.
 
         Of several the ids are joined as on the command line, ``a+b``, the rest by ``" | "``.
         """
-        found = [str(getattr(node, key)) for node in self._told.nodes]
-        return ("+" if key == "id" else " | ").join(found)
-
-    @property
-    def mode(self) -> Mode:
-        """``plain`` or ``proof``."""
-        return self.manifest.mode
+        words = [str(getattr(node, key)) for node in self._variants.nodes]
+        return ("+" if key == "id" else " | ").join(words)
 
     @cached_property
     def configuration(self) -> Configuration:
         """What the manifest says of how its variants are made and run, by its first algorithm."""
-        plain = Configuration(mode=self.mode)
+        plain = Configuration(mode=self.manifest.mode)
         if not self.has_variants:
             return plain
-        cache = self._told.cache
-        found = with_settings(plain, [f"{key}={word}" for key, word in cache.options.items()])
+        cache = self._variants.cache
+        made = with_settings(plain, [f"{key}={word}" for key, word in cache.options.items()])
+        epsilon = self.naming.defaults.get("epsilon", DEFAULT_EPSILON)
+        form: Literal["rgba16f", "rgba32f"] = "rgba16f" if cache.format == "rgba16f" else "rgba32f"
         return replace(
-            found,
-            nodes=tuple(node.id for node in self._told.nodes),
+            made,
+            nodes=tuple(node.id for node in self._variants.nodes),
             algorithm=self.algorithms[0],
-            hit_test=replace(found.hit_test, epsilon=self.defaults.get("epsilon", DEFAULT_EPSILON)),
-            storage=replace(
-                found.storage, format="rgba16f" if cache.format == "rgba16f" else "rgba32f"
-            ),
+            hit_test=replace(made.hit_test, epsilon=epsilon),
+            storage=replace(made.storage, format=form),
         )
 
     @cached_property
     def algorithms(self) -> tuple[str, ...]:
         """The algorithms there are variants by."""
-        return tuple(variant.algorithm for variant in self._told.variants)
+        return tuple(variant.algorithm for variant in self._variants.variants)
 
     @cached_property
     def refused(self) -> dict[str, str]:
         """The algorithms there cannot be variants by, and why."""
-        return {item.algorithm: item.reason for item in self._told.refused}
+        return {item.algorithm: item.reason for item in self._variants.refused}
 
     def passes(self, algorithm: str) -> tuple[PassSpec, ...]:
         """The passes of a variant, in order.
@@ -123,10 +148,11 @@ class Bundle:
         Raises:
             UsageError: SC026, the manifest has no such variant.
         """
-        for variant in self._told.variants:
+        for variant in self._variants.variants:
             if variant.algorithm == algorithm:
                 return tuple(map(self._pass, variant.passes))
-        raise _no_variant(self, algorithm)
+        message = f"node {self.node('id')} has no {algorithm} variant here"
+        raise usage_error("SC026", message, f"there are: {', '.join(self.algorithms) or 'none'}")
 
     @cached_property
     def reset_pass(self) -> PassSpec | None:
@@ -153,28 +179,25 @@ class Bundle:
     @cached_property
     def payload(self) -> PassSpec:
         """The payload alone, drawn like the original: what computing it costs."""
-        return self._pass(self._told.payload)
+        return self._pass(self._variants.payload)
 
     @cached_property
     def debug(self) -> PassSpec:
         """The program that tells hits from misses."""
-        return self._pass(self._told.debug)
+        return self._pass(self._variants.debug)
 
     @cached_property
     def mask_values(self) -> dict[str, int]:
         """What the debug program writes for each outcome: hit, refresh, outside, depth."""
-        return {str(outcome): value for outcome, value in self._told.debug.values.items()}
+        return {str(outcome): value for outcome, value in self._variants.debug.values.items()}
 
     @cached_property
-    def needed(self) -> PassSpec:
+    def needed(self) -> tuple[PassSpec, bool]:
         """The program that tells which pixels have payloads (1), do without (2), or have some that
-        a guard keeps from being reused (3)."""
-        return self._pass(self._needed)
-
-    @property
-    def needed_by_some(self) -> bool:
-        """Are there pixels that may do without payloads?"""
-        return self._needed.by_some
+        a guard keeps from being reused (3); and whether there are any that may do without."""
+        if not isinstance(self.manifest, NeededManifest):
+            raise unusable("it does not tell which pixels have payloads")
+        return self._pass(self.manifest.needed), self.manifest.needed.by_some
 
     @cached_property
     def geometry(self) -> PassSpec:
@@ -191,73 +214,39 @@ class Bundle:
         """The original's vertex shader with a fragment shader that writes 1/4 everywhere."""
         vertex = self.original.vertex
         version = _VERSION_LINE.search(vertex.text)
-        text = (_GLSL / "constant.frag").read_text(encoding="utf-8")
+        text = _CONSTANT.read_text(encoding="utf-8")
         if version is not None:
             text = _VERSION_LINE.sub(version[0].strip(), text, count=1)
-        fragment = Source("constant.frag", text)
-        return PassSpec(
-            "geometry", vertex, fragment, ("color",), "<", True, False, inputs=self.original.inputs
-        )
+        fragment = Source(_CONSTANT.name, text)
+        return PassSpec("geometry", vertex, fragment, inputs=self.original.inputs)
 
     @cached_property
     def cache(self) -> CacheSpec:
         """How the cache textures are made."""
-        cache = self._told.cache
-        textures = (cache,) if cache.second is UNSET else (cache, cache.second)
-        formats = tuple(texture.format for texture in textures)
-        return CacheSpec(formats, tuple(texture.clear for texture in textures), cache.filter)
-
-    @property
-    def refreshes(self) -> bool:
-        """Is anything recomputed on purpose, so that a period of 1 means everything, always?"""
-        refresh = self.configuration.refresh
-        return refresh.schedule != "none" or refresh.age
-
-    @cached_property
-    def age_channel(self) -> int | None:
-        """The channel of a cache read back that holds the payload's age, if one does."""
-        cache = self._told.cache
-        held = [cache.channels.extras]
+        cache = self._variants.cache
+        formats: list[str] = [cache.format]
+        clear, extras = [cache.clear], [cache.channels.extras]
         if cache.second is not UNSET:
-            held.append(cache.second.channels.extras)
-        for start, extras in zip((0, 4), held, strict=False):
-            if extras is not UNSET and "age" in extras:
-                return start + "xyzw".index(extras["age"])
-        return None
+            formats.append(cache.second.format)
+            clear.append(cache.second.clear)
+            extras.append(cache.second.channels.extras)
+        ages = (
+            4 * texel + "xyzw".index(held["age"])
+            for texel, held in enumerate(extras)
+            if held is not UNSET and "age" in held
+        )
+        return CacheSpec(tuple(formats), tuple(clear), cache.filter, next(ages, None))
 
     @cached_property
-    def roles(self) -> dict[str, str]:
-        """Added uniform -> its role: previous-cache, current-cache, clock, period, ..."""
-        return {item.name: item.role for item in self._told.uniforms}
-
-    @cached_property
-    def defaults(self) -> dict[str, float]:
-        """Role -> default value, of the added uniforms that have one."""
-        uniforms = self._told.uniforms
-        return {item.role: item.default for item in uniforms if item.default is not None}
-
-    @cached_property
-    def reset_numbers(self) -> dict[str, float]:
-        """Role -> value in the draws of a reset, of the added uniforms that have another then."""
-        uniforms = self._told.uniforms
-        return {item.role: item.on_reset for item in uniforms if item.on_reset is not UNSET}
-
-    @cached_property
-    def twins(self) -> dict[str, str]:
-        """Uniform that wants the last frame's value -> the uniform whose value it is."""
-        return {twin: name for name, twin in self._told.previous.items()}
-
-    @property
-    def _told(self) -> Manifest:
-        if not isinstance(self.manifest, Manifest):
-            raise unusable("it tells of no variants")
-        return self.manifest
-
-    @property
-    def _needed(self) -> NeededEntry:
-        if not isinstance(self.manifest, NeededManifest):
-            raise unusable("it does not tell which pixels have payloads")
-        return self.manifest.needed
+    def naming(self) -> Naming:
+        """The uniforms that were added."""
+        added = self._variants.uniforms
+        return Naming(
+            {item.name: item.role for item in added},
+            {twin: name for name, twin in self._variants.previous.items()},
+            {item.role: item.default for item in added if item.default is not None},
+            {item.role: item.on_reset for item in added if item.on_reset is not UNSET},
+        )
 
     def _pass(self, entry: PassEntry) -> PassSpec:
         declared = {*entry.uniforms, *entry.attributes}
@@ -303,9 +292,3 @@ def bundle_of(manifest: Any, files: Mapping[str, str], name: str) -> Bundle:
         InputError: SC021 not a manifest of this version, or one with something wrong in it.
     """
     return Bundle(decode(manifest, name), files)
-
-
-def _no_variant(bundle: Bundle, algorithm: str) -> UsageError:
-    have = ", ".join(bundle.algorithms) or "none"
-    message = f"node {bundle.node('id')} has no {algorithm} variant here"
-    return usage_error("SC026", message, hint=f"there are: {have}")

@@ -14,7 +14,8 @@ from typing import Literal, TypeAlias, get_args
 
 import numpy as np
 
-from shadercache.scene.camera import Values, root_of
+from shadercache.scene.camera import Values
+from shadercache.scene.object_inputs import root_of
 
 ResetReason: TypeAlias = Literal[
     "first frame", "cut", "resize", "projection change", "shader reload", "lost context"

@@ -3,104 +3,80 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Callable
 
 import moderngl
 import numpy as np
 
 from shadercache.diagnostics import Diagnostic, InputError
-from shadercache.gpu.context import Gpu
 from shadercache.gpu.programs import Program
 from shadercache.gpu.textures import GlTexture
-from shadercache.scene.camera import Values, scene_values, semantic_values
-from shadercache.scene.description import SceneObject
-from shadercache.scene.mesh import Mesh
+from shadercache.render.uploads import Uploads
+from shadercache.scene.camera import Values, semantic_values, uniform_values
+from shadercache.scene.description import Scene, SceneObject
 from shadercache.source import Source
 
 _KEPT_FRAMES = 512  # a few kilobytes each; more than any sweep's path
-
-
-class GpuMesh:
-    """The arrays of a mesh on the GPU, each uploaded when first wanted."""
-
-    def __init__(self, ctx: moderngl.Context, mesh: Mesh) -> None:
-        self.mesh = mesh
-        self._ctx = ctx
-        self._buffers: dict[str, moderngl.Buffer] = {}
-        self.index = ctx.buffer(mesh.index.tobytes())
-
-    def buffer(self, name: str) -> moderngl.Buffer:
-        """One of the mesh's arrays."""
-        if name not in self._buffers:
-            array = np.ascontiguousarray(self.mesh.arrays[name])
-            self._buffers[name] = self._ctx.buffer(array.tobytes())
-        return self._buffers[name]
-
-    def release(self) -> None:
-        """Free the buffers."""
-        for buffer in (*self._buffers.values(), self.index):
-            buffer.release()
 
 
 class Drawable:
     """One object as it is drawn. ``number`` counts objects from 1: what tells them apart."""
 
     def __init__(
-        self,
-        gpu: Gpu,
-        item: SceneObject,
-        number: int,
-        mesh: GpuMesh,
-        size: tuple[int, int],
-        texture: Callable[[str], GlTexture | None],
+        self, uploads: Uploads, scene: Scene, item: SceneObject, number: int, size: tuple[int, int]
     ) -> None:
-        """Args: ``texture`` gives a texture by its name in the shader, uploaded when first wanted.
+        """Args: ``size``: of the target, in pixels.
 
         Raises:
-            InputError: SC511, the mesh lacks an array that the scene maps an attribute to.
+            InputError: SC511, the mesh lacks an array that the scene maps an attribute to, and as
+                ``load_mesh``.
         """
-        self.item, self.scene, self.number = item, item.scene, number
-        self.mesh = mesh.mesh
-        self.texture = texture
-        self._gpu, self._mesh, self._size = gpu, mesh, size
+        self.scene, self.item, self.number = scene, item, number
+        self._uploads, self._size = uploads, size
+        self._mesh = uploads.mesh(item.mesh)
+        self.mesh = self._mesh.mesh
         self._values: OrderedDict[tuple[int, int], Values] = OrderedDict()
-        self._there: dict[int, bool] = {}
+        self._outside: dict[int, bool] = {}
         self._check_attributes()
 
-    def seen_as(self, item: SceneObject) -> Drawable:
-        """The same mesh and textures for another scene's object."""
-        return Drawable(self._gpu, item, self.number, self._mesh, self._size, self.texture)
+    def seen_as(self, scene: Scene) -> Drawable:
+        """The same object as another scene sees it."""
+        return Drawable(self._uploads, scene, self.item, self.number, self._size)
+
+    def texture(self, name: str) -> GlTexture | None:
+        """A texture by its name in the shader; None if the object has none so named."""
+        spec = self.item.inputs.textures.get(name)
+        return None if spec is None else self._uploads.texture(spec)
 
     def values(self, frame: int, jittered: int | None = None) -> Values:
         """The object's uniforms at a frame. Equal frames give the same object.
 
         ``jittered``: the frame whose jitter they have, if it is another.
         """
-        key = (frame, frame if jittered is None or not self.scene.engine.jitter else jittered)
-        found = self._values.get(key)
-        if found is None:
-            width, height = self.scene.engine.viewport(frame, self._size)[2:]
-            found = self._values[key] = scene_values(self.scene, frame, (width, height), key[1])
+        view = self.scene.view
+        key = (frame, frame if jittered is None or not view.engine.jitter else jittered)
+        values = self._values.get(key)
+        if values is None:
+            size = view.engine.viewport(frame, self._size)[2:]
+            values = self._values[key] = uniform_values(view, self.item, frame, size, key[1])
             if len(self._values) > _KEPT_FRAMES:
                 self._values.popitem(last=False)
-        return found
+        return values
 
     def is_there(self, frame: int) -> bool:
         """Is the object in the scene at a frame?"""
-        return self.scene.motion.is_there(frame)
+        return self.item.motion.is_there(frame)
 
     def is_outside(self, frame: int) -> bool:
         """Do its bounds lie beyond one side of the picture at a frame? Never without bounds."""
         if self.item.bounds is None:
             return False
-        found = self._there.get(frame)
-        if found is None:
-            width, height = self.scene.engine.viewport(frame, self._size)[2:]
-            values = semantic_values(self.scene, frame, width / height)
-            found = self._there[frame] = _is_outside(
-                values["model-view-projection"], np.asarray(self.item.bounds, np.float64)
-            )
-        return found
+        if frame not in self._outside:
+            view = self.scene.view
+            width, height = view.engine.viewport(frame, self._size)[2:]
+            values = semantic_values(view, self.item.motion, frame, width / height)
+            bounds = np.asarray(self.item.bounds, np.float64)
+            self._outside[frame] = _is_outside(values["model-view-projection"], bounds)
+        return self._outside[frame]
 
     def vertex_array(self, program: Program, over_screen: bool = False) -> moderngl.VertexArray:
         """The mesh as the program's input; nothing, for one that draws ``over_screen``.
@@ -111,39 +87,35 @@ class Drawable:
         content = [self._attribute(program, name) for name in program.attributes]
         index = None if over_screen else self._mesh.index
         key = (index.glo if index else 0, *(buffer.glo for buffer, _, _ in content))
-        found = program.arrays.get(key)
-        if found is None:
-            found = self._gpu.ctx.vertex_array(program.gl, content, index)
-            program.arrays[key] = found
-        return found
+        if key not in program.arrays:
+            context = self._uploads.gpu.ctx
+            program.arrays[key] = context.vertex_array(program.gl, content, index)
+        return program.arrays[key]
+
+    def problem(self, code: str, message: str, hint: str | None = None) -> InputError:
+        """Something that the scene file lacks."""
+        place = Source(str(self.scene.path), "")
+        return InputError(Diagnostic(code, message, place, hint=hint))
 
     def _attribute(self, program: Program, name: str) -> tuple[moderngl.Buffer, str, str]:
-        array = self.scene.attributes.get(name)
+        array = self.item.inputs.attributes.get(name)
         if array is None:
             message = f"{program.name} needs the vertex attribute {name}, which the scene lacks"
             hint = f'under [attributes], add: {name} = "position" (or another array of the mesh)'
-            raise InputError(Diagnostic("SC521", message, self._place(), hint=hint))
+            raise self.problem("SC521", message, hint)
         return self._mesh.buffer(array), f"{self.mesh.arrays[array].shape[1]}f", name
 
     def _check_attributes(self) -> None:
-        problems = [
-            self._missing_array(attribute, array)
-            for attribute, array in self.scene.attributes.items()
-            if array not in self.mesh.arrays
-        ]
+        have = self.mesh.arrays
+        hint = f"it has: {', '.join(sorted(have))}"
+        problems: list[Diagnostic] = []
+        for attribute, array in self.item.inputs.attributes.items():
+            if array not in have:
+                what = f"which the mesh {self.mesh.name} does not have"
+                message = f"attributes.{attribute} wants the array {array!r}, {what}"
+                problems += self.problem("SC511", message, hint).diagnostics
         if problems:
             raise InputError(problems)
-
-    def _missing_array(self, attribute: str, array: str) -> Diagnostic:
-        have = ", ".join(sorted(self.mesh.arrays))
-        message = (
-            f"attributes.{attribute} wants the array {array!r}, "
-            f"which the mesh {self.mesh.name} does not have"
-        )
-        return Diagnostic("SC511", message, self._place(), hint=f"it has: {have}")
-
-    def _place(self) -> Source:
-        return Source(str(self.scene.path), "")
 
 
 def _is_outside(matrix: np.ndarray, bounds: np.ndarray) -> bool:

@@ -8,13 +8,14 @@ are drawn again.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping
 
 import moderngl
 import numpy as np
 
 from shadercache.caching.configuration import Refresh
 from shadercache.render.bound_pass import BoundPass
+from shadercache.render.draw_items import Turn
 from shadercache.render.drawable import Drawable
 from shadercache.scene.camera import Values
 
@@ -27,39 +28,36 @@ class EmptyPasses:
         self.skipped = 0
         self._fits = refresh.schedule == "none" and not refresh.age
         self._query = query
-        self._shown: dict[Drawable, Values] = {}
+        self._shown: Mapping[Drawable, Values] = {}
         self._empty: dict[BoundPass, bool] = {}
         self._still = False
 
-    def begin(self, shown: Sequence[tuple[Drawable, Values]], resets: bool) -> None:
+    def begin(self, shown: Mapping[Drawable, Values], resets: bool) -> None:
         """Begin a frame that shows these objects with these uniforms.
 
         ``resets``: some of them were not in the last frame, or that is not to be reused.
         """
         if not self._fits:
             return
-        now = dict(shown)
-        was, self._shown = self._shown, now
-        same = was.keys() == now.keys() and all(
-            _equal(was[drawable], now[drawable]) for drawable in now
-        )
+        was, self._shown = self._shown, shown
+        same = was.keys() == shown.keys() and all(_equal(was[item], shown[item]) for item in shown)
         self._still = same and not resets
         if not self._still:
             self._empty.clear()
 
-    def skips(self, bound: BoundPass) -> bool:
-        """Has the pass nothing to do?"""
-        found = self._still and self._empty.get(bound, False)
-        self.skipped += found
-        return found
-
-    def counting(self, bound: BoundPass) -> moderngl.Query | None:
-        """What to count the pass's fragments with, if they are to be counted."""
-        return self._query if self._still and bound not in self._empty else None
-
-    def counted(self, bound: BoundPass) -> None:
-        """The pass was drawn and counted."""
-        self._empty[bound] = int(self._query.samples) == 0
+    def draw(self, turn: Turn) -> bool:
+        """Draw a pass, unless it is known to have nothing to do; whether it was drawn."""
+        bound = turn.bound
+        if self._still and bound not in self._empty:
+            with self._query:
+                turn.draw()
+            self._empty[bound] = int(self._query.samples) == 0
+            return True
+        if self._still and self._empty[bound]:
+            self.skipped += 1
+            return False
+        turn.draw()
+        return True
 
 
 def _equal(one: Values, other: Values) -> bool:

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from shadercache.diagnostics import DiagnosticError
 from shadercache.gpu.resource import Resource
-from shadercache.render.bound_pass import NO_NAMES, BoundPass, FrameInputs, Naming
-from shadercache.render.bundle import Bundle, PassSpec
+from shadercache.render.bound_pass import BoundPass, plain_inputs
+from shadercache.render.bundle import NO_NAMES, Bundle, Naming, PassSpec
 from shadercache.render.drawable import Drawable
 from shadercache.render.linked_object import LinkedObject
 from shadercache.render.render_scene import RenderScene
@@ -29,7 +29,8 @@ class Runner(Resource):
         self.world = world
         self._bound: list[BoundPass] = []
 
-    def _bind(self, drawable: Drawable, spec: PassSpec, naming: Naming) -> BoundPass:
+    def bind(self, drawable: Drawable, spec: PassSpec, naming: Naming) -> BoundPass:
+        """A pass that is given back with this runner. Raises as ``BoundPass``."""
         bound = BoundPass(self.world, drawable, spec, naming)
         self._bound.append(bound)
         return bound
@@ -60,7 +61,7 @@ class PassRunner(Runner):
         self._passes: dict[Drawable, BoundPass] = {}
         try:
             for drawable, spec in zip(world.drawables, many, strict=True):
-                self._passes[drawable] = self._bind(drawable, spec, naming)
+                self._passes[drawable] = self.bind(drawable, spec, naming)
         except DiagnosticError:
             self.release()
             raise
@@ -71,31 +72,29 @@ class PassRunner(Runner):
         self._draw_objects(frame)
 
     def _draw_objects(self, frame: int, depth_test: str | None = None) -> None:
-        viewport = self.world.viewport(frame)
         for drawable in self.world.drawn(frame):
-            values = drawable.values(frame)
-            inputs = FrameInputs(values, values, object_numbers(drawable), viewport)
+            inputs = plain_inputs(self.world, drawable, frame)
             self._passes[drawable].draw(inputs, None, depth_test)
 
 
 class OriginalRunner(PassRunner):
-    """Draws the unchanged shaders."""
+    """Draws the unchanged shaders, with the application's own depth function."""
 
     def __init__(self, world: RenderScene, *bundles: Bundle) -> None:
         """Args: ``bundles`` are one for all objects, or as many. Raises as ``BoundPass``."""
         self._before: CoverageRunner | None = None
-        super().__init__(world, *(found.original for found in bundles))
-        if world.scene.engine.depth == "equal":
+        super().__init__(world, *(bundle.original for bundle in bundles))
+        # An application that tests for equal depth has drawn depth first.
+        if world.scene.view.engine.depth == "equal":
             self._before = CoverageRunner(world, *bundles)
 
     def draw(self, frame: int) -> None:
-        """Draw one frame into the colour target, with the application's own depth function."""
-        engine = self.world.scene.engine
+        """Draw one frame into the colour target."""
         if self._before is None:
             self.world.begin()
         else:
             self._before.draw(frame)
-        self._draw_objects(frame, ORIGINALS[engine.depth])
+        self._draw_objects(frame, ORIGINALS[self.world.scene.view.engine.depth])
 
     def release(self) -> None:
         """Give programs back to the render scene."""
@@ -109,7 +108,7 @@ class GeometryRunner(PassRunner):
 
     def __init__(self, world: RenderScene, *bundles: Bundle) -> None:
         """As ``OriginalRunner``."""
-        super().__init__(world, *(found.geometry for found in bundles))
+        super().__init__(world, *(bundle.geometry for bundle in bundles))
 
 
 class PayloadRunner(PassRunner):
@@ -121,16 +120,13 @@ class PayloadRunner(PassRunner):
     def __init__(self, world: RenderScene, *objects: LinkedObject) -> None:
         """Args: ``objects`` are one for all, or as many. Raises as ``BoundPass``."""
         named = next(item.bundle for item in objects if item.bundle.has_variants)
-        super().__init__(
-            world,
-            *(
-                item.bundle.payload
-                if item.configuration is not None and item.bundle.has_variants
-                else item.bundle.geometry
-                for item in objects
-            ),
-            naming=Naming(named.roles, {}),
+        specs = (
+            item.bundle.payload
+            if item.configuration is not None and item.bundle.has_variants
+            else item.bundle.geometry
+            for item in objects
         )
+        super().__init__(world, *specs, naming=Naming(named.naming.roles))
 
 
 class CoverageRunner(PassRunner):
@@ -138,7 +134,7 @@ class CoverageRunner(PassRunner):
 
     def __init__(self, world: RenderScene, *bundles: Bundle) -> None:
         """As ``OriginalRunner``."""
-        super().__init__(world, *(found.coverage for found in bundles))
+        super().__init__(world, *(bundle.coverage for bundle in bundles))
 
     def coverage(self, frame: int) -> NDArray[np.bool_]:
         """Which pixels the objects cover, (h, w)."""
@@ -152,21 +148,14 @@ class CoverageRunner(PassRunner):
         Which of the two is seen depends on the order of drawing and the depth function.
         """
         self.draw(frame)
-        self.world.targets.clear_color()
-        ctx = self.world.gpu.ctx
-        ctx.enable(moderngl.BLEND)
-        ctx.blend_func = (moderngl.ONE, moderngl.ONE)
+        targets, context = self.world.targets, self.world.gpu.ctx
+        targets.clear(targets.color, keep_depth=True)
+        context.enable(moderngl.BLEND)
+        context.blend_func = (moderngl.ONE, moderngl.ONE)
         self._draw_objects(frame, depth_test="==")
-        ctx.disable(moderngl.BLEND)
-        return self.world.targets.image()[..., 0] > 0.375
-
-
-def object_numbers(drawable: Drawable) -> dict[str, NDArray[np.float64]]:
-    """The numbers that are an object's own, by role."""
-    return {
-        "object": np.array([drawable.number], np.float64),
-        "mask": np.array([drawable.item.mask], np.float64),
-    }
+        context.disable(moderngl.BLEND)
+        # Each fragment adds 1/4: more than 3/8 is two at least.
+        return targets.image()[..., 0] > 0.375
 
 
 def render_original(

@@ -3,23 +3,21 @@
 from __future__ import annotations
 
 from copy import copy
-from dataclasses import replace
-from pathlib import Path
 
 import moderngl
 
 from shadercache.diagnostics import input_error
-from shadercache.gpu.clip_control import apply_state
-from shadercache.gpu.context import Gpu
+from shadercache.gpu.context import Gpu, apply_state
 from shadercache.gpu.programs import Programs
 from shadercache.gpu.resource import Resource
 from shadercache.gpu.targets import Targets
-from shadercache.gpu.textures import GlTexture, upload_texture
-from shadercache.render.drawable import Drawable, GpuMesh
+from shadercache.gpu.textures import GlTexture
+from shadercache.render.drawable import Drawable
+from shadercache.render.uploads import Uploads
 from shadercache.scene.camera import Values
-from shadercache.scene.description import Camera, CameraPath, Scene, SceneObject, TextureSpec
-from shadercache.scene.mesh import Mesh, scene_mesh
-from shadercache.scene.motion import REST
+from shadercache.scene.description import Scene
+from shadercache.scene.mesh import Mesh
+from shadercache.scene.motion import REST, Camera, CameraPath
 
 
 class RenderScene(Resource):
@@ -36,14 +34,12 @@ class RenderScene(Resource):
         size: tuple[int, int],
         color: str = "rgba8",
         mesh: Mesh | None = None,
-        small: bool = False,
     ) -> None:
         """Upload the meshes (``mesh`` in place of the scene's own) and make the targets.
 
         Args:
             size: width and height in pixels.
             color: ``rgba8`` for pictures and timing, ``rgba32f`` for proofs.
-            small: take the meshes' low resolution stand-ins where there are any.
 
         Raises:
             InputError: SC51x for an unusable mesh, SC540 for a mesh in place of those of several
@@ -52,26 +48,18 @@ class RenderScene(Resource):
         if mesh is not None and scene.objects:
             message = f"the scene {scene.name} has several objects; one mesh cannot replace theirs"
             raise input_error("SC540", message)
-        self.gpu = gpu
-        self.scene = scene
+        self.gpu, self.scene, self.size = gpu, scene, size
         self.culling = True
-        self._owns = True
         self.programs = Programs(gpu)
-        self._meshes: dict[Path | None, GpuMesh] = {}
-        self._textures: dict[TextureSpec, GlTexture] = {}
+        self._uploads: Uploads | None = Uploads(gpu, mesh)
         self.drawables = tuple(
-            self._drawable(item, number + 1, self._mesh(item.scene, mesh, small), size)
-            for number, item in enumerate(scene.parts)
+            Drawable(self._uploads, scene, item, number, size)
+            for number, item in enumerate(scene.parts, start=1)
         )
-        self.targets = Targets(gpu.ctx, size, color, scene.engine.empty_depth)
-        self._mixed = len({item.scene.cull for item in scene.parts}) > 1
+        self.targets = Targets(gpu.ctx, size, color, scene.view.engine.empty_depth)
+        self._mixed = len({item.cull for item in scene.parts}) > 1
         # moderngl cannot free a query, so there is one for all runners.
         self.sample_counter = gpu.ctx.query(samples=True)
-
-    @property
-    def size(self) -> tuple[int, int]:
-        """Width and height in pixels."""
-        return self.targets.size
 
     @property
     def mesh(self) -> Mesh:
@@ -83,12 +71,12 @@ class RenderScene(Resource):
         return self.drawables[0].values(frame)
 
     def texture(self, name: str) -> GlTexture | None:
-        """A texture of the first object; None if it has none so named. Raises as :meth:`load`."""
+        """A texture of the first object, as ``Drawable.texture``."""
         return self.drawables[0].texture(name)
 
     def viewport(self, frame: int) -> tuple[int, int, int, int]:
         """Left, bottom, width and height of what a frame is drawn into, in pixels."""
-        return self.scene.engine.viewport(frame, self.size)
+        return self.scene.view.engine.viewport(frame, self.size)
 
     def drawn(self, frame: int) -> tuple[Drawable, ...]:
         """The objects that are drawn in a frame: there, and not outside of the picture."""
@@ -110,60 +98,27 @@ class RenderScene(Resource):
         views take turns; each has a cache of its own.
         """
         other = copy(self)
-        other._owns = False
+        other._uploads = None
         other.scene = self.scene.seen_from(camera, path)
-        other.drawables = tuple(
-            drawable.seen_as(replace(drawable.item, scene=drawable.scene.seen_from(camera, path)))
-            for drawable in self.drawables
-        )
+        other.drawables = tuple(drawable.seen_as(other.scene) for drawable in self.drawables)
         return other
-
-    def load(self, spec: TextureSpec) -> GlTexture:
-        """A texture, uploaded when first wanted.
-
-        Raises:
-            InputError: SC530, SC531 for a file that is no texture.
-        """
-        if spec not in self._textures:
-            self._textures[spec] = upload_texture(self.gpu, spec)
-        return self._textures[spec]
 
     def begin(self) -> None:
         """Set the state a frame starts from, and clear colour and depth."""
-        flags = moderngl.DEPTH_TEST | (moderngl.CULL_FACE if self.drawables[0].scene.cull else 0)
+        flags = moderngl.DEPTH_TEST | (moderngl.CULL_FACE if self.drawables[0].item.cull else 0)
         self.gpu.ctx.enable_only(flags)
-        apply_state(self.gpu.ctx, self.scene.engine)
-        self.targets.clear()
+        apply_state(self.gpu.ctx, self.scene.view.engine)
+        self.targets.clear(self.targets.color)
 
     def set_culling(self, drawable: Drawable) -> None:
         """Draw back faces of this object or not, where objects differ in that."""
         if self._mixed:
-            change = self.gpu.ctx.enable if drawable.scene.cull else self.gpu.ctx.disable
+            change = self.gpu.ctx.enable if drawable.item.cull else self.gpu.ctx.disable
             change(moderngl.CULL_FACE)
 
     def release(self) -> None:
         """Free every GL object; what runs here can draw no more. Of a view: nothing."""
-        if not self._owns:
-            return
-        self.programs.release_all()
-        for mesh in self._meshes.values():
-            mesh.release()
-        for texture in self._textures.values():
-            texture.release()
-        self.targets.release()
-
-    def _mesh(self, scene: Scene, given: Mesh | None, small: bool) -> GpuMesh:
-        """What an object draws; objects that draw the same file share it."""
-        path = scene.verify_mesh if small and scene.verify_mesh else scene.mesh
-        if path not in self._meshes:
-            self._meshes[path] = GpuMesh(self.gpu.ctx, given or scene_mesh(scene, small))
-        return self._meshes[path]
-
-    def _drawable(
-        self, item: SceneObject, number: int, mesh: GpuMesh, size: tuple[int, int]
-    ) -> Drawable:
-        def texture(name: str) -> GlTexture | None:
-            spec = item.scene.textures.get(name)
-            return None if spec is None else self.load(spec)
-
-        return Drawable(self.gpu, item, number, mesh, size, texture)
+        if self._uploads is not None:
+            self.programs.release_all()
+            self._uploads.release()
+            self.targets.release()

@@ -12,72 +12,65 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from shadercache.scene.description import Camera, CameraPath, Motion, Scene
+from shadercache.scene.description import SceneObject, View
+from shadercache.scene.motion import Camera, CameraPath, Motion
 
 Matrix = NDArray[np.float64]
 Values = Mapping[str, NDArray[np.float64]]
 """Uniform name -> its numbers in the order of upload (n,); matrices column by column."""
 
 
-def root_of(name: str) -> str:
-    """The variable that a uniform is part of: ``light`` of ``light.color`` and ``light[1]``."""
-    return name.partition("[")[0].partition(".")[0]
-
-
 FRAMES_PER_SECOND = 60.0
 
 
-def semantic_values(
-    scene: Scene, frame: int, aspect: float, shift: tuple[float, float] = (0.0, 0.0)
-) -> dict[str, Matrix]:
-    """Every semantic's value at a frame (counted from 0); ``aspect`` is width / height.
+def uniform_values(
+    view: View, item: SceneObject, frame: int, size: tuple[int, int], jittered: int | None = None
+) -> Values:
+    """The value of every uniform of an object at a frame, in a picture of a size in pixels.
 
-    ``shift`` is the jitter, in halves of the picture's width and height.
-
-    ``normal-matrix`` is the inverse transpose of the model-view matrix (3x3), ``eye`` the camera's
-    place in the world, ``time`` seconds at 60 frames a second, ``time-delta`` those since the last
-    frame (none in the first, which is also the scene at rest).
+    ``jittered``: the frame whose jitter it has, if it is another.
     """
-    camera = camera_at(scene, frame)
-    model = model_matrix(scene.motion, frame)
-    view = look_at(camera)
-    project = scene.engine.projection(perspective(camera, aspect), shift)
-    model_view = view @ model
+    width, height = size
+    x, y = view.engine.shift(frame if jittered is None else jittered)
+    shift = (2.0 * x / width, 2.0 * y / height)
+    values = semantic_values(view, item.motion, frame, width / height, shift) | {
+        "resolution": np.array([width, height], np.float64),
+        # Of a Shadertoy: the shape of a pixel, 1, comes behind the size.
+        "resolution-aspect": np.array([width, height, 1.0]),
+    }
+    given = item.inputs
+    uniforms = {name: np.asarray(value, np.float64) for name, value in given.constants.items()}
+    uniforms |= {name: animation.at(frame) for name, animation in given.animated.items()}
+    # A transpose read row by row is the matrix column by column; vectors stay as they are.
+    return uniforms | {name: values[word].T.ravel() for name, word in given.semantics.items()}
+
+
+def semantic_values(
+    view: View, motion: Motion, frame: int, aspect: float, shift: tuple[float, float] = (0.0, 0.0)
+) -> dict[str, Matrix]:
+    """Every semantic's value at a frame (counted from 0), but the picture's size.
+
+    ``aspect`` is width / height, ``shift`` the jitter in halves of the picture's width and height.
+    """
+    camera = camera_at(view, frame)
+    model = model_matrix(motion, frame)
+    seen = look_at(camera)
+    project = view.engine.projection(perspective(camera, aspect), shift)
+    model_view = seen @ model
     return {
         "model": model,
-        "view": view,
+        "view": seen,
         "projection": project,
         "model-view": model_view,
-        "view-projection": project @ view,
+        "view-projection": project @ seen,
         "model-view-projection": project @ model_view,
         "normal-matrix": np.linalg.inv(model_view[:3, :3]).T,
         "eye": np.asarray(camera.eye, np.float64),
-        "time": np.asarray(scene.start_time + frame / FRAMES_PER_SECOND),
+        "time": np.asarray(view.start_time + frame / FRAMES_PER_SECOND),
+        # None in the first frame, which is also that of the scene at rest.
         "time-delta": np.asarray(1.0 / FRAMES_PER_SECOND if frame > 0 else 0.0),
         "frame": np.asarray(float(frame)),
     }
-
-
-def scene_values(
-    scene: Scene, frame: int, size: tuple[int, int], jittered: int | None = None
-) -> Values:
-    """The value of every uniform of the scene at a frame, in a picture of a size in pixels.
-
-    ``jittered``: the frame whose jitter it has, if it is another.
-
-    ``resolution`` is that size, ``resolution-aspect`` the same with the shape of a pixel, 1.
-    """
-    width, height = size
-    x, y = scene.engine.shift(frame if jittered is None else jittered)
-    shift = (2.0 * x / width, 2.0 * y / height)
-    values = semantic_values(scene, frame, width / height, shift) | {
-        "resolution": np.array([width, height], np.float64),
-        "resolution-aspect": np.array([width, height, 1.0]),
-    }
-    uniforms = {name: np.asarray(value, np.float64) for name, value in scene.constants.items()}
-    uniforms |= {name: animation.at(frame) for name, animation in scene.animated.items()}
-    # A transpose read row by row is the matrix column by column; vectors stay as they are.
-    return uniforms | {name: values[word].T.ravel() for name, word in scene.semantics.items()}
 
 
 def model_matrix(motion: Motion, frame: int) -> Matrix:
@@ -88,9 +81,9 @@ def model_matrix(motion: Motion, frame: int) -> Matrix:
     return matrix
 
 
-def camera_at(scene: Scene, frame: int) -> Camera:
-    """The camera of a frame, on the scene's path."""
-    camera, path = scene.camera, scene.camera_path
+def camera_at(view: View, frame: int) -> Camera:
+    """The camera of a frame, on its path."""
+    camera, path = view.camera, view.camera_path
     if path.keys:
         return _between_keys(camera, path, frame)
     if path.degrees_per_frame == 0.0:
@@ -102,7 +95,8 @@ def camera_at(scene: Scene, frame: int) -> Camera:
 
 
 def _between_keys(camera: Camera, path: CameraPath, frame: int) -> Camera:
-    """On the Catmull-Rom curve through the keys of a shot: those between two cuts."""
+    """On the Catmull-Rom curve through the keys of a shot."""
+    # A shot is what lies between two cuts: the curve must not look beyond them.
     past = [key for key in path.keys if key.frame <= frame]
     first = max((at for at, key in enumerate(past) if key.cut), default=0)
     rest = path.keys[len(past) :]
@@ -153,10 +147,8 @@ def turn_about(axis_of_turn: Sequence[float], degrees: float) -> Matrix:
     axis = np.asarray(axis_of_turn, np.float64)
     x, y, z = axis / np.linalg.norm(axis)
     cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    matrix: Matrix = np.eye(3) + (
-        math.sin(angle) * cross + (1.0 - math.cos(angle)) * (cross @ cross)
-    )
-    return matrix
+    turn: Matrix = np.eye(3) + math.sin(angle) * cross + (1.0 - math.cos(angle)) * (cross @ cross)
+    return turn
 
 
 def look_at(camera: Camera) -> Matrix:

@@ -1,37 +1,21 @@
-"""What an application sets beside its shaders: depth functions, polygon offset, clip space, jitter.
-
-The manifest names the passes' depth functions for an application that draws with ``less``; what
-they are for another is in :data:`FUNCTIONS` here and in ``depth_functions`` there.
-"""
+"""What an application sets beside its shaders: depth, polygon offset, clip space, jitter."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal, TypeAlias, get_args
+from typing import Any, Literal, TypeAlias, cast, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
-from shadercache.scene.toml_reader import Table, is_number
+from shadercache.scene.toml_reader import Table, is_numbers
 
 DepthFunction: TypeAlias = Literal["less", "lequal", "greater", "gequal", "equal"]
 ClipSpace: TypeAlias = Literal["symmetric", "zero-to-one"]
 
 Rectangle: TypeAlias = tuple[float, float, float, float]
 WHOLE: Rectangle = (0.0, 0.0, 1.0, 1.0)
-
-FUNCTIONS: Mapping[str, Mapping[str, str]] = {
-    "less": {"<": "<", "<=": "<=", "==": "=="},
-    "lequal": {"<": "<", "<=": "<=", "==": "=="},
-    "equal": {"<": "<", "<=": "<=", "==": "=="},
-    "greater": {"<": ">", "<=": ">=", "==": "=="},
-    "gequal": {"<": ">", "<=": ">=", "==": "=="},
-}
-"""An application's depth function -> a pass's, as the manifest says it -> the pass's there.
-
-``equal`` stands for an application that draws depth first: the variants do without that pass.
-"""
 
 ORIGINALS: Mapping[str, str] = {
     "less": "<",
@@ -79,25 +63,29 @@ class GraphicsState:
         return 0.0 if self.reversed else 1.0
 
     def function(self, test: str) -> str:
-        """moderngl's depth function of a pass that the manifest gives this one."""
-        return FUNCTIONS[self.depth][test]
+        """moderngl's depth function for a pass that has this one where depth is not reversed.
+
+        What the manifest tells engines as ``depth_functions``. ``equal`` stands for an application
+        that draws depth first: the variants do without that pass.
+        """
+        return test.replace("<", ">") if self.reversed else test
 
     def projection(
         self, matrix: NDArray[np.float64], shift: tuple[float, float]
     ) -> NDArray[np.float64]:
         """A projection (clip z from -w to w) as it is here, shifted by ``shift`` of the picture's
         half width and height."""
-        made = matrix.copy()
+        here = matrix.copy()
         if self.clip == "zero-to-one":
-            made[2] = 0.5 * (made[2] + made[3])
+            here[2] = 0.5 * (here[2] + here[3])
             if self.reversed:
-                made[2] = made[3] - made[2]
+                here[2] = here[3] - here[2]
         elif self.reversed:
-            made[2] = -made[2]
+            here[2] = -here[2]
         if self.jitter:
-            made[0] += shift[0] * made[3]
-            made[1] += shift[1] * made[3]
-        return made
+            here[0] += shift[0] * here[3]
+            here[1] += shift[1] * here[3]
+        return here
 
     def shift(self, frame: int) -> tuple[float, float]:
         """The jitter of a frame in pixels, each part within half a pixel of none."""
@@ -111,51 +99,32 @@ PLAIN = GraphicsState()
 
 
 def read_engine(table: Table) -> GraphicsState:
-    """``[engine]``; mistakes are noted in the table."""
-    pair = table.values.get("polygon_offset", [0.0, 0.0])
-    if table.has("polygon_offset") and not _is_pair(pair):
-        table.problem("SC505", "polygon_offset", "engine.polygon_offset must be factor and units")
-        pair = [0.0, 0.0]
+    """``[engine]``."""
     depth = table.text("depth", "less", get_args(DepthFunction))
     clip = table.text("clip", "symmetric", get_args(ClipSpace))
-    engine = GraphicsState(
-        depth=next(known for known in get_args(DepthFunction) if known == depth),
-        offset=(float(pair[0]), float(pair[1])),
-        clip="zero-to-one" if clip == "zero-to-one" else "symmetric",
+    factor, units = table.checked(
+        "polygon_offset", "factor and units", lambda value: is_numbers(value, 2), (0.0, 0.0)
+    )
+    rectangles = "rectangles inside of [0, 0, 1, 1]"
+    viewports = table.rows("viewports", rectangles, _is_rectangle, least=1)
+    return GraphicsState(
+        depth=cast(DepthFunction, depth),
+        offset=(float(factor), float(units)),
+        clip=cast(ClipSpace, clip),
         jitter=table.whole("jitter", 0, least=0),
         told=table.boolean("jitter_told", True),
-        viewports=_viewports(table),
+        viewports=tuple((float(a), float(b), float(c), float(d)) for a, b, c, d in viewports)
+        or (WHOLE,),
         hold=table.whole("viewport_frames", 1, least=1),
     )
-    table.refuse_unknown()
-    return engine
 
 
-def _viewports(table: Table) -> tuple[Rectangle, ...]:
-    value = table.values.get("viewports", [list(WHOLE)])
-    if table.has("viewports") and not (
-        isinstance(value, list) and value and all(map(_is_rectangle, value))
-    ):
-        message = "engine.viewports must be rectangles inside of [0, 0, 1, 1]"
-        table.problem("SC505", "viewports", message)
-        return (WHOLE,)
-    return tuple((float(a), float(b), float(c), float(d)) for a, b, c, d in value)
-
-
-def _is_rectangle(value: object) -> bool:
-    if not (isinstance(value, list) and len(value) == 4 and all(map(is_number, value))):
+def _is_rectangle(value: Any) -> bool:
+    if not is_numbers(value, 4):
         return False
     left, bottom, width, height = value
     inside = min(left, bottom) >= 0.0 and left + width <= 1.0 and bottom + height <= 1.0
     return bool(inside and width > 0.0 and height > 0.0)
-
-
-def _is_pair(value: object) -> bool:
-    return (
-        isinstance(value, list)
-        and len(value) == 2
-        and all(isinstance(number, int | float) for number in value)
-    )
 
 
 def _halton(index: int, base: int) -> float:

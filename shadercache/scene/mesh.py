@@ -67,24 +67,17 @@ FULL_SCREEN = Mesh(
 none of them."""
 
 
-def scene_mesh(scene: Scene, small: bool = False) -> Mesh:
-    """What a scene draws; ``small``: its low resolution stand-in, where it has one.
-
-    Raises as :func:`load_mesh`.
-    """
-    path = scene.verify_mesh if small and scene.verify_mesh else scene.mesh
-    return FULL_SCREEN if path is None else load_mesh(path)
-
-
 def replacement_mesh(scene: Scene, path: Path | None) -> Mesh | None:
     """What is drawn in place of the scene's mesh, if anything is.
 
     Raises as :func:`load_mesh`, and :class:`UsageError` SC008 where the scene has no mesh.
     """
-    if path is not None and (scene.mesh is None or scene.objects):
+    if path is None:
+        return None
+    if scene.common.mesh is None or scene.objects:
         why = "has several objects" if scene.objects else "is full-screen and draws no mesh"
         raise usage_error("SC008", f"--mesh: {scene.name} {why}")
-    return None if path is None else load_mesh(path)
+    return load_mesh(path)
 
 
 def _target(key: str) -> str | None:

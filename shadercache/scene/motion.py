@@ -1,8 +1,8 @@
-"""How cameras and objects move: plain values, read from a scene file. Matrices: ``camera.py``."""
+"""How cameras and objects move, as a scene file says it. Matrices: ``camera.py``."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 from shadercache.scene.toml_reader import Table
@@ -86,7 +86,7 @@ class Motion:
         x, y, z = (
             at + step * (frame - start) for at, step in zip(base, self.velocity, strict=True)
         )
-        return (x, y, z)
+        return x, y, z
 
 
 RESTING_CAMERA = Camera((0.0, 0.0, 3.0), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0), 45.0, 0.1, 100.0)
@@ -95,7 +95,7 @@ RESTING_MOTION = Motion((0.0, 1.0, 0.0), 0.0, 0.0, 64)
 
 
 def read_camera(table: Table) -> tuple[Camera, CameraPath]:
-    """``[camera]`` with its ``path``; mistakes are noted in the table."""
+    """``[camera]`` with its ``path``."""
     camera = Camera(
         eye=table.vector("eye"),
         target=table.vector("target", (0.0, 0.0, 0.0)),
@@ -104,35 +104,30 @@ def read_camera(table: Table) -> tuple[Camera, CameraPath]:
         near=table.number("near"),
         far=table.number("far"),
     )
-    path = _read_path(table.table("path"), camera) if table.has("path") else REST
-    table.refuse_unknown()
-    if table.has("fov_degrees") and not 0.0 < camera.fov_degrees < 180.0:
-        table.problem("SC505", "fov_degrees", "camera.fov_degrees must lie between 0 and 180")
-    if table.has("near") and table.has("far") and not 0.0 < camera.near < camera.far:
-        table.problem("SC505", "near", "camera.near must be above 0 and below camera.far")
-    if table.has("eye") and not _spans(camera):
-        table.problem("SC505", "eye", "camera.eye, target and up do not span a view")
-    return camera, path
+    in_range = 0.0 < camera.fov_degrees < 180.0
+    table.require(in_range, "fov_degrees", "camera.fov_degrees must lie between 0 and 180")
+    if table.has("near") and table.has("far"):
+        in_order = 0.0 < camera.near < camera.far
+        table.require(in_order, "near", "camera.near must be above 0 and below camera.far")
+    if table.has("eye"):
+        table.require(_spans(camera), "eye", "camera.eye, target and up do not span a view")
+    return camera, _read_path(table.table("path"), camera) if table.has("path") else REST
 
 
 def _read_path(table: Table, camera: Camera) -> CameraPath:
     turn = table.number("degrees_per_frame", 0.0)
     keys: list[Key] = []
     for entry in table.tables("keys"):
-        last = keys[-1] if keys else None
-        key = _read_key(entry, camera, last)
-        if last is not None and key.frame <= last.frame:
-            entry.problem("SC505", "frame", f"{entry.name}.frame must be above the one before")
+        key = _read_key(entry, keys[-1] if keys else camera)
+        later = not keys or key.frame > keys[-1].frame
+        entry.require(later, "frame", f"{entry.name}.frame must be above the one before")
         keys.append(key)
-    table.refuse_unknown()
-    if keys and turn:
-        table.problem("SC505", "keys", f"{table.name} is an orbit or has keys, not both")
+    table.require(not (keys and turn), "keys", f"{table.name} is an orbit or has keys, not both")
     return CameraPath(turn, tuple(keys))
 
 
-def _read_key(table: Table, camera: Camera, last: Key | None) -> Key:
+def _read_key(table: Table, before: Key | Camera) -> Key:
     """What a key does not say is as in the key before it, or as the camera is."""
-    before = last or camera
     key = Key(
         frame=table.whole("frame", None, least=0),
         eye=table.vector("eye", before.eye),
@@ -141,22 +136,20 @@ def _read_key(table: Table, camera: Camera, last: Key | None) -> Key:
         fov_degrees=table.number("fov_degrees", before.fov_degrees),
         cut=table.boolean("cut", False),
     )
-    table.refuse_unknown()
-    at = replace(camera, eye=key.eye, target=key.target, up=key.up)
-    if not _spans(at) or not 0.0 < key.fov_degrees < 180.0:
-        table.problem("SC505", "eye", f"{table.name}: eye, target and up do not span a view")
+    spans = _spans(key) and 0.0 < key.fov_degrees < 180.0
+    table.require(spans, "eye", f"{table.name}: eye, target and up do not span a view")
     return key
 
 
-def _spans(camera: Camera) -> bool:
+def _spans(camera: Camera | Key) -> bool:
     a = [target - eye for eye, target in zip(camera.eye, camera.target, strict=True)]
     b = camera.up
     cross = (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
     return max(map(abs, cross)) > 1e-9 * max(map(abs, a)) * max(map(abs, b))
 
 
-def read_motion(table: Table, turn: float = 1.0) -> Motion:
-    """``[motion]``, by default with ``turn`` degrees a frame; mistakes are noted in the table."""
+def read_motion(table: Table, turn: float) -> Motion:
+    """``[motion]``, by default with ``turn`` degrees a frame."""
     motion = Motion(
         axis=table.vector("axis", (0.0, 1.0, 0.0)),
         degrees_per_frame=table.number("degrees_per_frame", turn),
@@ -165,29 +158,15 @@ def read_motion(table: Table, turn: float = 1.0) -> Motion:
         position=table.vector("position", (0.0, 0.0, 0.0)),
         velocity=table.vector("velocity", (0.0, 0.0, 0.0)),
         scale=table.number("scale", 1.0),
-        jumps=tuple(map(_read_jump, table.tables("jumps"))),
-        visible=_read_spans(table, "visible"),
+        jumps=tuple(
+            (jump.whole("frame", None, least=0), jump.vector("position"))
+            for jump in table.tables("jumps")
+        ),
+        visible=tuple((a, b) for a, b in table.rows("visible", "pairs of frames", _is_span)),
     )
-    table.refuse_unknown()
-    if not any(motion.axis):
-        table.problem("SC505", "axis", f"{table.name}.axis must not be zero")
-    if motion.scale <= 0.0:
-        table.problem("SC505", "scale", f"{table.name}.scale must be above zero")
+    table.require(any(motion.axis), "axis", f"{table.name}.axis must not be zero")
+    table.require(motion.scale > 0.0, "scale", f"{table.name}.scale must be above zero")
     return motion
-
-
-def _read_jump(table: Table) -> tuple[int, Vector]:
-    jump = table.whole("frame", None, least=0), table.vector("position")
-    table.refuse_unknown()
-    return jump
-
-
-def _read_spans(table: Table, key: str) -> tuple[tuple[int, int], ...]:
-    value = table.values.get(key, [])
-    if table.has(key) and not (isinstance(value, list) and all(map(_is_span, value))):
-        table.problem("SC505", key, f"{table.full(key)} must be pairs of frames, not {value!r}")
-        return ()
-    return tuple((first, end) for first, end in value)
 
 
 def _is_span(value: Any) -> bool:

@@ -33,8 +33,8 @@ def judge(references: References, bundle: Bundle, verdict: Verdict) -> None:
         for law, fault in (("law 3", resting_fault), ("law 4", moving_fault)):
             if fault:
                 verdict.faults[f"{law} ({name})"] = fault
-        if bundle.age_channel is not None:
-            verdict.ages[name] = _oldest(references, bundle, name, bundle.age_channel)
+        if bundle.cache.age_channel is not None:
+            verdict.ages[name] = _oldest(references, bundle, name, bundle.cache.age_channel)
 
 
 def apart(references: References, mode: Mode, images: Iterable[Image]) -> Difference:
@@ -49,11 +49,13 @@ def refreshed(references: References, bundle: Bundle, name: str, mode: Mode) -> 
     In plain mode it need not be; this is what that changes.
     """
     images = []
+    refresh = bundle.configuration.refresh
+    never = refresh.schedule == "none" and not refresh.age
     with references.run(bundle, name, period=1) as runner:
         for frame in ALWAYS:
             # A reset draws the passes that compute, and not those that would find nothing to reuse:
             # compiling these takes a third of the time.
-            if mode == "plain" or not bundle.refreshes:
+            if mode == "plain" or never:
                 runner.reset("cut")
             images.append(runner.image(frame))
     return apart(references, mode, images)

@@ -46,7 +46,7 @@ class References(Resource):
         """Render the originals. Raises as ``RenderScene`` and ``BoundPass``."""
         scene, self.analysis = opened
         self.linker = Linker(scene, self.analysis)
-        self.world = RenderScene(gpu, self.linker.scene, size, "rgba32f", mesh, small=True)
+        self.world = RenderScene(gpu, self.linker.scene.small, size, "rgba32f", mesh)
         self.images: dict[Mode, list[Image]] = {}
         modes: tuple[Mode, ...] = ("plain", "proof")
         with at_home(self.analysis):

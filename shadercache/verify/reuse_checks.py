@@ -17,9 +17,10 @@ from shadercache.caching.algorithms import algorithm
 from shadercache.caching.layout import Layout
 from shadercache.compiler import emit_needed
 from shadercache.diagnostics import InputError
-from shadercache.render.bound_pass import BoundPass, FrameInputs, Naming
-from shadercache.render.bundle import Bundle, PassSpec
-from shadercache.render.variant_runner import DrawItem, VariantRunner
+from shadercache.render.bound_pass import BoundPass, FrameInputs, plain_inputs
+from shadercache.render.bundle import Bundle, Naming, PassSpec
+from shadercache.render.draw_items import DrawItem
+from shadercache.render.variant_runner import VariantRunner
 from shadercache.verify import expected_hits as expected
 from shadercache.verify.expected_hits import HitMasks, Hits, Outcomes
 from shadercache.verify.references import References
@@ -106,7 +107,7 @@ class Reuse:
         for role in runner.cached:
             if role.before is None:
                 continue
-            inputs = runner.inputs(role, frame)
+            inputs = runner.inputs.of(role, frame)
             for spec in self.bundle.passes(runner.algorithm):
                 if not spec.looks:
                     continue
@@ -123,11 +124,11 @@ class Reuse:
     def _position_fault(
         self, role: DrawItem, spec: PassSpec, asked: list[tuple[FrameInputs, Positions]]
     ) -> str:
-        names = {added: name for name, added in self.bundle.roles.items()}
+        names = {added: name for name, added in role.naming.roles.items()}
         varying = names["previous-cache"].removesuffix("cache") + "previous"
-        naming = Naming(self.bundle.roles, self.bundle.twins)
+        world, drawable = self.references.world, role.drawable
         try:
-            program = PositionPass(self.references.world, role.drawable, spec, naming, varying)
+            program = PositionPass(world, drawable, spec, role.naming, varying)
         except InputError:
             return f"{spec.vertex.name} does not compute where the vertices were in the last frame"
         faults = [program.fault(given, truth) for given, truth in asked]
@@ -143,7 +144,7 @@ class Reuse:
         world = self.references.world
         moved = world.viewport(frame) != world.viewport(max(frame - 1, 0))
         follows = self.configuration.hit_test.viewport
-        if frame in world.scene.camera_path.cuts or (moved and not follows):
+        if frame in world.scene.view.camera_path.cuts or (moved and not follows):
             return None
         height, width = self.references.covered[0].shape
         discrete = np.zeros((height, width, 0), np.uint32)
@@ -165,7 +166,7 @@ class Reuse:
     def _shown(self, runner: VariantRunner, look: Look) -> Mask:
         """The pixels that have to hit unless they are due."""
         was, surfaces = look.frame - 1, self.references.surfaces
-        numbers = runner.inputs(runner.cached[0], look.frame).numbers
+        numbers = runner.inputs.of(runner.cached[0], look.frame).numbers
         test = expected.DepthTest(
             self.configuration, float(numbers["epsilon"][0]), float(numbers["unit"][0])
         )
@@ -181,13 +182,13 @@ class Reuse:
         counted = [
             role.drawable.number
             for role in runner.cached
-            if not role.drawable.item.mask
+            if not role.drawable.item.caching.mask
             and role.linked.configuration is not None
             and role.linked.configuration.refresh.period >= PERIOD
         ]
         seen = self.references.surfaces.frame(frame).number
         has: Mask = self.references.covered[frame] & np.isin(seen, counted)
-        if self._witness.needed_by_some:
+        if self._witness.needed[1]:
             has &= self._needs(runner, frame) != _WITHOUT
         return has
 
@@ -204,15 +205,15 @@ class Reuse:
     def _needs(self, runner: VariantRunner, frame: int) -> Outcomes:
         """What the program says that tells pixels with payloads from those without."""
         if frame not in self._needed:
-            world, spec = self.references.world, self._witness.needed
+            world, spec = self.references.world, self._witness.needed[0]
             self.references.surfaces.lay_depth(frame)
-            world.targets.clear_mask_alone()
+            world.targets.clear(world.targets.mask, keep_depth=True)
             for role in runner.cached:
                 if role.drawable in world.drawn(frame):
-                    values = role.drawable.values(frame)
-                    numbers = runner.inputs(role, frame).numbers
-                    given = FrameInputs(values, values, numbers, world.viewport(frame))
-                    bound = BoundPass(world, role.drawable, spec, Naming(self.bundle.roles, {}))
+                    numbers = runner.inputs.of(role, frame).numbers
+                    given = replace(plain_inputs(world, role.drawable, frame), numbers=numbers)
+                    naming = Naming(role.naming.roles)
+                    bound = BoundPass(world, role.drawable, spec, naming)
                     bound.draw(given, None, "==")
                     bound.release()
             self._needed[frame] = world.targets.mask_values()

@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 
 from shadercache.gpu.programs import Program
 from shadercache.gpu.resource import Resource
-from shadercache.render.bound_pass import NO_NAMES, FrameInputs
-from shadercache.render.bundle import Bundle
+from shadercache.render.bound_pass import FrameInputs, plain_inputs
+from shadercache.render.bundle import NO_NAMES, Bundle
 from shadercache.render.drawable import Drawable
-from shadercache.render.pass_runners import OriginalRunner, object_numbers
+from shadercache.render.pass_runners import OriginalRunner
 from shadercache.render.render_scene import RenderScene
 from shadercache.source import Source
 from shadercache.verify.vertex_positions import PositionPass, Positions
@@ -73,7 +73,7 @@ class Surfaces(Resource):
         """Where the frame before drew the corners of an object, by this frame's jitter if the
         engine tells of it."""
         was = max(frame - 1, 0)
-        told = self.world.scene.engine.told
+        told = self.world.scene.view.engine.told
         return self._captured(drawable, was, frame if told else was)
 
     def at(self, drawable: Drawable, inputs: FrameInputs) -> Positions:
@@ -83,7 +83,8 @@ class Surfaces(Resource):
     def lay_depth(self, frame: int) -> None:
         """Draw a frame by the originals, so that its depth is there."""
         self._original.draw(frame)
-        self.world.targets.clear_color()
+        targets = self.world.targets
+        targets.clear(targets.color, keep_depth=True)
 
     def release(self) -> None:
         """Give the programs back."""
@@ -95,9 +96,7 @@ class Surfaces(Resource):
     def _captured(self, drawable: Drawable, frame: int, jittered: int) -> Positions:
         key = (drawable, frame, jittered)
         if key not in self._positions:
-            values = drawable.values(frame, jittered)
-            viewport = self.world.viewport(frame)
-            inputs = FrameInputs(values, values, object_numbers(drawable), viewport)
+            inputs = plain_inputs(self.world, drawable, frame, jittered)
             self._positions[key] = self.at(drawable, inputs)
         return self._positions[key]
 

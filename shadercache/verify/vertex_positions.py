@@ -12,8 +12,8 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from shadercache.render.bound_pass import BoundPass, FrameInputs, Naming
-from shadercache.render.bundle import PassSpec
+from shadercache.render.bound_pass import BoundPass, FrameInputs
+from shadercache.render.bundle import Naming, PassSpec
 from shadercache.render.drawable import Drawable
 from shadercache.render.render_scene import RenderScene
 from shadercache.scene.camera import Values

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import shutil
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
-from shadercache.linking.scene_shaders import with_aliases
+from shadercache.linking.scene_shaders import with_new_names
 from shadercache.scene.description import Scene, load_scene
+from tests.altered import altered
 
 from .cases import FOLDER, analysed, vertex
 
@@ -48,5 +48,5 @@ def make_scene(folder: Path) -> Path:
 def scene_of(name: str, folder: Path) -> Scene:
     """The scene with the shaders of a case, in a folder that :func:`make_scene` made."""
     paths = (folder / f"{name}.frag", folder / vertex(name).name)
-    scene = replace(load_scene(folder), fragment=paths[0], vertex=paths[1])
-    return with_aliases(scene, analysed(name).renamed)
+    scene = altered(load_scene(folder), fragment=paths[0], vertex=paths[1])
+    return with_new_names(scene, analysed(name).renamed)

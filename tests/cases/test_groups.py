@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,9 +10,10 @@ import pytest
 from shadercache.analysis.value_numbering import ValueGroup
 from shadercache.gpu.context import Gpu
 from shadercache.render.bundle import Bundle
+from shadercache.render.pass_runners import CoverageRunner
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import CoverageRunner
 from shadercache.scene.description import load_scene
+from tests.altered import altered
 from tests.configured import PROOF, rewritten, variant
 
 from .cases import analysed
@@ -33,7 +33,7 @@ def groups_of(name: str) -> list[ValueGroup]:
 
 def payloads(name: str, gpu: Gpu, folder: Path) -> dict[ValueGroup, list[np.ndarray]]:
     """The payload of some nodes of each group, as all fragments computed it."""
-    scene = replace(load_scene(folder), fragment=folder / f"{name}.frag")
+    scene = altered(load_scene(folder), fragment=folder / f"{name}.frag")
     found: dict[ValueGroup, list[np.ndarray]] = {}
     with RenderScene(gpu, scene, SIZE, color="rgba32f") as world:
         for group in groups_of(name):

@@ -13,8 +13,8 @@ from shadercache.compiler import Analysis
 from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import open_scene
 from shadercache.render.bundle import Bundle
+from shadercache.render.pass_runners import CoverageRunner
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import CoverageRunner
 from shadercache.scene.camera import camera_at
 from shadercache.scene.description import Scene
 from shadercache.scene.mesh import load_mesh
@@ -73,9 +73,9 @@ def _stands_on_the_ground(arrays: dict[str, np.ndarray], matrices: np.ndarray) -
 def test_the_columns(colonnade_generator: ModuleType, opened: tuple[Scene, Analysis]) -> None:
     scene = opened[0]
     if scene.name != "colonnade":
-        assert [item.cached for item in scene.objects] == [True, True, False]
+        assert [item.caching.on for item in scene.objects] == [True, True, False]
         return
-    columns = [item.scene.motion.position for item in scene.objects if "column" in item.name]
+    columns = [item.motion.position for item in scene.objects if "column" in item.name]
     assert len(columns) >= 60
     assert columns == colonnade_generator.places()
     with np.load(CORPUS / "colonnade" / "column.npz") as stored:
@@ -85,11 +85,11 @@ def test_the_columns(colonnade_generator: ModuleType, opened: tuple[Scene, Analy
 
 def test_the_camera_meets_no_column() -> None:
     scene, _ = open_scene(CORPUS / "colonnade" / "scene.toml")
-    columns = [item.scene.motion.position for item in scene.objects if "column" in item.name]
-    for frame in range(scene.motion.frames):
-        eye = camera_at(scene, frame).eye
+    columns = [item.motion.position for item in scene.objects if "column" in item.name]
+    for frame in range(scene.common.motion.frames):
+        eye = camera_at(scene.view, frame).eye
         away = min(np.hypot(eye[0] - x, eye[2] - z) for x, _, z in columns)
-        assert away > 0.46 + 1.5 * scene.camera.near, (frame, away)
+        assert away > 0.46 + 1.5 * scene.view.camera.near, (frame, away)
 
 
 def test_the_laws_hold(gpu: Gpu, opened: tuple[Scene, Analysis]) -> None:
@@ -108,7 +108,7 @@ def test_most_is_reused_in_motion(gpu: Gpu, opened: tuple[Scene, Analysis]) -> N
     emission = rewritten(analysis, analysis.node(name))
     bundle = Bundle(emission.manifest, emission.files)
     rates = []
-    with RenderScene(gpu, scene, (256, 256), small=True) as world:
+    with RenderScene(gpu, scene.small, (256, 256)) as world:
         with variant(world, bundle, "2-pass", period=32) as runner:
             for frame in range(30, 36):
                 mask = runner.hit_mask(frame)

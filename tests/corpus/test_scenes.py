@@ -14,8 +14,8 @@ from shadercache.compiler import Analysis, analyse
 from shadercache.gpu.context import Gpu
 from shadercache.manifest.codec import encode
 from shadercache.render.bundle import Bundle, load_bundle
+from shadercache.render.pass_runners import CoverageRunner
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import CoverageRunner
 from shadercache.scene.description import Scene, load_scene
 from shadercache.scene.mesh import load_mesh
 from shadercache.source import Source
@@ -32,7 +32,7 @@ def scene(request: pytest.FixtureRequest) -> Scene:
 
 @pytest.fixture(scope="module")
 def analysis(scene: Scene) -> Analysis:
-    sources = [Source(p.name, p.read_text()) for p in (scene.fragment, scene.vertex)]
+    sources = [Source(p.name, p.read_text()) for p in (scene.common.fragment, scene.common.vertex)]
     return analyse(*sources)
 
 
@@ -51,23 +51,24 @@ def texts(analysis: Analysis, function: str) -> list[str]:
 
 
 def test_every_file_of_the_scene_is_there(scene: Scene) -> None:
-    for path in (scene.fragment, scene.vertex, scene.mesh):
+    for path in (scene.common.fragment, scene.common.vertex, scene.common.mesh):
         assert path.is_file()
-    for spec in scene.textures.values():
+    for spec in scene.common.inputs.textures.values():
         assert spec.path.is_file()
-    mesh = load_mesh(scene.mesh)
-    assert set(scene.attributes.values()) <= set(mesh.arrays)
+    mesh = load_mesh(scene.common.mesh)
+    assert set(scene.common.inputs.attributes.values()) <= set(mesh.arrays)
 
 
 def test_every_uniform_of_the_shaders_has_a_value_and_none_is_idle(scene: Scene) -> None:
-    text = scene.fragment.read_text() + scene.vertex.read_text()
+    given = scene.common.inputs
+    text = scene.common.fragment.read_text() + scene.common.vertex.read_text()
     declared = set(re.findall(r"^uniform \w+ (\w+);", text, re.MULTILINE))
-    assert declared == {*scene.constants, *scene.semantics, *scene.textures}
+    assert declared == {*given.constants, *given.semantics, *given.textures}
 
 
 def test_the_motion(scene: Scene) -> None:
-    assert scene.motion.frames == 64
-    assert scene.motion.degrees_per_frame == 1.0
+    assert scene.common.motion.frames == 64
+    assert scene.common.motion.degrees_per_frame == 1.0
 
 
 def test_enough_nodes(analysis: Analysis) -> None:

@@ -8,8 +8,10 @@ from tempfile import mkdtemp
 
 import numpy as np
 
-from shadercache.scene.description import Camera, Motion, Scene, TextureSpec
+from shadercache.scene.description import Scene, SceneObject, View
 from shadercache.scene.mesh import Mesh
+from shadercache.scene.motion import Camera, Motion
+from shadercache.scene.object_inputs import Inputs, TextureSpec
 
 from .writer import UNIFORMS
 
@@ -49,26 +51,17 @@ def scene() -> Scene:
     np.savez(folder / "flat.npz", pixels=noise.random((16, 16, 4), np.float32))
     np.savez(folder / "cube.npz", faces=noise.random((6, 8, 8, 4), np.float32))
     nowhere = folder / "none"
-    return Scene(
-        path=folder / "scene.toml",
-        name="ring",
-        title="ring",
-        fragment=nowhere,
-        vertex=nowhere,
-        mesh=nowhere,
-        verify_mesh=None,
-        attributes={"a_position": "position", "a_normal": "normal", "a_uv": "uv"},
-        camera=Camera((0.0, 1.6, 2.2), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0), 42.0, 1.0, 10.0),
-        motion=Motion((0.3, 1.0, 0.1), 4.0, 0.0, 64),
-        constants={name: values for name, (_, values) in UNIFORMS.items()},
-        changes={},
-        semantics={"u_mvp": "model-view-projection"},
+    inputs = Inputs(
+        {"a_position": "position", "a_normal": "normal", "a_uv": "uv"},
+        {name: values for name, (_, values) in UNIFORMS.items()},
+        {"u_mvp": "model-view-projection"},
         textures={
             "u_mipmapped": TextureSpec(folder / "flat.npz", "linear", True, "repeat", 1.0),
             "u_plain": TextureSpec(folder / "flat.npz", "linear", False, "repeat", 1.0),
             "u_cube": TextureSpec(folder / "cube.npz", "linear", True, "repeat", 1.0),
         },
-        nodes={},
-        demo=None,
-        cull=False,
     )
+    motion = Motion((0.3, 1.0, 0.1), 4.0, 0.0, 64)
+    ring = SceneObject("ring", nowhere, nowhere, nowhere, motion=motion, inputs=inputs)
+    camera = Camera((0.0, 1.6, 2.2), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0), 42.0, 1.0, 10.0)
+    return Scene(folder / "scene.toml", "ring", "ring", ring, View(camera))

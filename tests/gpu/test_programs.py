@@ -20,11 +20,13 @@ from shadercache.gpu.targets import Targets
 from shadercache.gpu.textures import load_pixels
 from shadercache.manifest.interface import InputEntry
 from shadercache.render.bundle import PassSpec
+from shadercache.render.pass_runners import PassRunner
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import PassRunner
-from shadercache.scene.description import Scene, TextureSpec
+from shadercache.scene.description import Scene
 from shadercache.scene.mesh import load_mesh
+from shadercache.scene.object_inputs import TextureSpec
 from shadercache.source import Source
+from tests.altered import altered
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -66,7 +68,7 @@ def textured(gpu: Gpu, scene: Scene, tmp_path: Path) -> Iterator[RenderScene]:
         "u_sky": TextureSpec(tmp_path / "f.npz", "linear", True, "clamp", 1.0),
         "u_gone": TextureSpec(tmp_path / "none.npz", "linear", False, "clamp", 1.0),
     }
-    changed = replace(scene, textures=MappingProxyType(textures))
+    changed = altered(scene, textures=MappingProxyType(textures))
     with RenderScene(gpu, changed, (32, 32), "rgba32f") as world:
         yield world
 
@@ -121,7 +123,7 @@ def test_the_drivers_words_at_their_line(world: RenderScene) -> None:
 
 
 def test_a_mesh_without_normals(gpu: Gpu, scene: Scene) -> None:
-    mesh = load_mesh(scene.mesh)
+    mesh = load_mesh(scene.common.mesh)
     bare = replace(mesh, arrays={"position": mesh.arrays["position"]})
     with pytest.raises(InputError, match="SC511") as caught:
         RenderScene(gpu, scene, (8, 8), mesh=bare)

@@ -12,7 +12,6 @@ from manifests import reflected
 from shadercache.diagnostics import InputError
 from shadercache.gpu.context import Gpu
 from shadercache.gpu.programs import Program, Programs
-from shadercache.gpu.uniform_blocks import blocks_of
 from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
@@ -81,7 +80,7 @@ are nested, llvmpipe 25.0 (not 22.3) writes past the end of its stack of them an
 def acquired(programs: Programs, vertex: str, fragment: str) -> Program:
     """The program of two texts, with the blocks that a manifest would tell of."""
     sources = Source("t.vert", vertex), Source("t.frag", fragment)
-    return programs.acquire(*sources, blocks_of(reflected(*sources)))
+    return programs.acquire(*sources, reflected(*sources))
 
 
 def numbers(gpu: Gpu, declarations: str, prefix: str) -> tuple[list[str], np.ndarray]:
@@ -107,7 +106,7 @@ def _drawn(
     for uniform in program.uniforms.values():
         # Equal names, equal numbers; different ones for each number.
         seed = sum(map(ord, uniform.name.removeprefix(prefix)))
-        values = np.random.default_rng(seed).integers(1, 100, uniform._count)
+        values = np.random.default_rng(seed).integers(1, 100, uniform.count)
         uniform.write(uniform.encode(values.astype(np.float64), "the test"))
     program.bind_blocks()
     corners = gpu.ctx.buffer(np.array([-1, -1, 3, -1, -1, 3], np.float32).tobytes())

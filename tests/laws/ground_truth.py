@@ -10,7 +10,6 @@ Arrays have row 0 at the bottom; pixel coordinates are those of ``gl_FragCoord``
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -22,12 +21,13 @@ from shadercache.caching.configuration import CacheFormat, Configuration
 from shadercache.compiler import analyse
 from shadercache.paths import data_path
 from shadercache.render.bundle import Bundle
+from shadercache.render.pass_runners import OriginalRunner
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import OriginalRunner
 from shadercache.scene.camera import semantic_values
 from shadercache.scene.description import Scene, load_scene
 from shadercache.scene.mesh import Mesh, load_mesh
 from shadercache.source import Source
+from tests.altered import altered
 from tests.configured import DEFAULT, configured, rewritten
 
 Floats = NDArray[np.float64]
@@ -93,15 +93,14 @@ def body_scene(name: str, degrees: float, zoom: float = 1.0) -> Scene:
     """
     scene = load_scene(data_path("corpus", name, "scene.toml"))
     arrays = {"a_position": "position", "a_normal": "normal", "a_facet": "facet", "a_body": "body"}
-    camera = scene.camera
-    return dataclasses.replace(
+    return altered(
         scene,
         attributes=arrays,
         constants={},
         semantics={"u_modelViewProjection": "model-view-projection"},
         textures={},
-        camera=dataclasses.replace(camera, fov_degrees=camera.fov_degrees / zoom),
-        motion=dataclasses.replace(scene.motion, degrees_per_frame=degrees),
+        fov_degrees=scene.view.camera.fov_degrees / zoom,
+        degrees_per_frame=degrees,
     )
 
 
@@ -140,7 +139,7 @@ def body_mesh(name: str, sphere: bool = False) -> Mesh:
 
     The sphere is meant for the dragon: it passes in front of body, neck and wings.
     """
-    mesh = load_mesh(load_scene(data_path("corpus", name, "scene.toml")).mesh)
+    mesh = load_mesh(load_scene(data_path("corpus", name, "scene.toml")).common.mesh)
     return facets(with_sphere(mesh, (0.0, 1.0, 1.1), 0.25) if sphere else mesh)
 
 
@@ -245,13 +244,13 @@ def _rendered(world: RenderScene, what: str, frames: Sequence[int]) -> list[NDAr
 def _true_frame(world: RenderScene, frame: int, *images: NDArray[np.float32]) -> TrueFrame:
     position, normal, facet, body = (image[..., :3].astype(np.float64) for image in images)
     width, height = world.size
-    values = semantic_values(world.scene, frame, width / height)
+    values = semantic_values(world.scene.view, world.scene.common.motion, frame, width / height)
     matrix = values["model-view-projection"]
     eye = np.linalg.inv(values["model-view"])[:3, 3]
     w = project(matrix, position, world.size)[1]
     view = eye - position
     cosine = np.abs((facet * view).sum(-1)) / np.linalg.norm(view, axis=-1)
-    pixel = 2.0 * np.tan(np.radians(world.scene.camera.fov_degrees) / 2.0) * w / height
+    pixel = 2.0 * np.tan(np.radians(world.scene.view.camera.fov_degrees) / 2.0) * w / height
     return TrueFrame(
         covered=images[0][..., 3] > 0.0,
         position=position,

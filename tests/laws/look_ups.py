@@ -185,7 +185,7 @@ class LawFive:
         found.untimely += _count((mask == bundle_values()["refresh"]) != (is_due & true.covered))
 
     def _allowed(self, true: TrueFrame) -> NDArray[np.float64]:
-        epsilon = bundle_of("v_position", self.form).defaults["epsilon"]
+        epsilon = bundle_of("v_position", self.form).naming.defaults["epsilon"]
         return FOOTPRINT * true.footprint + epsilon * true.w
 
     def _visible(self, frame: int) -> tuple[Mask, Mask]:

@@ -4,7 +4,6 @@ what one makes of a value, through a cache."""
 from __future__ import annotations
 
 from contextlib import closing
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -16,6 +15,7 @@ from shadercache.lang.builtins import function_names, functions
 from shadercache.scene.description import load_scene
 from shadercache.source import Source
 from shadercache.verify.verifier import Verifier
+from tests.altered import altered
 from tests.cases.cases import FOLDER as CASES
 from tests.cases.scenery import make_scene
 
@@ -33,7 +33,7 @@ def scene_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_laws_2_to_4(shader: Shader, gpu: Gpu, scene_folder: Path) -> None:
     path = scene_folder / shader.source.name
     path.write_text(shader.source.text, encoding="utf-8")
-    scene = replace(load_scene(scene_folder), fragment=path, vertex=scene_folder / VERTEX.name)
+    scene = altered(load_scene(scene_folder), fragment=path, vertex=scene_folder / VERTEX.name)
     analysis = analyse(shader.source, Source(VERTEX.name, VERTEX.read_text(encoding="utf-8")))
     by_text = {node.text: node for node in reversed(analysis.nodes)}
     with closing(Verifier(gpu, (scene, analysis), (32, 32))) as verifier:

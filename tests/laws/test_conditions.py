@@ -5,7 +5,6 @@ from __future__ import annotations
 import shutil
 import subprocess
 from contextlib import closing
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -20,6 +19,7 @@ from shadercache.scene.description import Scene, load_scene
 from shadercache.verify.laws import judge
 from shadercache.verify.verdict import Verdict
 from shadercache.verify.verifier import Verifier
+from tests.altered import altered
 from tests.configured import PROOF, rewritten
 
 FOLDER = Path(__file__).with_name("conditions")
@@ -29,7 +29,7 @@ EXPENSIVE = "noise("
 
 def load(name: str) -> tuple[Scene, Analysis]:
     scene = load_scene(FOLDER)
-    return analyse_scene(replace(scene, fragment=FOLDER / f"{name}.frag"))
+    return analyse_scene(altered(scene, fragment=FOLDER / f"{name}.frag"))
 
 
 @pytest.mark.xdist_group("gl")

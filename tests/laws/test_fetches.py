@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from contextlib import closing
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -21,6 +20,7 @@ from shadercache.transform.hoist_fetches import FetchForm
 from shadercache.verify.detail_levels import tells_true_levels
 from shadercache.verify.verdict import Verdict
 from shadercache.verify.verifier import Verifier
+from tests.altered import altered
 from tests.cases.scenery import make_scene
 from tests.configured import PROOF, configured, rewritten
 from tests.shaders import find
@@ -39,7 +39,7 @@ VALUES = (
 @pytest.fixture(scope="module")
 def opened(tmp_path_factory: pytest.TempPathFactory) -> tuple[Scene, Analysis]:
     folder = make_scene(tmp_path_factory.mktemp("fetches") / "cases")
-    return analyse_scene(replace(load_scene(folder), fragment=SHADER))
+    return analyse_scene(altered(load_scene(folder), fragment=SHADER))
 
 
 def verdicts(gpu: Gpu, opened: tuple[Scene, Analysis], fetches: FetchForm) -> list[Verdict]:

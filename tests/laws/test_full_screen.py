@@ -30,8 +30,9 @@ from shadercache.gpu.context import Gpu
 from shadercache.linking.made_scene import made_scene
 from shadercache.linking.scene_shaders import open_scene
 from shadercache.render.bundle import Bundle
+from shadercache.render.pass_runners import render_original
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import NEVER, render_original
+from shadercache.render.variant_runner import NEVER
 from shadercache.source import Source
 from shadercache.verify.verifier import Verifier
 from tests.configured import configured, rewritten, variant

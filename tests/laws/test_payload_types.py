@@ -18,8 +18,8 @@ from shadercache.compiler import analyse
 from shadercache.gpu.context import Gpu
 from shadercache.manifest.codec import encode
 from shadercache.render.bundle import Bundle, load_bundle
+from shadercache.render.pass_runners import OriginalRunner
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import OriginalRunner
 from shadercache.source import Source
 from shadercache.verify.verifier import Verifier
 from tests.configured import PROOF, configured, rewritten, variant

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import closing
-from dataclasses import replace
 from pathlib import Path
 from random import Random
 
@@ -29,6 +28,7 @@ from shadercache.render.render_scene import RenderScene
 from shadercache.scene.description import Scene, load_scene
 from shadercache.verify.verdict import Verdict
 from shadercache.verify.verifier import Verifier
+from tests.altered import altered
 from tests.conditioning import all_too_far
 from tests.configured import PROOF, rewritten, variant
 
@@ -119,7 +119,7 @@ SETS = {
 def load(name: str) -> tuple[Scene, Analysis]:
     folder = CONDITIONS if name in SHADERS else FOLDER
     scene = load_scene(CONDITIONS)
-    return analyse_scene(replace(scene, fragment=folder / f"{name}.frag"))
+    return analyse_scene(altered(scene, fragment=folder / f"{name}.frag"))
 
 
 def pick(analysis: Analysis, wanted: Iterable[str]) -> list[Candidate]:

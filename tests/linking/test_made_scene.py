@@ -13,9 +13,9 @@ from shadercache.gpu.context import Gpu
 from shadercache.linking.made_scene import START, made_scene
 from shadercache.linking.scene_shaders import analyse_scene, open_scene
 from shadercache.render.bundle import Bundle
+from shadercache.render.pass_runners import render_original
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import render_original
-from shadercache.scene.camera import scene_values
+from shadercache.scene.camera import uniform_values
 from shadercache.scene.description import load_scene
 from shadercache.source import Source
 
@@ -52,7 +52,10 @@ void main() {
 
 def test_values_by_name_and_type() -> None:
     scene = made_scene(Path("toy.frag"), analyse(Source("toy.frag", INPUTS)))
-    values = {name: array.tolist() for name, array in scene_values(scene, 6, (40, 30)).items()}
+    values = {
+        name: array.tolist()
+        for name, array in uniform_values(scene.view, scene.common, 6, (40, 30)).items()
+    }
     now = START + 0.1
     assert values["u_time"] == values["uTime"] == values["time"] == [pytest.approx(now)]
     assert values["iFrame"] == [6.0] and values["u_count"] == [1.0]
@@ -67,10 +70,10 @@ def test_values_by_name_and_type() -> None:
     assert values["u_lamp.place"] == values["u_lamps[1].place"] == [0.8, 0.6, 0.4]
     assert values["u_lamps[0].power"] == [0.5]
     assert "u_set" not in values
-    assert set(scene.textures) == {"u_map", "u_sky", "u_layers"}
+    assert set(scene.common.inputs.textures) == {"u_map", "u_sky", "u_layers"}
     assert scene.changes["u_time"] == scene.changes["iFrame"] == "time"
     assert "u_resolution" not in scene.changes
-    assert scene_values(scene, 0, (4, 3))["u_time"] == START
+    assert uniform_values(scene.view, scene.common, 0, (4, 3))["u_time"] == START
 
 
 def test_everything_can_be_drawn(gpu: Gpu) -> None:
@@ -138,7 +141,7 @@ def test_a_vertex_shader_beside_it_is_drawn(gpu: Gpu, tmp_path: Path) -> None:
     path.write_text("#version 330\nin vec2 v_uv;\nout vec4 c;\nvoid main() { c = v_uv.xyxy; }\n")
     path.with_suffix(".vert").write_text(QUAD)
     scene, analysis = open_scene(path, mapping="screen")
-    assert scene.attributes == {"a_corner": "position", "a_texCoord": "uv"}
+    assert scene.common.inputs.attributes == {"a_corner": "position", "a_texCoord": "uv"}
     emission = emit_original(analysis)
     with RenderScene(gpu, scene, (8, 4), "rgba32f") as world:
         (image,) = render_original(world, [Bundle(emission.manifest, emission.files)], (0,))
@@ -164,8 +167,8 @@ def test_a_scene_file_can_be_full_screen(tmp_path: Path) -> None:
     (tmp_path / "flat.frag").write_text(f"#version 330\n{text}{body}")
     (tmp_path / "scene.toml").write_text(SCENE)
     scene = load_scene(tmp_path)
-    assert scene.vertex is None and scene.mesh is None
-    assert scene_values(scene, 60, (8, 4))["u_time"] == 3.0
+    assert scene.common.vertex is None and scene.common.mesh is None
+    assert uniform_values(scene.view, scene.common, 60, (8, 4))["u_time"] == 3.0
     assert analyse_scene(scene)[1].mapping == "screen"
     for old, new, code in (
         ('"screen"', '"air"', "SC505"),

@@ -28,8 +28,8 @@ from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.measure.result_files import environment, machine_name, write_json
 from shadercache.paths import data_path
 from shadercache.render.bundle import Bundle
+from shadercache.render.pass_runners import GeometryRunner, OriginalRunner
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import GeometryRunner, OriginalRunner
 from shadercache.scene.description import Scene, load_scene
 from tests.cases.cases import NAMES, analysed
 from tests.cases.scenery import make_scene, scene_of

@@ -87,9 +87,9 @@ def test_the_schema_refuses(
 def test_what_a_bundle_says(bundle: Bundle) -> None:
     assert bundle.algorithms == ("1-pass", "2-pass", "3-pass")
     assert bundle.node("id") == "payload.1-abcdef"
-    assert bundle.twins == {"sc_previous_u_modelViewProjection": "u_modelViewProjection"}
-    assert bundle.roles["sc_clock"] == "clock"
-    assert bundle.defaults["epsilon"] == 0.002
+    assert bundle.naming.twins == {"sc_previous_u_modelViewProjection": "u_modelViewProjection"}
+    assert bundle.naming.roles["sc_clock"] == "clock"
+    assert bundle.naming.defaults["epsilon"] == 0.002
     assert [item.name for item in bundle.passes("3-pass")] == ["reuse", "payload", "shade"]
     assert bundle.passes("3-pass")[2].depth_test == "<="
     assert bundle.geometry.fragment.text.startswith("#version 400 core\n")

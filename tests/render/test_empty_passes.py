@@ -13,10 +13,12 @@ from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import open_scene
 from shadercache.render.bundle import Bundle
 from shadercache.render.empty_passes import EmptyPasses
+from shadercache.render.pass_runners import render_original
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import render_original
-from shadercache.scene.description import Motion, Scene
+from shadercache.scene.description import Scene, SceneObject
 from shadercache.scene.graphics_state import GraphicsState
+from shadercache.scene.motion import REST, Motion
+from tests.altered import altered
 from tests.configured import PROOF, rewritten, variant
 
 pytestmark = pytest.mark.xdist_group("gl")
@@ -30,25 +32,16 @@ def opened(scene_folder: Path) -> tuple[Scene, Analysis]:
     scene, analysis = open_scene(scene_folder / "objects" / "scene.toml")
     still, other = scene.objects[0], scene.objects[1]
     jump = Motion((0.0, 1.0, 0.0), 0.0, 0.0, 9, (0.6, 0.0, 0.4), jumps=((5, (0.5, 0.1, 0.4)),))
-    rest = replace(
-        still, scene=_unchanging(still.scene, replace(jump, jumps=(), position=(0, 0, 0)))
-    )
-    leaps = replace(other, scene=_unchanging(other.scene, jump))
-    return replace(scene, camera_path=type(scene.camera_path)(), objects=(rest, leaps)), analysis
+    rest = _unchanging(still, replace(jump, jumps=(), position=(0, 0, 0)))
+    objects = (rest, _unchanging(other, jump))
+    return altered(scene, camera_path=REST, objects=objects), analysis
 
 
-def _unchanging(scene: Scene, motion: Motion) -> Scene:
-    constants = {**scene.constants, "u_tint": (1.0, 0.5, 0.2), "u_time": (0.0,)}
-    semantics = {name: word for name, word in scene.semantics.items() if name != "u_time"}
-    path = type(scene.camera_path)()
-    return replace(
-        scene,
-        motion=motion,
-        constants=constants,
-        semantics=semantics,
-        animated={},
-        camera_path=path,
-    )
+def _unchanging(item: SceneObject, motion: Motion) -> SceneObject:
+    given = item.inputs
+    constants = {**given.constants, "u_tint": (1.0, 0.5, 0.2), "u_time": (0.0,)}
+    semantics = {name: word for name, word in given.semantics.items() if name != "u_time"}
+    return altered(item, motion=motion, constants=constants, semantics=semantics, animated={})
 
 
 def bundle_of(analysis: Analysis, cached: str) -> Bundle:
@@ -69,14 +62,14 @@ def test_passes_that_compute_rest_while_nothing_moves(
         original = render_original(world, [bundle], range(10))
         with variant(world, bundle, algorithm) as runner:
             for frame in range(10):
-                before = runner.skipped
+                before = runner.idle.skipped
                 image = runner.image(frame)
-                counts.append(runner.skipped - before)
+                counts.append(runner.idle.skipped - before)
                 if frame < 5:
                     assert image.tobytes() == original[frame].tobytes()
             runner.reset()
             assert runner.image(9).tobytes() == original[9].tobytes()
-            assert runner.skipped == sum(counts), "a reset draws all"
+            assert runner.idle.skipped == sum(counts), "a reset draws all"
     # Frame 1 is the first like the one before, and counts; 5 moves, 6 counts again.
     assert counts == [0, 0, *[skipped] * 3, 0, 0, *[skipped] * 3]
 
@@ -89,7 +82,7 @@ def test_with_it_or_without_the_images_are_the_same(
     runs = []
     for skips in (True, False):
         if not skips:
-            monkeypatch.setattr(EmptyPasses, "skips", lambda self, bound: False)
+            monkeypatch.setattr(EmptyPasses, "draw", lambda self, turn: turn.draw() or True)
         with (
             RenderScene(gpu, scene, SIZE, "rgba32f") as world,
             variant(world, bundle, "3-pass") as runner,
@@ -105,15 +98,11 @@ def test_nothing_is_left_out_where_something_may_be_due(
     """With refresh on purpose, and under jitter, which moves the picture."""
     scene, analysis = opened
     bundle = bundle_of(analysis, "refresh=none" if jitter else "refresh=random")
-    items = tuple(
-        replace(item, scene=replace(item.scene, engine=GraphicsState(jitter=jitter)))
-        for item in scene.objects
-    )
-    made = replace(scene, engine=GraphicsState(jitter=jitter), objects=items)
+    made = altered(scene, engine=GraphicsState(jitter=jitter))
     with (
         RenderScene(gpu, made, SIZE, "rgba32f") as world,
         variant(world, bundle, "2-pass", period=4) as runner,
     ):
         for frame in range(5):
             runner.draw(frame)
-        assert runner.skipped == 0
+        assert runner.idle.skipped == 0

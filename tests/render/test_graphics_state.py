@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,13 +11,11 @@ from shadercache.diagnostics import InputError
 from shadercache.gpu.context import Gpu
 from shadercache.manifest.build import DEPTH_FUNCTIONS
 from shadercache.render.bundle import Bundle
+from shadercache.render.pass_runners import CoverageRunner, render_original
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import (
-    CoverageRunner,
-    render_original,
-)
 from shadercache.scene.description import Scene, load_scene
-from shadercache.scene.graphics_state import FUNCTIONS, PLAIN, GraphicsState
+from shadercache.scene.graphics_state import ORIGINALS, PLAIN, GraphicsState
+from tests.altered import altered
 from tests.configured import render_variant, variant
 
 pytestmark = pytest.mark.xdist_group("gl")
@@ -46,7 +43,7 @@ def engine(request: pytest.FixtureRequest) -> GraphicsState:
 
 
 def drawn(gpu: Gpu, scene: Scene, bundle: Bundle, engine: GraphicsState) -> list[np.ndarray]:
-    with RenderScene(gpu, replace(scene, engine=engine), SIZE, "rgba32f") as world:
+    with RenderScene(gpu, altered(scene, engine=engine), SIZE, "rgba32f") as world:
         return render_original(world, [bundle], range(3))
 
 
@@ -66,7 +63,7 @@ def test_the_picture_is_that_of_a_plain_application(
 def test_laws_2_and_3(
     gpu: Gpu, scene: Scene, bundle: Bundle, engine: GraphicsState, algorithm: str
 ) -> None:
-    with RenderScene(gpu, replace(scene, engine=engine), SIZE, "rgba32f") as world:
+    with RenderScene(gpu, altered(scene, engine=engine), SIZE, "rgba32f") as world:
         with CoverageRunner(world, bundle) as cover:
             apart = [~cover.ties(frame) for frame in range(4)]
         original = render_original(world, [bundle], range(4))
@@ -80,7 +77,7 @@ def test_laws_2_and_3(
 
 
 def test_law_4(gpu: Gpu, scene: Scene, bundle: Bundle, engine: GraphicsState) -> None:
-    with RenderScene(gpu, replace(scene, engine=engine), SIZE, "rgba32f") as world:
+    with RenderScene(gpu, altered(scene, engine=engine), SIZE, "rgba32f") as world:
         options = {"period": 5, "form": EXACT}
         with CoverageRunner(world, bundle) as cover:
             apart = [~cover.ties(frame) for frame in range(5)]
@@ -103,7 +100,7 @@ def test_as_much_is_reused_as_in_a_plain_application(
     rates = []
     for made in (PLAIN, engine):
         with (
-            RenderScene(gpu, replace(scene, engine=made), SIZE, "rgba32f") as world,
+            RenderScene(gpu, altered(scene, engine=made), SIZE, "rgba32f") as world,
             variant(world, bundle, "2-pass", **options) as runner,
         ):
             runner.draw(0)
@@ -123,12 +120,12 @@ def test_what_is_hidden_stays_hidden(gpu: Gpu, scene: Scene, bundle: Bundle) -> 
 
 def test_jitter_is_no_motion_where_it_is_told(gpu: Gpu, scene: Scene, bundle: Bundle) -> None:
     """At rest a told cache reuses the very texels; untold it filters them in every frame: blur."""
-    still = replace(scene, motion=replace(scene.motion, degrees_per_frame=0.0))
+    still = altered(scene, degrees_per_frame=0.0)
     changes = {}
     for told in (True, False):
         engine = GraphicsState(jitter=8, told=told)
         with (
-            RenderScene(gpu, replace(still, engine=engine), SIZE, "rgba32f") as world,
+            RenderScene(gpu, altered(still, engine=engine), SIZE, "rgba32f") as world,
             variant(world, bundle, "2-pass", period=65535, form=EXACT) as runner,
         ):
             runner.draw(0)
@@ -158,7 +155,7 @@ def test_it_is_read_from_a_scene_file(scene_folder: Path) -> None:
     )
     path = scene_folder / "engine.toml"
     path.write_text(text.replace("[nodes]", f"{table}[nodes]", 1))
-    assert load_scene(path).engine == GraphicsState("gequal", (1.0, 4.0), "zero-to-one", 8)
+    assert load_scene(path).view.engine == GraphicsState("gequal", (1.0, 4.0), "zero-to-one", 8)
     for old, new in (("gequal", "always"), ("[1.0, 4]", "3"), ("jitter = 8", "jitter = -1")):
         path.write_text(text.replace("[nodes]", f"{table.replace(old, new)}[nodes]", 1))
         with pytest.raises(InputError, match="SC505"):
@@ -171,4 +168,4 @@ def test_the_manifest_says_what_is_done_here(engine: GraphicsState) -> None:
     assert engine.function("<") == words[said.less]
     assert engine.function("<=") == words[said.lequal]
     assert engine.empty_depth == said.clear
-    assert set(FUNCTIONS) == set(DEPTH_FUNCTIONS)
+    assert set(ORIGINALS) == set(DEPTH_FUNCTIONS)

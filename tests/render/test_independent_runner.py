@@ -16,7 +16,7 @@ from runner.independent_runner import IndependentRunner, Turn, draw_together
 from shadercache.caching.settings import with_settings
 from shadercache.compiler import Emission, analyse
 from shadercache.gpu.context import Gpu
-from shadercache.linking.scene_shaders import open_scene
+from shadercache.linking.scene_shaders import open_scene, read_shaders
 from shadercache.manifest.codec import encode
 from shadercache.paths import data_path
 from shadercache.render.bundle import Bundle, load_bundle
@@ -25,7 +25,6 @@ from shadercache.render.render_scene import RenderScene
 from shadercache.scene.camera import Values
 from shadercache.scene.description import load_scene
 from shadercache.scene.mesh import load_mesh
-from shadercache.source import Source
 from tests.configured import DEFAULT, drawn_by, rewritten, variant
 from tests.torus.mesh import EMISSION
 
@@ -50,11 +49,11 @@ def agree(
         folder,
         algorithm,
         world.size,
-        {name: mesh.arrays[array] for name, array in scene.attributes.items()},
+        {name: mesh.arrays[array] for name, array in scene.common.inputs.attributes.items()},
         mesh.index,
-        {name: world.texture(name) for name in scene.textures},
+        {name: world.texture(name) for name in scene.common.inputs.textures},
         form,
-        scene.cull,
+        scene.common.cull,
     )
     with variant(world, bundle, algorithm, period=5, block=4, form=form) as runner:
         for frame in range(6):
@@ -105,12 +104,11 @@ def corpus_scenes() -> list[str]:
 @pytest.mark.parametrize("name", corpus_scenes())
 def test_same_bits_for_what_the_compiler_writes(gpu: Gpu, tmp_path: Path, name: str) -> None:
     scene = load_scene(data_path("corpus", name))
-    fragment = Source(scene.fragment.name, scene.fragment.read_text())
-    analysis = analyse(fragment, Source(scene.vertex.name, scene.vertex.read_text()))
+    analysis = analyse(*read_shaders(scene))
     offered = [node for node in analysis.nodes if node.offered]
     # The seed picks the nodes, so that in time all are seen; a failure names its node.
     chosen = random.Random(seed()).sample(offered, amount(1, 3))
-    mesh = load_mesh(scene.verify_mesh or scene.mesh)
+    mesh = load_mesh(scene.small.common.mesh)
     with RenderScene(gpu, scene, (96, 96), "rgba32f", mesh) as world:
         for number, node in enumerate(chosen):
             emission = rewritten(analysis, node)
@@ -161,13 +159,13 @@ def test_same_bits_for_several_objects(
             write(Emission(dict(own.files), own.manifest), folder)
             attributes = {
                 name: drawable.mesh.arrays[array]
-                for name, array in drawable.scene.attributes.items()
+                for name, array in drawable.item.inputs.attributes.items()
             }
             assert own.cache == bundle.cache
-            how = algorithm if drawable.item.cached else "original"
+            how = algorithm if drawable.item.caching.on else "original"
             made = IndependentRunner(
                 *(gpu.ctx, folder, how, world.size, attributes, drawable.mesh.index, {}),
-                cull=drawable.scene.cull,
+                cull=drawable.item.cull,
                 canvas=canvas,
                 number=drawable.number,
             )
@@ -178,8 +176,8 @@ def test_same_bits_for_several_objects(
                 Turn(
                     other,
                     values_of(drawable.values(frame)) if drawable.is_there(frame) else None,
-                    min(drawable.item.period or 5, 5),
-                    drawable.item.block or 4,
+                    min(drawable.item.caching.period or 5, 5),
+                    drawable.item.caching.block or 4,
                 )
                 for drawable, other in others
             ]

@@ -15,14 +15,11 @@ from shadercache.diagnostics import InputError
 from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import open_scene
 from shadercache.render.bundle import Bundle
+from shadercache.render.pass_runners import CoverageRunner, OriginalRunner, render_original
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import (
-    CoverageRunner,
-    OriginalRunner,
-    render_original,
-)
-from shadercache.scene.description import Scene, load_scene
+from shadercache.scene.description import Caching, Scene, load_scene
 from shadercache.verify.verifier import Verifier
+from tests.altered import altered
 from tests.configured import (
     PROOF,
     bundled,
@@ -66,14 +63,14 @@ def same_bits(one: np.ndarray, other: np.ndarray) -> bool:
 def test_what_the_file_says(opened: tuple[Scene, Analysis]) -> None:
     turning, drifting, bent, plain = opened[0].objects
     assert [item.own_shader for item in opened[0].objects] == [False, False, True, False]
-    assert [item.cached for item in opened[0].objects] == [True, True, True, False]
-    assert bent.node == "main.0-477e72fd" and bent.period == 3 and bent.block == 2
-    assert "u_tint" in drifting.scene.animated and "u_tint" not in drifting.scene.constants
-    assert "u_tint" in turning.scene.constants
-    assert [turning.scene.cull, drifting.scene.cull] == [False, True]
-    assert plain.scene.motion.place(3) == (0.2, -0.5, 0.5)
-    assert plain.scene.motion.place(4) == (-0.4, -0.5, 0.8)
-    assert [bent.scene.motion.is_there(frame) for frame in (0, 2, 3, 4, 5)] == [
+    assert [item.caching.on for item in opened[0].objects] == [True, True, True, False]
+    assert bent.caching == Caching(node="main.0-477e72fd", period=3, block=2)
+    assert "u_tint" in drifting.inputs.animated and "u_tint" not in drifting.inputs.constants
+    assert "u_tint" in turning.inputs.constants
+    assert [turning.cull, drifting.cull] == [False, True]
+    assert plain.motion.place(3) == (0.2, -0.5, 0.5)
+    assert plain.motion.place(4) == (-0.4, -0.5, 0.8)
+    assert [bent.motion.is_there(frame) for frame in (0, 2, 3, 4, 5)] == [
         True, True, False, False, True,
     ]  # fmt: skip
 
@@ -98,7 +95,7 @@ def test_every_object_reuses_something(crowd: RenderScene, proof: Bundle, algori
             cached = render_variant(world, proof, algorithm, range(6), period=16)
         same = [same_bits(*pair) for pair in zip(original, cached, strict=True)]
         assert same[0], "the first frame is a reset"
-        assert all(same) == (not item.cached), (item.name, same)
+        assert all(same) == (not item.caching.on), (item.name, same)
 
 
 @pytest.mark.parametrize("algorithm", ALGORITHMS)
@@ -146,12 +143,9 @@ def test_objects_outside_of_the_picture_are_not_drawn(
     gpu: Gpu, crowd: RenderScene, proof: Bundle
 ) -> None:
     turning = crowd.scene.objects[0]
-    camera = crowd.scene.camera
     seen = []
     for x in np.linspace(-6.0, 6.0, 25):
-        aimed = replace(camera, target=(float(x), 0.0, 0.0))
-        item = replace(turning, scene=replace(turning.scene, camera=aimed))
-        scene = replace(crowd.scene, camera=aimed, objects=(item,))
+        scene = altered(crowd.scene, target=(float(x), 0.0, 0.0), objects=(turning,))
         with RenderScene(gpu, scene, SIZE, "rgba32f") as world:
             drawn = bool(world.drawn(0))
             world.culling = False
@@ -176,7 +170,7 @@ def test_what_begins_anew_finds_nothing_in_the_cache_of_others(
         runner.restore(other, 0)
         assert not same_bits(runner.image(1), whole), "nothing was there to be found"
         runner.restore(other, 0)
-        for role in runner._roles:
+        for role in runner.roles:
             role.before = None
         assert same_bits(runner.image(1), whole)
 
@@ -196,13 +190,13 @@ def test_uncached_objects_leave_the_cache_alone(crowd: RenderScene, proof: Bundl
 
 def test_one_cache_for_texels_that_are_alike(crowd: RenderScene, proof: Bundle) -> None:
     with variant(crowd, proof, "3-pass") as runner:
-        assert len({id(role.caches) for role in runner._roles if role.caches}) == 1
+        assert len({id(role.caches) for role in runner.roles if role.caches}) == 1
 
 
 def test_the_bones_of_the_last_frame_are_the_twin(crowd: RenderScene, proof: Bundle) -> None:
     """With them the skinned ring hits nearly everywhere; without, its swinging half misses."""
     (bent,) = (item for item in crowd.scene.objects if item.name == "bent")
-    still = replace(bent, scene=replace(bent.scene, motion=crowd.scene.motion), period=None)
+    still = altered(bent, motion=crowd.scene.common.motion, period=None)
     rates = []
     for swap in (False, True):
         scene = replace(crowd.scene, objects=(still,))
@@ -210,13 +204,13 @@ def test_the_bones_of_the_last_frame_are_the_twin(crowd: RenderScene, proof: Bun
             RenderScene(crowd.gpu, scene, (160, 160), "rgba32f") as world,
             variant(world, proof, "2-pass", period=65535) as runner,
         ):
-            bundle = runner._roles[0].bundle
+            bundle = runner.roles[0].bundle
             assert bundle.manifest.previous["u_bones"].endswith("previous_u_bones")
             found = []
             for frame in range(4):
                 if frame:
                     if swap:
-                        runner._roles[0].before = frame
+                        runner.roles[0].before = frame
                     mask = runner.hit_mask(frame)
                     found.append((mask == bundle.mask_values["hit"]).sum() / (mask > 0).sum())
                 runner.draw(frame)
@@ -244,7 +238,7 @@ def test_one_mistake(folder: Path, old: str, new: str, words: str) -> None:
     path = folder / "broken.toml"
     path.write_text(text.replace(old, new, 1))
     if not words:
-        assert not load_scene(path).objects[2].cached
+        assert not load_scene(path).objects[2].caching.on
         return
     with pytest.raises(InputError) as caught:
         load_scene(path)

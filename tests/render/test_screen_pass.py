@@ -15,9 +15,10 @@ from render.test_independent_runner import agree
 
 from shadercache.gpu.context import Gpu
 from shadercache.render.bundle import Bundle, load_bundle
+from shadercache.render.pass_runners import CoverageRunner
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import CoverageRunner
-from shadercache.scene.description import Scene, SceneObject
+from shadercache.scene.description import Scene
+from tests.altered import altered
 from tests.configured import variant
 from tests.torus.mesh import EMISSION, FOLDER
 
@@ -55,8 +56,8 @@ def with_sky(folder: Path) -> Bundle:
 @pytest.fixture
 def two_rings(gpu: Gpu, scene: Scene) -> Iterator[RenderScene]:
     """The torus, and another one beside it."""
-    aside = replace(scene, motion=replace(scene.motion, position=(0.7, 0.0, 0.0)))
-    items = (SceneObject("one", scene), SceneObject("other", aside))
+    aside = altered(scene.common, name="other", position=(0.7, 0.0, 0.0))
+    items = (scene.common, aside)
     with RenderScene(gpu, replace(scene, objects=items), (96, 64), "rgba32f") as opened:
         yield opened
 

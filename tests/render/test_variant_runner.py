@@ -13,12 +13,8 @@ import pytest
 from shadercache.gpu.context import Gpu
 from shadercache.gpu.programs import MOST_IDLE
 from shadercache.render.bundle import Bundle
+from shadercache.render.pass_runners import CoverageRunner, PassRunner, render_original
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import (
-    CoverageRunner,
-    PassRunner,
-    render_original,
-)
 from shadercache.scene.description import Scene
 from shadercache.source import Source
 from tests.configured import render_variant, variant

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -14,13 +13,11 @@ from shadercache.diagnostics import InputError
 from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import open_scene
 from shadercache.render.bundle import Bundle
+from shadercache.render.pass_runners import CoverageRunner, render_original
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import (
-    CoverageRunner,
-    render_original,
-)
 from shadercache.scene.description import Scene, load_scene
 from shadercache.scene.graphics_state import WHOLE, GraphicsState, Rectangle
+from tests.altered import altered
 from tests.configured import PROOF, originals, render_variant, rewritten, variant
 
 pytestmark = pytest.mark.xdist_group("gl")
@@ -44,8 +41,7 @@ def bundle_of(analysis: Analysis, *cached: str) -> Bundle:
 
 
 def within(scene: Scene, engine: GraphicsState) -> Scene:
-    items = (replace(item, scene=within(item.scene, engine)) for item in scene.objects)
-    return replace(scene, engine=engine, objects=tuple(items))
+    return altered(scene, engine=engine)
 
 
 @pytest.mark.parametrize("filters", ["filter=bilinear", "filter=lanczos2", "filter=nearest"])
@@ -148,7 +144,7 @@ def test_it_is_read_from_a_scene_file(scene_folder: Path) -> None:
     table = "[engine]\nviewports = [[0, 0, 1, 1], [0.5, 0, 0.5, 1]]\nviewport_frames = 3\n"
     path = scene_folder / "viewports.toml"
     path.write_text(text.replace("[nodes]", f"{table}[nodes]", 1))
-    engine = load_scene(path).engine
+    engine = load_scene(path).view.engine
     assert [engine.viewport(frame, (10, 10)) for frame in (0, 2, 3, 6)] == [
         (0, 0, 10, 10), (0, 0, 10, 10), (5, 0, 5, 10), (0, 0, 10, 10),
     ]  # fmt: skip

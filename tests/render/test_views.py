@@ -8,11 +8,10 @@ import pytest
 
 from shadercache.gpu.context import Gpu
 from shadercache.render.bundle import Bundle
+from shadercache.render.pass_runners import OriginalRunner
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import (
-    OriginalRunner,
-)
-from shadercache.scene.description import CameraPath, Scene
+from shadercache.scene.description import Scene
+from shadercache.scene.motion import CameraPath
 from tests.configured import render_variant, variant
 
 pytestmark = pytest.mark.xdist_group("gl")
@@ -25,7 +24,7 @@ OPTIONS = {"period": 16, "form": "rgba32f"}
 def test_views_that_take_turns_draw_what_they_draw_alone(
     gpu: Gpu, scene: Scene, bundle: Bundle, algorithm: str
 ) -> None:
-    other = replace(scene.camera, eye=(1.8, -0.6, 1.9), fov_degrees=50.0)
+    other = replace(scene.view.camera, eye=(1.8, -0.6, 1.9), fov_degrees=50.0)
     path = CameraPath(degrees_per_frame=2.0)
     with (
         RenderScene(gpu, scene, (96, 64), "rgba32f") as world,

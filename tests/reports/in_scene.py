@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
 from shadercache.compiler import Analysis, analyse
-from shadercache.linking.scene_shaders import with_aliases
+from shadercache.linking.scene_shaders import with_new_names
 from shadercache.scene.description import Scene, load_scene
 from shadercache.source import Source
+from tests.altered import altered
 from tests.cases.cases import FOLDER as CASES
 from tests.cases.cases import vertex_for
 
@@ -24,4 +24,4 @@ def analysed(path: Path) -> Analysis:
 def scene_of(path: Path, folder: Path) -> Scene:
     """The scene with that shader, in a folder that ``tests.cases.scenery.make_scene`` made."""
     files = {"fragment": path, "vertex": CASES / vertex_for(path).name}
-    return with_aliases(replace(load_scene(folder), **files), analysed(path).renamed)
+    return with_new_names(altered(load_scene(folder), **files), analysed(path).renamed)

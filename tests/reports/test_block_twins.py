@@ -125,7 +125,9 @@ def given(manifest: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, A
 
 def independent(world: RenderScene, folder: Path, algorithm: str) -> IndependentRunner:
     mesh = world.mesh
-    arrays = {name: mesh.arrays[array] for name, array in world.scene.attributes.items()}
+    arrays = {
+        name: mesh.arrays[array] for name, array in world.scene.common.inputs.attributes.items()
+    }
     textures = {"u_map": world.texture("u_map")}
     return IndependentRunner(
         *(world.gpu.ctx, folder, algorithm, world.size, arrays, mesh.index, textures)

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import closing
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -19,6 +18,7 @@ from shadercache.gpu.context import Gpu
 from shadercache.scene.description import load_scene
 from shadercache.source import Source
 from shadercache.verify.verifier import Verifier
+from tests.altered import altered
 from tests.cases.cases import FOLDER as CASES
 from tests.cases.scenery import make_scene
 
@@ -73,7 +73,7 @@ def test_initialisers_that_do_something_are_refused(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_what_else_may_be_cached_holds_the_laws(name: str, gpu: Gpu, folder: Path) -> None:
     analysis = load(name)
-    scene = replace(
+    scene = altered(
         load_scene(folder), fragment=FOLDER / f"{name}.frag", vertex=folder / "shader.vert"
     )
     nodes = [node for node in analysis.nodes if node.offered]

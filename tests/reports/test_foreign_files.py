@@ -28,10 +28,10 @@ from shadercache.manifest.codec import encode
 from shadercache.measure.result_files import read_json
 from shadercache.render.bundle import Bundle, bundle_of, load_bundle
 from shadercache.scene import npz
-from shadercache.scene.animation import Rows
 from shadercache.scene.description import load_scene
 from shadercache.scene.mesh import load_mesh
 from shadercache.scene.npz import load_npz
+from shadercache.scene.object_inputs import Rows
 from tests.configured import rewritten
 
 
@@ -321,7 +321,7 @@ def test_manifests_with_anything_anywhere(instead: object) -> None:
 def use(bundle: Bundle) -> None:
     """Ask a manifest for all that the renderer asks it for."""
     names = [name for name, kind in vars(Bundle).items() if isinstance(kind, cached_property)]
-    for name in (*names, "mode", "refreshes", "needed_by_some"):
+    for name in names:
         with suppress(InputError, UsageError):
             getattr(bundle, name)
 

@@ -24,8 +24,8 @@ from shadercache.compiler import Analysis, analyse
 from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import open_scene
 from shadercache.render.bundle import Bundle
+from shadercache.render.pass_runners import OriginalRunner
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import OriginalRunner
 from shadercache.source import Source
 from shadercache.verify.laws import judge
 from shadercache.verify.verdict import Verdict

@@ -19,7 +19,7 @@ from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import open_scene
 from shadercache.render.bound_pass import FrameInputs
 from shadercache.render.bundle import Bundle
-from shadercache.render.variant_runner import DrawItem, VariantRunner
+from shadercache.render.draw_items import DrawItem, RunInputs
 from shadercache.verify.verdict import Verdict
 from shadercache.verify.verifier import Verifier
 from tests.cases.scenery import ring
@@ -160,13 +160,13 @@ def test_one_algorithm_without_hits_is_noticed(judge: Judge) -> None:
 def test_uploads_of_the_current_values_are_noticed(
     judge: Judge, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    inputs = VariantRunner.inputs
+    right = RunInputs.of
 
-    def wrong(runner: VariantRunner, role: DrawItem, frame: int) -> FrameInputs:
-        found = inputs(runner, role, frame)
-        return replace(found, before=found.now)
+    def wrong(inputs: RunInputs, role: DrawItem, frame: int) -> FrameInputs:
+        given = right(inputs, role, frame)
+        return replace(given, before=given.now)
 
-    monkeypatch.setattr(VariantRunner, "inputs", wrong)
+    monkeypatch.setattr(RunInputs, "of", wrong)
     assert {f"law 4 ({name})" for name in ALL} <= set(judge.verdict().broken)
 
 

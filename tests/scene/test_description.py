@@ -10,8 +10,9 @@ import pytest
 from shadercache.diagnostics import InputError
 from shadercache.front.read_options import ReadOptions
 from shadercache.linking.scene_shaders import analyse_scene
-from shadercache.scene.camera import look_at, perspective, rotation, scene_values
-from shadercache.scene.description import Motion, Scene, load_scene
+from shadercache.scene.camera import look_at, perspective, rotation, uniform_values
+from shadercache.scene.description import Scene, load_scene
+from shadercache.scene.motion import Motion
 
 
 def broken(folder: Path, old: str, new: str) -> InputError:
@@ -36,12 +37,13 @@ def test_a_scene_may_ask_for_unrolled_loops(scene: Scene, scene_folder: Path) ->
 def test_a_folder_stands_for_its_scene_file(scene: Scene, scene_folder: Path) -> None:
     assert scene.path == scene_folder / "scene.toml"
     assert scene.name == "torus"
-    assert scene.fragment.is_file() and scene.mesh.is_file()
-    assert scene.verify_mesh == scene.mesh
-    assert scene.constants["u_light"] == (0.4, 0.8, 0.5)
-    assert scene.semantics["u_model"] == "model"
+    item = scene.common
+    assert item.fragment.is_file() and item.mesh.is_file()
+    assert item.verify_mesh == item.mesh
+    assert item.inputs.constants["u_light"] == (0.4, 0.8, 0.5)
+    assert item.inputs.semantics["u_model"] == "model"
     assert scene.demo is not None and scene.demo.nodes == ("payload",)
-    assert not scene.cull
+    assert not item.cull
 
 
 @pytest.mark.parametrize(
@@ -112,18 +114,18 @@ def test_no_such_file(tmp_path: Path) -> None:
 def test_matrices(scene: Scene) -> None:
     turn = rotation(Motion((0.0, 1.0, 0.0), 90.0, 0.0, 4), 1)
     assert np.allclose(turn @ [0, 0, 1, 1], [1, 0, 0, 1])
-    view = look_at(scene.camera)
-    assert np.allclose(view @ [*scene.camera.eye, 1], [0, 0, 0, 1])
-    assert np.allclose((view @ [*scene.camera.target, 1])[:2], 0)
-    project = perspective(scene.camera, 1.5)
-    near = project @ [0, 0, -scene.camera.near, 1]
-    far = project @ [0, 0, -scene.camera.far, 1]
+    view = look_at(scene.view.camera)
+    assert np.allclose(view @ [*scene.view.camera.eye, 1], [0, 0, 0, 1])
+    assert np.allclose((view @ [*scene.view.camera.target, 1])[:2], 0)
+    project = perspective(scene.view.camera, 1.5)
+    near = project @ [0, 0, -scene.view.camera.near, 1]
+    far = project @ [0, 0, -scene.view.camera.far, 1]
     assert near[2] / near[3] == pytest.approx(-1) and far[2] / far[3] == pytest.approx(1)
 
 
 def test_uniform_values_are_in_upload_order(scene: Scene) -> None:
-    values = scene_values(scene, 3, (64, 64))
-    model = rotation(scene.motion, 3)
+    values = uniform_values(scene.view, scene.common, 3, (64, 64))
+    model = rotation(scene.common.motion, 3)
     assert values["u_model"].tolist() == model.T.ravel().tolist()
     assert values["u_light"].tolist() == [0.4, 0.8, 0.5]
     assert values["u_scale"].tolist() == [5.0]

@@ -11,11 +11,13 @@ import pytest
 from shadercache.diagnostics import InputError
 from shadercache.gpu.context import Gpu
 from shadercache.render.bundle import Bundle
+from shadercache.render.pass_runners import render_original
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import render_original
-from shadercache.scene.animation import Ramp, Rows
-from shadercache.scene.camera import camera_at, model_matrix, scene_values
-from shadercache.scene.description import CameraPath, Key, Motion, Scene
+from shadercache.scene.camera import camera_at, model_matrix, uniform_values
+from shadercache.scene.description import Scene
+from shadercache.scene.motion import CameraPath, Key, Motion
+from shadercache.scene.object_inputs import Ramp, Rows
+from tests.altered import altered
 from tests.configured import variant
 
 
@@ -24,32 +26,32 @@ def key(frame: int, x: float, fov: float = 40.0, cut: bool = False) -> Key:
 
 
 def eye(scene: Scene, frame: int) -> tuple[float, float, float]:
-    return camera_at(scene, frame).eye
+    return camera_at(scene.view, frame).eye
 
 
 def test_an_orbit_keeps_its_distance(scene: Scene) -> None:
-    turning = replace(scene, camera_path=CameraPath(degrees_per_frame=10.0))
-    x, y, z = np.subtract(scene.camera.eye, scene.camera.target)
-    moved = np.subtract(eye(turning, 9), scene.camera.target)
+    turning = altered(scene, camera_path=CameraPath(degrees_per_frame=10.0))
+    x, y, z = np.subtract(scene.view.camera.eye, scene.view.camera.target)
+    moved = np.subtract(eye(turning, 9), scene.view.camera.target)
     assert np.allclose(moved, [z, y, -x])
-    assert eye(turning, 0) == pytest.approx(scene.camera.eye)
-    assert eye(scene, 9) == scene.camera.eye
+    assert eye(turning, 0) == pytest.approx(scene.view.camera.eye)
+    assert eye(scene, 9) == scene.view.camera.eye
 
 
 def test_keys_are_reached_and_a_shot_ends_at_a_cut(scene: Scene) -> None:
     keys = (key(2, 0.0), key(6, 4.0), key(10, 8.0, 20.0), key(14, -50.0, cut=True), key(16, -48.0))
-    path = replace(scene, camera_path=CameraPath(keys=keys))
+    path = altered(scene, camera_path=CameraPath(keys=keys))
     assert [eye(path, frame)[0] for frame in (0, 2, 6, 10, 12, 13)] == [0, 0, 4, 8, 8, 8]
     assert [eye(path, frame)[0] for frame in (14, 16, 99)] == [-50, -48, -48]
     assert eye(path, 15)[0] == pytest.approx(-49.0)
     assert 0.0 < eye(path, 3)[0] < eye(path, 4)[0] < eye(path, 5)[0] < 4.0
-    assert camera_at(path, 8).fov_degrees == pytest.approx(30.0)
-    assert path.camera_path.cuts == {14}
+    assert camera_at(path.view, 8).fov_degrees == pytest.approx(30.0)
+    assert path.view.camera_path.cuts == {14}
 
 
 def test_a_straight_row_of_keys_is_even(scene: Scene) -> None:
     keys = tuple(key(4 * at, float(at)) for at in range(5))
-    path = replace(scene, camera_path=CameraPath(keys=keys))
+    path = altered(scene, camera_path=CameraPath(keys=keys))
     steps = np.diff([eye(path, frame)[0] for frame in range(4, 13)])
     assert np.allclose(steps, 0.25)
 
@@ -69,8 +71,8 @@ def test_animated_uniforms(scene: Scene, tmp_path: Path) -> None:
     assert [table.at(frame).tolist() for frame in (0, 1, 2, 5, 6)] == [
         [0.0, 1.0], [1.0, 2.0], [2.0, 3.0], [2.0, 3.0], [0.0, 1.0],
     ]  # fmt: skip
-    moving = replace(scene, animated={"u_scale": Ramp((5.0,), (0.5,)), "u_rows": table})
-    values = scene_values(moving, 2, (8, 8))
+    moving = altered(scene, animated={"u_scale": Ramp((5.0,), (0.5,)), "u_rows": table})
+    values = uniform_values(moving.view, moving.common, 2, (8, 8))
     assert values["u_scale"].tolist() == [6.0] and values["u_rows"].tolist() == [2.0, 3.0]
     for wrong in ("flat", "bad", "none"):
         with pytest.raises(InputError, match="SC541"):
@@ -83,7 +85,7 @@ def test_runners_are_told_of_a_cut(gpu: Gpu, scene: Scene, bundle: Bundle) -> No
     options = {"period": 16, "form": "rgba32f"}
     for told in (True, False):
         shots = tuple(replace(item, cut=item.cut and told) for item in keys)
-        path = replace(scene, camera_path=CameraPath(keys=shots))
+        path = altered(scene, camera_path=CameraPath(keys=shots))
         with RenderScene(gpu, path, (96, 64), "rgba32f") as world:
             original = render_original(world, [bundle], range(4))
             with variant(world, bundle, "2-pass", **options) as runner:

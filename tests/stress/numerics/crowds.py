@@ -31,12 +31,15 @@ from numpy.typing import NDArray
 from shadercache.caching.settings import with_settings
 from shadercache.compiler import analyse
 from shadercache.render.bundle import Bundle
+from shadercache.render.pass_runners import OriginalRunner
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import OriginalRunner, VariantRunner
+from shadercache.render.variant_runner import VariantRunner
 from shadercache.scene.camera import camera_at, semantic_values
-from shadercache.scene.description import Camera, CameraPath, Key, Motion, Scene, SceneObject
+from shadercache.scene.description import Scene
 from shadercache.scene.mesh import Mesh
+from shadercache.scene.motion import Camera, CameraPath, Key, Motion
 from shadercache.source import Source
+from tests.altered import altered
 from tests.configured import DEFAULT, configured, rewritten, variant
 
 Vector = tuple[float, float, float]
@@ -79,9 +82,8 @@ def crowd(
 ) -> Scene:
     """The scene of these bodies, numbered from 1; their meshes are written to the folder."""
     like = body_scene("trashcan", 0.0)
-    scene = replace(
-        like, name="crowd", camera=camera, camera_path=CameraPath(keys=tuple(keys)), cull=False
-    )
+    shots = CameraPath(keys=tuple(keys))
+    scene = altered(like, name="crowd", camera=camera, camera_path=shots, cull=False)
     items = []
     for number, (name, body) in enumerate(bodies.items(), 1):
         path = folder / f"{name}.npz"
@@ -89,7 +91,7 @@ def crowd(
             made = facets(body.mesh)
             made.arrays["body"][:] = number  # type: ignore[index]
             np.savez(path, index=made.index, **made.arrays)
-        items.append(SceneObject(name, replace(scene, mesh=path, motion=body.motion)))
+        items.append(replace(scene.common, name=name, mesh=path, motion=body.motion))
     return replace(scene, objects=tuple(items))
 
 
@@ -166,13 +168,13 @@ def truth_of(world: RenderScene, frame: int) -> Truth:
     covered = position[..., 3] > 0.0
     number = np.rint(body[..., 0]).astype(np.intp) * covered
     width, height = world.size
-    camera = camera_at(world.scene, frame)
+    camera = camera_at(world.scene.view, frame)
     w, cosine = np.ones(covered.shape), np.ones(covered.shape)
     matrices: dict[int, Floats] = {}
     for drawable in world.drawables:
         if not drawable.is_there(frame):
             continue
-        values = semantic_values(drawable.scene, frame, width / height)
+        values = semantic_values(world.scene.view, drawable.item.motion, frame, width / height)
         matrices[drawable.number] = values["model-view-projection"]
         mine = number == drawable.number
         points = position[mine][:, :3].astype(np.float64)
@@ -182,7 +184,7 @@ def truth_of(world: RenderScene, frame: int) -> Truth:
             np.linalg.norm(view, axis=-1) * np.linalg.norm(facet[mine][:, :3], axis=-1), 1e-30
         )
         # The lengths below are in object space.
-        cosine[mine] = np.abs(facing) * drawable.scene.motion.scale
+        cosine[mine] = np.abs(facing) * drawable.item.motion.scale
     pixel = 2.0 * np.tan(np.radians(camera.fov_degrees) / 2.0) * np.abs(w) / height
     return Truth(
         covered=covered,
@@ -301,7 +303,7 @@ def _judge(
     points: NDArray[np.float32],
     bodies: NDArray[np.float32],
 ) -> None:
-    epsilon = bundle_of("v_position").defaults["epsilon"]
+    epsilon = bundle_of("v_position").naming.defaults["epsilon"]
     allowed = FOOTPRINT * now.footprint + epsilon * np.abs(now.w)
     away = np.linalg.norm(points[..., :3] - now.position, axis=-1)
     near = _taps(now, before, size)

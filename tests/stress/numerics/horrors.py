@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from shadercache.scene.description import Camera, Key, Motion
+from shadercache.scene.motion import Camera, Key, Motion
 
 from .crowds import Body, Vector, ball, fence, sheet
 

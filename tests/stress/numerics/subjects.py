@@ -16,10 +16,10 @@ from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.paths import data_path
 from shadercache.render.bundle import Bundle
+from shadercache.render.pass_runners import CoverageRunner, OriginalRunner
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import CoverageRunner, OriginalRunner
 from shadercache.scene.description import Scene, load_scene
-from shadercache.scene.mesh import Mesh, scene_mesh
+from shadercache.scene.mesh import Mesh
 from tests.configured import DEFAULT, configured, rewritten
 
 ALGORITHMS = ("1-pass", "2-pass", "3-pass")
@@ -70,7 +70,7 @@ def subject(
 ) -> Iterator[Subject]:
     """A corpus scene with a node's variants in proof mode, on float targets."""
     scene, bundle, plain = programs(name, cache, which=which)
-    with RenderScene(gpu, scene, size, "rgba32f", scene_mesh(scene, small=True)) as world:
+    with RenderScene(gpu, scene.small, size, "rgba32f") as world:
         yield Subject(world, bundle, plain)
 
 

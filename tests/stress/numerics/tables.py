@@ -25,8 +25,9 @@ from shadercache.gpu.context import Gpu, open_context
 from shadercache.linking.scene_shaders import open_scene
 from shadercache.paths import data_path
 from shadercache.render.bundle import Bundle
+from shadercache.render.pass_runners import OriginalRunner
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import OriginalRunner, VariantRunner
+from shadercache.render.variant_runner import VariantRunner
 from shadercache.scene.description import Scene
 from tests.configured import DEFAULT, configured, rewritten, variant
 

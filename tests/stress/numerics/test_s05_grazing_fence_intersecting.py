@@ -14,7 +14,7 @@ import pytest
 
 from shadercache.gpu.context import Gpu, open_context
 from shadercache.render.render_scene import RenderScene
-from shadercache.scene.description import Camera, Key, Motion
+from shadercache.scene.motion import Camera, Key, Motion
 
 from .crowds import Body, Record, ball, crowd, fence, judge, sheet
 

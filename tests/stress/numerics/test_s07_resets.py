@@ -12,9 +12,11 @@ from shadercache.caching.configuration import Configuration
 from shadercache.gpu.clock import pick_clock
 from shadercache.gpu.context import Gpu
 from shadercache.render.cut_detector import REASONS, ResetReason
+from shadercache.render.pass_runners import OriginalRunner
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import OriginalRunner, VariantRunner
+from shadercache.render.variant_runner import VariantRunner
 from shadercache.scene.motion import CameraPath, Key
+from tests.altered import altered
 from tests.configured import configured, variant
 
 from .criteria import Criteria
@@ -29,13 +31,13 @@ MOST_COST = 1.1
 def disturbed(runner: VariantRunner, made: Subject, reason: ResetReason) -> int:
     """Let happen what the reason names; the frame that is drawn next."""
     drawable = made.world.drawables[0]
-    camera = drawable.scene.camera
+    camera = drawable.scene.view.camera
     match reason:
         case "cut":
             return 137
         case "projection change":
-            wider = dataclasses.replace(camera, fov_degrees=1.4 * camera.fov_degrees)
-            drawable.scene = dataclasses.replace(drawable.scene, camera=wider)
+            wider = 1.4 * camera.fov_degrees
+            drawable.scene = altered(drawable.scene, fov_degrees=wider)
             return 7
         case "lost context":
             shape = runner.cache().shape
@@ -123,7 +125,7 @@ def test_a_short_reset_draws_one_program(gpu: Gpu) -> None:
         for algorithm in ALGORITHMS:
             how = {"period": 32, "short_reset": True}
             with variant(made.world, made.bundle, algorithm, **how) as runner:
-                drawn = [bound.name for role in runner._roles for bound in role.due if bound]
+                drawn = [bound.name for role in runner.roles for bound in role.due if bound]
                 assert drawn == ["miss"]
 
 
@@ -157,9 +159,8 @@ def test_what_a_reset_costs(gpu: Gpu, stress: Criteria, scene: str, algorithm: s
 @pytest.mark.parametrize("degrees", [1.0, 5.0])
 def test_a_cut_that_was_not_told_is_noticed(gpu: Gpu, stress: Criteria, degrees: float) -> None:
     with subject(gpu, "trashcan") as made:
-        scene = made.world.drawables[0].scene
-        turning = dataclasses.replace(scene.motion, degrees_per_frame=degrees)
-        made.world.drawables[0].scene = dataclasses.replace(scene, motion=turning)
+        (drawable,) = made.world.drawables
+        drawable.item = altered(drawable.item, degrees_per_frame=degrees)
         jump = round(160.0 / degrees)
         with variant(made.world, made.bundle, "2-pass", period=32) as runner:
             hits = runner.bundle.mask_values["hit"]
@@ -192,12 +193,11 @@ def test_every_reason_is_one(gpu: Gpu) -> None:
 def test_a_cut_that_the_scene_tells_is_no_suspicion(gpu: Gpu) -> None:
     with subject(gpu, "trashcan", (48, 48)) as made:
         scene = made.world.scene
-        camera = scene.camera
+        camera = scene.view.camera
         there = Key(4, (5.0, 2.0, 0.1), camera.target, camera.up, camera.fov_degrees, cut=True)
         here = Key(0, camera.eye, camera.target, camera.up, camera.fov_degrees)
         path = CameraPath(keys=(here, dataclasses.replace(here, frame=3), there))
-        made.world.scene = dataclasses.replace(scene, camera_path=path)
-        made.world.drawables[0].scene = dataclasses.replace(scene, camera_path=path)
+        made.world.scene = made.world.drawables[0].scene = altered(scene, camera_path=path)
         with variant(made.world, made.bundle, "2-pass", period=32) as runner:
             hits = runner.bundle.mask_values["hit"]
             for frame in range(7):

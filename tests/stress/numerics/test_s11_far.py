@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
-
 import numpy as np
 import pytest
 from laws.ground_truth import body_mesh, body_scene, bundle_of
@@ -11,6 +9,7 @@ from laws.ground_truth import body_mesh, body_scene, bundle_of
 from shadercache.gpu.context import Gpu
 from shadercache.render.render_scene import RenderScene
 from shadercache.scene.description import Scene
+from tests.altered import altered
 from tests.configured import variant
 
 from .criteria import Criteria
@@ -44,10 +43,9 @@ def moved(scene: Scene, by: tuple[float, float, float]) -> Scene:
         x, y, z = (a + b for a, b in zip(point, by, strict=True))
         return (x, y, z)
 
-    camera = scene.camera
-    there = dataclasses.replace(camera, eye=shifted(camera.eye), target=shifted(camera.target))
-    motion = dataclasses.replace(scene.motion, position=shifted(scene.motion.position))
-    return dataclasses.replace(scene, camera=there, motion=motion)
+    camera, position = scene.view.camera, scene.common.motion.position
+    there = {"eye": shifted(camera.eye), "target": shifted(camera.target)}
+    return altered(scene, **there, position=shifted(position))
 
 
 @pytest.mark.parametrize("degrees", [0.2, 2.0])

@@ -14,13 +14,12 @@ from shadercache.caching.settings import with_settings
 from shadercache.compiler import analyse
 from shadercache.gpu.context import Gpu
 from shadercache.render.bundle import Bundle
+from shadercache.render.pass_runners import CoverageRunner, OriginalRunner
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import (
-    CoverageRunner,
-    OriginalRunner,
-)
-from shadercache.scene.description import Camera, Motion, Scene
+from shadercache.scene.description import Scene
+from shadercache.scene.motion import Camera, Motion
 from shadercache.source import Source
+from tests.altered import altered
 from tests.configured import PROOF, rewritten, variant
 
 from .crowds import Body, ball, crowd, fence, sheet
@@ -82,11 +81,7 @@ def scene(tmp_path_factory: pytest.TempPathFactory) -> Scene:
     bodies["other"] = Body(ball("other", 0.5), turning(-5.0, (-0.5, 0.3, 0.9)))
     made = crowd(tmp_path_factory.mktemp("order"), bodies, CAMERA)
     items = [
-        replace(
-            item,
-            cached=item.name != "other",
-            scene=replace(item.scene, constants={"u_number": (float(number),)}),
-        )
+        altered(item, on=item.name != "other", constants={"u_number": (float(number),)})
         for number, item in enumerate(made.objects)
     ]
     return replace(made, objects=tuple(items))

@@ -6,7 +6,6 @@ frames, bit for bit, and differ from the original of now by no more than that ma
 
 from __future__ import annotations
 
-from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -18,10 +17,11 @@ from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.paths import data_path
 from shadercache.render.bundle import Bundle
+from shadercache.render.pass_runners import render_original
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import render_original
-from shadercache.scene.animation import Ramp
 from shadercache.scene.description import Scene, load_scene
+from shadercache.scene.object_inputs import Ramp
+from tests.altered import altered
 from tests.configured import DEFAULT, configured, rewritten, variant
 
 from .criteria import Criteria
@@ -35,9 +35,9 @@ LAMP = Ramp((0.45, 0.72, 0.53), (-0.006, 0.001, 0.004))
 
 def lit_scene() -> Scene:
     scene = load_scene(data_path("corpus", "dragon"))
-    constants = {name: value for name, value in scene.constants.items() if name != "u_light"}
-    still = replace(scene.motion, degrees_per_frame=0.0)
-    return replace(scene, motion=still, constants=constants, animated={"u_light": LAMP})
+    given = scene.common.inputs.constants
+    constants = {name: value for name, value in given.items() if name != "u_light"}
+    return altered(scene, degrees_per_frame=0.0, constants=constants, animated={"u_light": LAMP})
 
 
 @pytest.mark.parametrize("settings", ["", "age=on", "refresh=none,age=on"])

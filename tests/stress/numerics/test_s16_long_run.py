@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from pathlib import Path
 
 import numpy as np
@@ -13,9 +12,10 @@ from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.paths import data_path
 from shadercache.render.bundle import Bundle
+from shadercache.render.pass_runners import OriginalRunner
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import OriginalRunner
 from shadercache.scene.description import load_scene
+from tests.altered import altered
 from tests.configured import configured, rewritten, variant
 
 from .criteria import Criteria
@@ -67,8 +67,7 @@ def test_a_long_run(gpu: Gpu, stress: Criteria, cache: Configuration, frames: in
             pytest.skip("only the default in the short form")
         frames = 400
     scene, analysis = analyse_scene(load_scene(data_path("corpus", "dragon")))
-    motion = dataclasses.replace(scene.motion, degrees_per_frame=DEGREES)
-    scene = dataclasses.replace(scene, motion=motion)
+    scene = altered(scene, degrees_per_frame=DEGREES)
     node = analysis.nodes_of(scene.nodes["albedo"])
     found = rewritten(analysis, node, cache, ("2-pass",), unprofitable=True)
     bundle = Bundle(found.manifest, found.files)

@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 
 from shadercache.gpu.context import Gpu, open_context
+from shadercache.render.pass_runners import OriginalRunner
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import OriginalRunner
 from tests.configured import variant
 
 from .crowds import Record, bundle_of, crowd, judge
@@ -66,7 +66,7 @@ def test_its_own_cache_stays_sound(gpu: Gpu, tmp_path: Path, algorithm: str) -> 
     keys, _ = path(SEEDS[0], FRAMES, told=True)
     bundle = bundle_of("v_body", "ids=on")
     scene = crowd(tmp_path, bodies(SEEDS[0], FRAMES), CAMERA, keys)
-    cuts = scene.camera_path.cuts
+    cuts = scene.view.camera_path.cuts
     assert cuts
     with (
         RenderScene(gpu, scene, SIZE, "rgba32f") as world,

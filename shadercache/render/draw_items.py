@@ -1,0 +1,115 @@
+"""How each object of a run is drawn, what it reads, and which passes of whom come when."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from shadercache.caching.configuration import Configuration
+from shadercache.gpu.cache_textures import CachePair
+from shadercache.render.bound_pass import BoundPass, FrameInputs, object_numbers
+from shadercache.render.bundle import Bundle, Naming, PassSpec
+from shadercache.render.drawable import Drawable
+from shadercache.render.linked_object import LinkedObject
+from shadercache.render.render_scene import RenderScene
+
+
+@dataclass(eq=False)
+class DrawItem:
+    """How one object is drawn in a run: its programs, the passes of a frame, the caches it has.
+
+    ``caches`` is None for an object that its original draws: it is not to be cached, or its texels
+    are not like those of the others. ``debug_spec`` tells what becomes of its pixels. ``before``:
+    the frame that was shown when it was last drawn; None if the last frame did not show it. A None
+    among the passes ``on_reset`` is one that a reset leaves out.
+    """
+
+    drawable: Drawable
+    linked: LinkedObject
+    naming: Naming
+    passes: tuple[BoundPass, ...]
+    on_reset: tuple[BoundPass | None, ...]
+    debug_spec: PassSpec
+    caches: CachePair | None
+    before: int | None = None
+    debug: BoundPass | None = None
+
+    @property
+    def bundle(self) -> Bundle:
+        """The object's programs."""
+        return self.linked.bundle
+
+    @property
+    def due(self) -> tuple[BoundPass | None, ...]:
+        """The passes of the coming frame, each at its place in the order."""
+        return self.on_reset if self.before is None else self.passes
+
+
+class RunInputs:
+    """What the objects of a run read in the frame that is about to be drawn."""
+
+    def __init__(self, world: RenderScene, configuration: Configuration, moving: bool) -> None:
+        """Args: ``configuration`` is of objects without; ``moving`` as ``VariantRunner``."""
+        self._world, self._configuration, self._moving = world, configuration, moving
+        camera = world.scene.view.camera
+        # 1/w is this many depths from -1 to 1, in a perspective.
+        self._unit = 2.0 * camera.near * camera.far / (camera.far - camera.near)
+
+    def shown(self, frame: int) -> int:
+        """The frame of the scene that a frame of the run shows."""
+        return frame if self._moving else 0
+
+    def of(self, item: DrawItem, frame: int) -> FrameInputs:
+        """What an object's passes read."""
+        shown = self.shown(frame)
+        before = shown if item.before is None else item.before
+        chosen = item.linked.configuration or self._configuration
+        refresh = chosen.refresh
+        numbers = {
+            **item.naming.defaults,
+            "unit": self._unit,
+            "clock": frame % refresh.period,
+            "period": refresh.period,
+            "block": refresh.block,
+            "epsilon": chosen.hit_test.epsilon,
+            "reset": 0,
+            **(item.naming.on_reset if item.before is None else {}),
+        }
+        given = {name: np.array([value], np.float64) for name, value in numbers.items()}
+        given |= object_numbers(item.drawable)
+        viewport = self._world.viewport(shown)
+        given["viewport"] = np.array(viewport, np.float64)
+        given["previous-viewport"] = np.array(self._world.viewport(before), np.float64)
+        # Told of the jitter, the last frame's place of a point is the one it had with this frame's.
+        told = self._world.scene.view.engine.told or item.before is None
+        last = item.drawable.values(before, frame if told else frame - 1)
+        return FrameInputs(item.drawable.values(shown, frame), last, given, viewport)
+
+
+class Turn(NamedTuple):
+    """One draw: a pass of an object, with what it reads."""
+
+    bound: BoundPass
+    inputs: FrameInputs
+    caches: CachePair | None
+
+    def draw(self) -> None:
+        """Draw it."""
+        self.bound.draw(self.inputs, self.caches)
+
+
+def turns(items: Sequence[DrawItem], inputs: RunInputs, frame: int) -> Iterator[Turn]:
+    """Every draw of a frame: all objects finish a pass before the next begins."""
+    reads = [inputs.of(item, frame) for item in items]
+    over_screen: set[tuple[Bundle, str]] = set()
+    for number in range(max((len(item.due) for item in items), default=0)):
+        for item, read in zip(items, reads, strict=True):
+            bound = item.due[number] if number < len(item.due) else None
+            if bound is None or (item.bundle, bound.name) in over_screen:
+                continue
+            if bound.over_screen:
+                over_screen.add((item.bundle, bound.name))
+            yield Turn(bound, read, item.caches)

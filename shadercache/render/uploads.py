@@ -1,0 +1,65 @@
+"""Meshes and textures on the GPU, each uploaded when it is first wanted."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import moderngl
+import numpy as np
+
+from shadercache.gpu.context import Gpu
+from shadercache.gpu.resource import Resource
+from shadercache.gpu.textures import GlTexture, upload_texture
+from shadercache.scene.mesh import FULL_SCREEN, Mesh, load_mesh
+from shadercache.scene.object_inputs import TextureSpec
+
+
+class GpuMesh(Resource):
+    """The arrays of a mesh on the GPU."""
+
+    def __init__(self, ctx: moderngl.Context, mesh: Mesh) -> None:
+        self.mesh = mesh
+        self._ctx = ctx
+        self._buffers: dict[str, moderngl.Buffer] = {}
+        self.index = ctx.buffer(mesh.index.tobytes())
+
+    def buffer(self, name: str) -> moderngl.Buffer:
+        """One of the mesh's arrays."""
+        if name not in self._buffers:
+            array = np.ascontiguousarray(self.mesh.arrays[name])
+            self._buffers[name] = self._ctx.buffer(array.tobytes())
+        return self._buffers[name]
+
+    def release(self) -> None:
+        """Free the buffers."""
+        for buffer in (*self._buffers.values(), self.index):
+            buffer.release()
+
+
+class Uploads(Resource):
+    """What objects that draw the same files share."""
+
+    def __init__(self, gpu: Gpu, given: Mesh | None) -> None:
+        """Args: ``given``: a mesh in place of those in files."""
+        self.gpu = gpu
+        self._given = given
+        self._meshes: dict[Path | None, GpuMesh] = {}
+        self._textures: dict[TextureSpec, GlTexture] = {}
+
+    def mesh(self, path: Path | None) -> GpuMesh:
+        """A mesh; None is that of full-screen scenes. Raises as ``load_mesh``."""
+        if path not in self._meshes:
+            mesh = self._given or (FULL_SCREEN if path is None else load_mesh(path))
+            self._meshes[path] = GpuMesh(self.gpu.ctx, mesh)
+        return self._meshes[path]
+
+    def texture(self, spec: TextureSpec) -> GlTexture:
+        """A texture. Raises InputError SC530, SC531 for a file that is none."""
+        if spec not in self._textures:
+            self._textures[spec] = upload_texture(self.gpu, spec)
+        return self._textures[spec]
+
+    def release(self) -> None:
+        """Free everything."""
+        for held in (*self._meshes.values(), *self._textures.values()):
+            held.release()

@@ -1,0 +1,238 @@
+"""What a scene file gives the shaders of an object: attributes, uniforms, textures."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, TypeAlias, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shadercache.diagnostics import input_error
+from shadercache.scene.npz import load_npz
+from shadercache.scene.toml_reader import Table, is_number
+
+T = TypeVar("T")
+
+SEMANTICS = (
+    *("model", "view", "projection", "model-view", "view-projection", "model-view-projection"),
+    *("normal-matrix", "eye", "time", "time-delta", "frame", "resolution", "resolution-aspect"),
+)
+"""What a uniform can be tied to; ``camera.semantic_values`` and ``uniform_values`` define each."""
+
+CAUSES = ("view", "light", "time")
+"""Why a uniform may change from frame to frame."""
+
+
+@dataclass(frozen=True, slots=True)
+class TextureSpec:
+    """A texture file and how it is sampled. ``made``: it is generated, and ``path`` says what."""
+
+    path: Path
+    filter: str
+    mipmap: bool
+    wrap: str
+    anisotropy: float
+    made: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Ramp:
+    """Numbers that change by the same amount in every frame."""
+
+    start: tuple[float, ...]
+    per_frame: tuple[float, ...]
+
+    def at(self, frame: int) -> NDArray[np.float64]:
+        """The numbers at a frame, in the order of upload."""
+        return np.asarray(self.start, np.float64) + frame * np.asarray(self.per_frame, np.float64)
+
+
+@dataclass(frozen=True, slots=True)
+class Rows:
+    """Rows of an ``.npz`` file's array (rows, numbers in the order of upload), played in a circle.
+
+    ``rate`` in rows a frame; between two rows the numbers are mixed. ``start`` is the row of
+    frame 0.
+    """
+
+    path: Path
+    array: str
+    rate: float = 1.0
+    start: float = 0.0
+
+    def at(self, frame: int) -> NDArray[np.float64]:
+        """The numbers at a frame. Raises InputError SC541 for a file that does not hold them."""
+        rows = _rows(self.path, self.array)
+        place = self.start + frame * self.rate
+        low = int(np.floor(place))
+        part = place - low
+        first, second = rows[low % len(rows)], rows[(low + 1) % len(rows)]
+        mixed: NDArray[np.float64] = (1.0 - part) * first + part * second
+        return mixed
+
+
+Animation: TypeAlias = Ramp | Rows
+
+
+@dataclass(frozen=True, eq=False)
+class Inputs:
+    """By the names that shaders have for them: arrays of the mesh, uniforms, textures.
+
+    ``constants`` hold the numbers of a uniform in the order of upload: the components of a vector,
+    the columns of a matrix, the elements of an array. Another uniform is tied to one of
+    :data:`SEMANTICS`, or ``animated``.
+    """
+
+    attributes: Mapping[str, str] = field(default_factory=dict)
+    constants: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
+    semantics: Mapping[str, str] = field(default_factory=dict)
+    animated: Mapping[str, Animation] = field(default_factory=dict)
+    textures: Mapping[str, TextureSpec] = field(default_factory=dict)
+
+    def over(self, other: Inputs) -> Inputs:
+        """These, and those of ``other`` that have no value here."""
+        mine = {*self.constants, *self.semantics, *self.animated}
+
+        def rest(values: Mapping[str, T]) -> dict[str, T]:
+            return {name: value for name, value in values.items() if name not in mine}
+
+        return Inputs(
+            {**other.attributes, **self.attributes},
+            {**rest(other.constants), **self.constants},
+            {**rest(other.semantics), **self.semantics},
+            {**rest(other.animated), **self.animated},
+            {**other.textures, **self.textures},
+        )
+
+    def with_aliases(self, renamed: Mapping[str, str]) -> Inputs:
+        """The same, with everything also under its new name."""
+        return Inputs(*(with_aliases(getattr(self, item.name), renamed) for item in fields(self)))
+
+    @property
+    def causes(self) -> dict[str, str]:
+        """Why uniforms change, by name: one of :data:`CAUSES`, which animations and semantics say.
+
+        Those of the picture's size do not change.
+        """
+        by_semantic = {
+            name: "time" if word in ("time", "time-delta", "frame") else "view"
+            for name, word in self.semantics.items()
+            if not word.startswith("resolution")
+        }
+        return dict.fromkeys(self.animated, "time") | by_semantic
+
+
+def root_of(name: str) -> str:
+    """The variable that a uniform is part of: ``light`` of ``light.color`` and ``light[1]``."""
+    return name.partition("[")[0].partition(".")[0]
+
+
+def with_aliases(values: Mapping[str, T], renamed: Mapping[str, str]) -> dict[str, T]:
+    """Values of which those named ``old``, ``old[0]`` or ``old.member`` have their new name too."""
+    both = dict(values)
+    for name, value in values.items():
+        root = root_of(name)
+        if root in renamed:
+            both[renamed[root] + name[len(root) :]] = value
+    return both
+
+
+def read_inputs(table: Table) -> Inputs:
+    """``[attributes]``, ``[uniforms]`` and ``[textures]`` of a table."""
+    constants: dict[str, tuple[float, ...]] = {}
+    semantics: dict[str, str] = {}
+    animated: dict[str, Animation] = {}
+    uniforms = table.table("uniforms")
+    for name, value in uniforms.items():
+        if isinstance(value, str) or (isinstance(value, dict) and set(value) == {"semantic"}):
+            word = semantics[name] = value if isinstance(value, str) else value["semantic"]
+            if word not in SEMANTICS:
+                message = f"{uniforms.full(name)}: unknown semantic {word!r}"
+                uniforms.problem("SC506", name, message, f"one of {', '.join(SEMANTICS)}")
+        elif isinstance(value, dict) and ("table" in value or "start" in value):
+            animated[name] = _read_animation(uniforms.table(name))
+        else:
+            wanted = "a number, an array of numbers, or a semantic"
+            value = uniforms.checked(name, wanted, lambda v: bool(_constant(v)), stand_in=0.0)
+            constants[name] = _constant(value)
+    attributes = read_names(table.table("attributes"))
+    return Inputs(attributes, constants, semantics, animated, _textures(table.table("textures")))
+
+
+def _read_animation(table: Table) -> Animation:
+    if table.has("table"):
+        return Rows(
+            path=table.file("table"),
+            array=table.text("array"),
+            rate=table.number("rate", 1.0),
+            start=table.number("first", 0.0),
+        )
+    start, step = (_constant(table.values.get(key)) for key in ("start", "per_frame"))
+    known = table.has("start") and table.has("per_frame")
+    fits = known and bool(start) and len(start) == len(step)
+    table.require(
+        fits, "start", f"{table.name} must have start and per_frame, as many numbers in each"
+    )
+    return Ramp(start, step) if fits else Ramp((0.0,), (0.0,))
+
+
+def _constant(value: Any) -> tuple[float, ...]:
+    """A number, a vector, or equally long vectors one after another; empty if it is neither."""
+    if isinstance(value, bool) or is_number(value):
+        return (float(value),)
+    if not isinstance(value, list) or not value:
+        return ()
+    if all(map(is_number, value)):
+        return tuple(map(float, value))
+    if not all(isinstance(row, list) and row and all(map(is_number, row)) for row in value):
+        return ()
+    if len({len(row) for row in value}) != 1:
+        return ()
+    return tuple(float(number) for row in value for number in row)
+
+
+def _textures(table: Table) -> dict[str, TextureSpec]:
+    specs: dict[str, TextureSpec] = {}
+    for name, _ in table.items():
+        entry = table.table(name)
+        specs[name] = TextureSpec(
+            path=entry.file("file"),
+            filter=entry.text("filter", "linear", ("linear", "nearest")),
+            mipmap=entry.boolean("mipmap", False),
+            wrap=entry.text("wrap", "repeat", ("repeat", "clamp")),
+            anisotropy=entry.number("anisotropy", 1.0),
+        )
+    return specs
+
+
+def read_changes(table: Table, inputs: Inputs) -> dict[str, str]:
+    """Why uniforms change: ``light = ["u_light"]`` and the like, beside what the inputs say."""
+    changes = inputs.causes
+    for cause in CAUSES:
+        changes |= dict.fromkeys(table.texts(cause), cause)
+    return changes
+
+
+def read_names(table: Table) -> dict[str, str]:
+    """A table of nothing but strings."""
+    return {name: table.text(name) for name, _ in table.items()}
+
+
+@lru_cache(maxsize=32)
+def _rows(path: Path, name: str) -> NDArray[np.float64]:
+    arrays = load_npz(path, "SC541", "the animation")
+    if name not in arrays:
+        hint = f"it has: {', '.join(sorted(arrays))}"
+        raise input_error("SC541", f"the animation {path} has no array {name!r}", hint=hint)
+    stored = arrays[name]
+    if stored.dtype.kind not in "fiu" or stored.ndim < 2 or not stored.size:
+        shape = f"{stored.dtype} {stored.shape}"
+        raise input_error("SC541", f"array {name!r} of {path} has no rows of numbers: {shape}")
+    rows: NDArray[np.float64] = stored.reshape(len(stored), -1).astype(np.float64)
+    if not np.isfinite(rows).all():
+        raise input_error("SC541", f"array {name!r} of {path} holds NaN or infinity")
+    return rows
