@@ -64,7 +64,7 @@ def _of_extension(mistake: Unexpected) -> Diagnostic | None:
         return None
     here, before = (mistake.text, mistake.span), (mistake.before, mistake.before_span)
     for text, span in (before, here):
-        found = unsupported.told(text)
+        found = unsupported.explained(text)
         if found is not None:
             return mistake.at(span, *found, "SC111")
     return None

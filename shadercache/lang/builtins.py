@@ -6,21 +6,24 @@ types expanded, when its name is asked for. The notation is explained at the hea
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
+from shadercache.lang.availability import (
+    NO_EXTENSIONS,
+    Availability,
+    availability,
+    data_lines,
+)
 from shadercache.lang.generics import expanded
 from shadercache.lang.types import Type, array_of, builtin_type, struct_type
 from shadercache.lang.words import type_names
 
 _FILE = Path(__file__).with_name("builtins.txt")
 
-_NEVER = 9999
-NO_EXTENSIONS: frozenset[str] = frozenset()
-_OF_ES = frozenset(("GL_EXT_frag_depth", "GL_EXT_shader_texture_lod", "GL_EXT_shadow_samplers"))
-"""Extensions that desktop GLSL does not know."""
 MOST_ELEMENTS = {"gl_ClipDistance": 8, "gl_CullDistance": 8}
 """Elements of built-in arrays without a size, on every driver."""
 
@@ -78,32 +81,6 @@ class BuiltinVariable:
 
 
 @dataclass(frozen=True, slots=True)
-class _Availability:
-    """Where something exists: ranges of versions, one stage, extensions."""
-
-    since: int = 110
-    until: int = _NEVER
-    es: int = 100
-    es_until: int = _NEVER
-    stage: str | None = None
-    extensions: frozenset[str] = NO_EXTENSIONS
-    extended_since: int = 0
-
-    def holds(
-        self, version: int, profile: str | None, stage: str, extensions: frozenset[str]
-    ) -> bool:
-        """Does a shader of this version, profile and stage have it?"""
-        if self.stage not in (None, stage):
-            return False
-        found = self.extensions & extensions
-        if found and version >= self.extended_since and (profile == "es" or found - _OF_ES):
-            return True
-        if profile == "es":
-            return self.es <= version <= self.es_until
-        return self.since <= version and (version <= self.until or profile == "compatibility")
-
-
-@dataclass(frozen=True, slots=True)
 class _Line:
     """A line of the data file; ``words`` are its own, then those of the ``@`` above it."""
 
@@ -140,10 +117,10 @@ def overloads(name: str) -> tuple[Signature, ...]:
     return _distinct(signature for signature, _ in _all_signatures(name))
 
 
-def _distinct(found: Iterator[Signature]) -> tuple[Signature, ...]:
+def _distinct(signatures: Iterator[Signature]) -> tuple[Signature, ...]:
     # max(genType, float) and max(genType, genType) are the same for a scalar: keyed by parameters.
     kept: dict[tuple[Type, ...], Signature] = {}
-    for signature in found:
+    for signature in signatures:
         kept.setdefault(tuple(param.type for param in signature.params), signature)
     return tuple(kept.values())
 
@@ -159,16 +136,12 @@ def variable(
     """The built-in variable or constant ``name`` of a stage, or ``None``."""
     for section in ("variables", "constants"):
         for line in _index()[section].get(name, ()):
-            if _availability(line.words).holds(version, profile, stage, extensions):
-                storage, kind, value = _fields(section, line.text)
-                return BuiltinVariable(name, _named_type(kind), storage, value)
+            if availability(line.words).holds(version, profile, stage, extensions):
+                first, second, third = line.text.split()[:3]
+                if section == "constants":
+                    return BuiltinVariable(name, _named_type(first), "const", int(third))
+                return BuiltinVariable(name, _named_type(second), first)
     return None
-
-
-def _fields(section: str, text: str) -> tuple[str, str, int | None]:
-    """Storage, type and value of a variable or constant."""
-    first, second, third = text.split()[:3]
-    return (first, second, None) if section == "variables" else ("const", first, int(third))
 
 
 def struct(name: str) -> Type | None:
@@ -190,8 +163,8 @@ def variables_of(stage: str) -> Iterator[BuiltinVariable]:
     """Every built-in variable that a stage has in any version (for tests of lists of them)."""
     for name, lines in _index()["variables"].items():
         for line in lines:
-            if _availability(line.words).stage in (None, stage):
-                storage, kind, _ = _fields("variables", line.text)
+            if availability(line.words).stage in (None, stage):
+                storage, kind = line.text.split()[:2]
                 yield BuiltinVariable(name, _named_type(kind), storage)
 
 
@@ -209,22 +182,13 @@ def functions_of(stage: str) -> Iterator[Signature]:
 @cache
 def _index() -> Mapping[str, dict[str, list[_Line]]]:
     """Lines of the data file by section and name."""
-    sections: dict[str, dict[str, list[_Line]]] = {}
-    section: dict[str, list[_Line]] = {}
-    at = 1
-    shared: tuple[str, ...] = ()
-    for text in _FILE.read_text(encoding="utf-8").splitlines():
-        if text.startswith("["):
-            title, shared = text.strip("[]"), ()
-            section = sections.setdefault(title, {})
-            at = {"structs": 0, "variables": 2}.get(title, 1)
-        elif text.startswith("@"):
-            shared = tuple(text[1:].split())
-        elif text and not text.startswith("#"):
-            names = text.partition("(")[0].partition(":")[0].split()[at]
-            line = _Line(text, (*_own_words(text, at), *shared))
-            for name in names.split("|"):
-                section.setdefault(name, []).append(line)
+    sections: dict[str, dict[str, list[_Line]]] = defaultdict(dict)
+    for section, text, shared in data_lines(_FILE):
+        at = {"structs": 0, "variables": 2}.get(section, 1)
+        names = text.partition("(")[0].partition(":")[0].split()[at]
+        line = _Line(text, (*_own_words(text, at), *shared))
+        for name in names.split("|"):
+            sections[section].setdefault(name, []).append(line)
     return sections
 
 
@@ -234,62 +198,36 @@ def _own_words(text: str, at: int) -> list[str]:
 
 
 @cache
-def _availability(words: tuple[str, ...]) -> _Availability:
-    given: dict[str, str] = {}
-    for key, _, value in (word.partition("=") for word in words):
-        given.setdefault(key, value)
-    first, _, last = given.get("es", "100").replace("-", " -").partition(" ")
-    return _Availability(
-        _number(given.get("since", "110")),
-        int(given.get("until", _NEVER)),
-        _number(first or "-"),
-        int(last[1:]) if first and last else _NEVER,
-        next((stage for stage in ("fragment", "vertex") if stage in given), None),
-        frozenset("GL_" + ext for ext in given.get("ext", "").split("|") if ext),
-        int(given.get("from", 0)),
-    )
-
-
-def _number(text: str) -> int:
-    return _NEVER if text == "-" else int(text)
-
-
-@cache
-def _all_signatures(name: str) -> tuple[tuple[Signature, _Availability], ...]:
+def _all_signatures(name: str) -> tuple[tuple[Signature, Availability], ...]:
     lines = _index()["functions"].get(name, ())
-    return tuple(found for line in lines for found in _signatures(name, line))
+    return tuple(signature for line in lines for signature in _signatures(name, line))
 
 
-def _signatures(name: str, line: _Line) -> Iterator[tuple[Signature, _Availability]]:
+def _signatures(name: str, line: _Line) -> Iterator[tuple[Signature, Availability]]:
     """Expand one line for one of its names."""
     head, _, _ = line.text.partition(")")
     result, _, rest = head.partition(" ")
     params = rest.partition("(")[2]
-    for variant in expanded(f"{result}, {params}" if params else result):
-        words = (*line.words, "fragment") if variant.fragment else line.words
-        yield _signature(name, variant.types, words), _availability(words)
-
-
-def _signature(name: str, types: tuple[str, ...], words: tuple[str, ...]) -> Signature:
-    result, *params = types
-    return Signature(
-        name,
-        _named_type(result),
-        tuple(_parameter(text) for text in params),
-        derivative="derivative" in words,
-        implicit_lod="lod" in words,
-        texture="texture" in words,
-        memory="image" in words,
-        fragment_only="fragment" in words,
-        foldable=not {"texture", "variable"}.intersection(words),
-    )
+    for types, has_bias in expanded(f"{result}, {params}" if params else result):
+        words = (*line.words, "fragment") if has_bias else line.words
+        signature = Signature(
+            name,
+            _named_type(types[0]),
+            tuple(_parameter(text) for text in types[1:]),
+            derivative="derivative" in words,
+            implicit_lod="lod" in words,
+            texture="texture" in words,
+            memory="image" in words,
+            fragment_only="fragment" in words,
+            foldable=not {"texture", "variable"}.intersection(words),
+        )
+        yield signature, availability(words)
 
 
 def _parameter(text: str) -> Parameter:
     word, _, kind = text.rpartition(" ")
-    if word == "const":
-        return Parameter(_named_type(kind), constant=True)
-    return Parameter(_named_type(kind), word or "in")
+    constant = word == "const"
+    return Parameter(_named_type(kind), "in" if constant else word or "in", constant)
 
 
 @cache

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 _GENERIC = re.compile(r"gen(?:[IU]64|[IUBD])?Type|d?mat(?:CR|RC)|(?:[iu]64|[iubd])?vec[NCR]")
 _KINDS = re.compile(r"\bg(?=vec4|sampler|image|Image)")
@@ -36,19 +35,11 @@ _IMAGE_PLACES = {
 }
 
 
-@dataclass(frozen=True, slots=True)
-class Variant:
-    """One overload: its result type and parameters.
+def expanded(text: str) -> Iterator[tuple[tuple[str, ...], bool]]:
+    """All overloads that ``result, parameter, parameter`` stands for.
 
-    ``fragment``: it has a ``bias``, which only fragment shaders know.
+    Each has its types, and whether it has a ``bias``, which only fragment shaders know.
     """
-
-    types: tuple[str, ...]
-    fragment: bool = False
-
-
-def expanded(text: str) -> Iterator[Variant]:
-    """All overloads that ``result, parameter, parameter`` stands for."""
     for single in _single_or_double(text):
         for sized in _sized_all(single):
             for kind in _kinds(sized):
@@ -109,13 +100,11 @@ def _placed(text: str) -> Iterator[str]:
         yield _PLACED_IMAGE.sub(rf"\g<1>image{shape}, {place}", text)
 
 
-def _optional(text: str) -> Iterator[Variant]:
+def _optional(text: str) -> Iterator[tuple[tuple[str, ...], bool]]:
     """Expand a last ``bias?`` or ``comp?``."""
-    types = tuple(text.split(", "))
-    if not types[-1].endswith("?"):
-        yield Variant(types)
-        return
-    *kept, last = types
-    yield Variant(tuple(kept))
+    *kept, last = text.split(", ")
     bias = last == "bias?"
-    yield Variant((*kept, "float" if bias else "const int"), bias)
+    if last.endswith("?"):
+        yield tuple(kept), False
+        last = "float" if bias else "const int"
+    yield (*kept, last), bias

@@ -7,7 +7,7 @@ with ``is`` and make cheap dictionary keys. Each declaration of a struct makes a
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import prod
 
 _PREFIX = {
@@ -39,14 +39,14 @@ class StructType:
         kinds = self.fields.values()
         numbers = [kind.components for kind in kinds]
         known = [number for number in numbers if number is not None]
-        found = {
+        inside = {
             "bases": frozenset[str | None]().union(*(kind.bases for kind in kinds)),
             "components": sum(known) if len(known) == len(numbers) else None,
             "slots": sum(kind.slots for kind in kinds),
             "holds_array": any(kind.holds_array for kind in kinds),
             "holds_opaque": any(kind.holds_opaque for kind in kinds),
         }
-        for name, value in found.items():
+        for name, value in inside.items():
             object.__setattr__(self, name, value)
 
 
@@ -96,11 +96,6 @@ class Type:
     def is_float(self) -> bool:
         """A scalar, vector or matrix of ``float``."""
         return self.base == "float" and not self.dims
-
-    @property
-    def is_integer(self) -> bool:
-        """A scalar or vector of ``int`` or ``uint``."""
-        return self.base in ("int", "uint") and not self.dims
 
     @property
     def is_numeric(self) -> bool:
@@ -170,13 +165,6 @@ class Type:
         raise TypeError(f"{self} has no elements")
 
     @property
-    def scalar(self) -> Type:
-        """The scalar type of a scalar, vector or matrix. Raises ``TypeError`` for others."""
-        if self.base is None or self.dims:
-            raise TypeError(f"{self} has no scalar type")
-        return vector(self.base, 1)
-
-    @property
     def components(self) -> int | None:
         """Number of scalars inside; ``None`` for opaque, unsized and ``void`` types."""
         if self.struct is not None:
@@ -194,19 +182,12 @@ class Type:
 
 def array_of(element: Type, size: int | None) -> Type:
     """``element[size]``; ``None`` for an unsized array. Of an array: one more outer dimension."""
-    found = element._arrays.get(size)
-    if found is None:
-        found = Type(
-            element.name,
-            element.base,
-            element.rows,
-            element.cols,
-            (size, *element.dims),
-            element.struct,
-            _element=element,
-        )
-        element._arrays[size] = found
-    return found
+    array = element._arrays.get(size)
+    if array is None:
+        dims = (size, *element.dims)
+        array = replace(element, dims=dims, _arrays={}, _element=element)
+        element._arrays[size] = array
+    return array
 
 
 def struct_type(name: str, fields: dict[str, Type]) -> Type:

@@ -7,14 +7,12 @@ from dataclasses import dataclass
 from shadercache.ast.nodes import Module
 from shadercache.front.preprocess import enabled_extensions
 from shadercache.lang import builtins
+from shadercache.lang.availability import NEVER as NEVER
 from shadercache.lang.builtins import BuiltinVariable, Signature
 from shadercache.lang.types import Type
 from shadercache.lang.words import type_names
 from shadercache.sema.conversions import Conversions
 from shadercache.sema.facts import Stage
-
-NEVER = 9999
-"""A version that there will not be."""
 
 _INTERFACE_VERSIONS = {
     "GL_ARB_separate_shader_objects": 410,

@@ -45,7 +45,7 @@ class Problems:
         if name in self._undeclared:
             return ERROR
         self._undeclared.add(name)
-        of_extension = unsupported.told(name)
+        of_extension = unsupported.explained(name)
         if of_extension is not None:
             message, hint = of_extension
             return self.error("SC111", message, node, hint)

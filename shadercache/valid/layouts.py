@@ -53,7 +53,7 @@ class _Layouts:
             # Compilers do not tell small letters from capitals, in GLSL ES neither.
             word = item.name.lower()
             problem = word_problem(word, item.value is not None, place, self._suspect.language)
-            of_extension = unsupported.told(word) if word not in WORDS else None
+            of_extension = unsupported.explained(word) if word not in WORDS else None
             if of_extension is not None:
                 self.findings.append(Finding("SC111", of_extension[0], item, of_extension[1]))
             elif problem is not None:

@@ -6,11 +6,8 @@ import pytest
 
 from shadercache.lang import words
 from shadercache.lang.types import (
-    BOOL,
-    DOUBLE,
     FLOAT,
     INT,
-    UINT,
     VOID,
     Type,
     array_of,
@@ -70,7 +67,6 @@ PREDICATES = {
     "is_vector": {"vec2", "ivec3", "bvec4", "dvec2"},
     "is_matrix": {"mat2", "mat4x3", "dmat2"},
     "is_float": {"float", "vec2", "mat2", "mat4x3"},
-    "is_integer": {"int", "uint", "ivec3"},
     "is_numeric": {
         *("float", "int", "uint", "double", "vec2", "ivec3", "dvec2", "mat2", "mat4x3", "dmat2")
     },
@@ -127,12 +123,3 @@ def test_elements(name: str, element: str) -> None:
 def test_what_has_no_elements(one: Type) -> None:
     with pytest.raises(TypeError):
         _ = one.element
-
-
-def test_scalar() -> None:
-    assert kind("mat3").scalar is FLOAT
-    assert kind("uvec2").scalar is UINT
-    assert kind("bvec2").scalar is BOOL
-    assert DOUBLE.scalar is DOUBLE
-    with pytest.raises(TypeError):
-        _ = VOID.scalar
