@@ -14,7 +14,7 @@ another name: a global one, or one that it was given twice. An ``out`` parameter
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from typing import TypeAlias, TypeVar
 
@@ -23,7 +23,11 @@ from shadercache.analysis.effects import root_variable
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.walk import walk
-from shadercache.transform.move_arguments import fixed_places, move_arguments
+from shadercache.transform.move_arguments import (
+    ActingArgument,
+    acting_arguments,
+    move_arguments,
+)
 from shadercache.transform.reachable import kept_names
 from shadercache.transform.trees import change_declarations, replace_expressions
 
@@ -36,19 +40,19 @@ Dropped: TypeAlias = Mapping[str, set[int]]
 def drop_parameters(module: n.Module, functions: Collection[str], memo: Memo) -> n.Module:
     """The module without unread parameters of the given functions (the same one if none)."""
     table = EffectTable(module, memo)
-    impure, bound = _impure_arguments(module, functions, table, memo)
-    fixed = fixed_places(module, impure, table)
+    callers = [d for d in module.decls if not kept_names(d, memo).isdisjoint(functions)]
+    acting = [item for decl in callers for item in acting_arguments(decl, functions, table)]
+    bound = _bound(module, callers, acting, table)
     dropped: dict[str, set[int]] = {}
     # Callees are defined first: what was only handed down goes with what it was handed to.
     for name, function in table.functions.items():
         if name in functions:
-            unread = _unread(_without(function, dropped, memo), memo)
-            places = unread - bound.get(name, set()) - fixed.get(name, set())
+            places = _unread(_without(function, dropped, memo), memo) - bound[name]
             if places:
                 dropped[name] = places
-    moved = {name: impure[name] & places for name, places in dropped.items() if name in impure}
-    if any(moved.values()):
-        return drop_parameters(move_arguments(module, moved, table), functions, memo)
+    moved = [item for item in acting if item.place in dropped.get(item.call.name, ())]
+    if moved:
+        return drop_parameters(move_arguments(module, moved), functions, memo)
     return change_declarations(module, lambda decl: _without(decl, dropped, memo))
 
 
@@ -88,28 +92,28 @@ def _unread(function: n.FunctionDef, memo: Memo) -> set[int]:
     }
 
 
-def _impure_arguments(
-    module: n.Module, functions: Collection[str], table: EffectTable, memo: Memo
-) -> tuple[dict[str, set[int]], dict[str, set[int]]]:
-    """For each function the argument places that have a side effect in some call, and those that
-    must stay: what is given back there matters."""
+def _bound(
+    module: n.Module,
+    callers: Sequence[n.Decl],
+    acting: Sequence[ActingArgument],
+    table: EffectTable,
+) -> dict[str, set[int]]:
+    """For each function the places that must stay: of arguments that cannot be moved, and where it
+    matters what is given back."""
     shared = {
         item.name
         for decl in module.decls
         if isinstance(decl, n.VarDecl)
         for item in decl.declarators
     }
-    impure: dict[str, set[int]] = {}
-    bound: dict[str, set[int]] = {}
-    callers = (decl for decl in module.decls if not kept_names(decl, memo).isdisjoint(functions))
+    bound: dict[str, set[int]] = {name: set() for name in table.functions}
+    for call, place, stmt in acting:
+        if stmt is None or table.functions[call.name].proto.params[place].writes_back:
+            bound[call.name].add(place)
     for node in (node for decl in callers for node in walk(decl)):
-        if isinstance(node, n.Call) and node.name in functions:
-            function = table.functions[node.name]
-            acting = {place for place, arg in enumerate(node.args) if table.of(arg).writes}
-            back = {place for place in acting if function.proto.params[place].writes_back}
-            impure.setdefault(node.name, set()).update(acting - back)
-            bound.setdefault(node.name, set()).update(back | _given_back(node, function, shared))
-    return impure, bound
+        if isinstance(node, n.Call) and node.name in bound:
+            bound[node.name] |= _given_back(node, table.functions[node.name], shared)
+    return bound
 
 
 def _given_back(call: n.Call, function: n.FunctionDef, shared: Collection[str]) -> set[int]:

@@ -11,9 +11,9 @@ The zero is a stand-in of no type: whoever calls this drops parameter and argume
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any, NamedTuple
 
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.effects import NO_EFFECTS, Does, Effects, union
@@ -23,11 +23,8 @@ from shadercache.transform.trees import evaluated_first, replace_nodes
 
 _Movers = n.ExprStmt | n.DeclStmt | n.Return | n.If | n.Switch
 
-Places: TypeAlias = Mapping[str, Collection[int]]
-"""Places of arguments, by function."""
 
-
-class _Argument(NamedTuple):
+class ActingArgument(NamedTuple):
     """An argument with a side effect, and the statement that it may be moved ahead of, if any."""
 
     call: n.Call
@@ -35,31 +32,36 @@ class _Argument(NamedTuple):
     stmt: n.Stmt | None
 
 
-def fixed_places(module: n.Module, places: Places, table: EffectTable) -> dict[str, set[int]]:
-    """The places of which some argument has a side effect and cannot be moved."""
-    fixed: dict[str, set[int]] = {}
-    for argument in _arguments(module, places, table):
-        if argument.stmt is None:
-            fixed.setdefault(argument.call.name, set()).add(argument.place)
-    return fixed
+def acting_arguments(
+    decl: n.Decl, functions: Collection[str], table: EffectTable
+) -> list[ActingArgument]:
+    """The arguments of the functions' calls that have a side effect, operands before what holds
+    them."""
+    acting = [
+        (node, place)
+        for node in walk(decl)
+        if isinstance(node, n.Call) and node.name in functions
+        for place in reversed(range(len(node.args)))
+        if table.of(node.args[place]).writes
+    ]
+    free = _free(decl, table) if acting else {}
+    return [ActingArgument(call, at, free.get(call.args[at])) for call, at in reversed(acting)]
 
 
-def move_arguments(module: n.Module, places: Places, table: EffectTable) -> n.Module:
-    """The module with the arguments at these places moved where they have a side effect."""
-    moved: dict[n.Node, set[int]] = {}
-    ahead: dict[n.Node, list[n.Expr]] = {}
-    for call, place, stmt in _arguments(module, places, table):
-        if stmt is not None:
-            moved.setdefault(call, set()).add(place)
-            ahead.setdefault(stmt, []).append(call.args[place])
+def move_arguments(module: n.Module, arguments: Sequence[ActingArgument]) -> n.Module:
+    """The module with these arguments moved."""
+    places: dict[n.Node, set[int]] = {}
+    ahead: dict[n.Node | None, list[n.Expr]] = {}
+    for call, place, stmt in arguments:
+        places.setdefault(call, set()).add(place)
+        ahead.setdefault(stmt, []).append(call.args[place])
     expressions = {expr for exprs in ahead.values() for expr in exprs}
     rebuilt: dict[n.Expr, n.Expr] = {}
 
-    def changed(original: Any, node: Any) -> n.Node | Sequence[n.Node]:
-        if isinstance(node, n.Call) and original in moved:
-            places = moved[original]
+    def moved(original: Any, node: Any) -> n.Node | Sequence[n.Node]:
+        if original in places:
             stand_ins = (
-                n.Literal(arg.span, "0") if place in places else arg
+                n.Literal(arg.span, "0") if place in places[original] else arg
                 for place, arg in enumerate(node.args)
             )
             node = replace(node, args=tuple(stand_ins))
@@ -68,22 +70,7 @@ def move_arguments(module: n.Module, places: Places, table: EffectTable) -> n.Mo
         before = [rebuilt[expr] for expr in ahead.get(original, ())]
         return (*(n.ExprStmt(expr.span, expr) for expr in before), node) if before else node
 
-    return replace_nodes(module, changed) if moved else module
-
-
-def _arguments(module: n.Module, places: Places, table: EffectTable) -> Iterator[_Argument]:
-    """The arguments at these places that have a side effect, operands before what holds them."""
-    for decl in module.decls:
-        acting = [
-            (node, place)
-            for node in walk(decl)
-            if isinstance(node, n.Call)
-            for place in sorted(places.get(node.name, ()), reverse=True)
-            if table.of(node.args[place]).writes
-        ]
-        free = _free(decl, table) if acting else {}
-        for call, place in reversed(acting):
-            yield _Argument(call, place, free.get(call.args[place]))
+    return replace_nodes(module, moved)
 
 
 def _free(decl: n.Decl, table: EffectTable) -> dict[n.Node, n.Stmt]:
