@@ -166,7 +166,7 @@ class PassBuilder:
             user = guard_loops(user, self._decided(user), self.own("lacks"))
         module = merge(program.module, without_main(user), extra, part.decls)
         module = replace(module, comments=(*module.comments, *part.comments))
-        copies = {copy.name for group in clones for _, copy in group.made}
+        copies = {copy.name for group in clones for _, copy in group.pairs}
         module = contract(_shrink(module, outputs, copies, program.memo), program.memo)
         return interface(with_locations(module, outputs))
 

@@ -82,7 +82,7 @@ def _with_own_color(builder: PassBuilder, group: Clones) -> Clones:
     """The payload's code with a variable for the colour: it goes, with what only feeds it,
     where the payload does not need it. The output itself would count as needed."""
     names = {builder.program.color: builder.own("color")}
-    return replace(group, made=tuple((old, rename(new, names)) for old, new in group.made))
+    return replace(group, pairs=tuple((old, rename(new, names)) for old, new in group.pairs))
 
 
 def _left_changed(builder: PassBuilder, shader: Shader) -> tuple[Symbol, ...]:

@@ -41,7 +41,7 @@ def drop_parameters(module: n.Module, functions: Collection[str], memo: Memo) ->
     """The module without unread parameters of the given functions (the same one if none)."""
     table = EffectTable(module, memo)
     callers = [d for d in module.decls if not kept_names(d, memo).isdisjoint(functions)]
-    acting = [item for decl in callers for item in acting_arguments(decl, functions, table)]
+    acting = [argument for decl in callers for argument in acting_arguments(decl, functions, table)]
     bound = _bound(module, callers, acting, table)
     dropped: dict[str, set[int]] = {}
     # Callees are defined first: what was only handed down goes with what it was handed to.
@@ -50,7 +50,7 @@ def drop_parameters(module: n.Module, functions: Collection[str], memo: Memo) ->
             places = _unread(_without(function, dropped, memo), memo) - bound[name]
             if places:
                 dropped[name] = places
-    moved = [item for item in acting if item.place in dropped.get(item.call.name, ())]
+    moved = [a for a in acting if a.place in dropped.get(a.call.name, ())]
     if moved:
         return drop_parameters(move_arguments(module, moved), functions, memo)
     return change_declarations(module, lambda decl: _without(decl, dropped, memo))
@@ -80,7 +80,7 @@ def _without_arguments(expr: n.Expr, dropped: Dropped) -> n.Expr:
 
 
 def _keep(items: tuple[_T, ...], dropped: set[int]) -> tuple[_T, ...]:
-    return tuple(item for place, item in enumerate(items) if place not in dropped)
+    return tuple(entry for place, entry in enumerate(items) if place not in dropped)
 
 
 def _unread(function: n.FunctionDef, memo: Memo) -> set[int]:
@@ -101,10 +101,10 @@ def _bound(
     """For each function the places that must stay: of arguments that cannot be moved, and where it
     matters what is given back."""
     shared = {
-        item.name
+        variable.name
         for decl in module.decls
         if isinstance(decl, n.VarDecl)
-        for item in decl.declarators
+        for variable in decl.declarators
     }
     bound: dict[str, set[int]] = {name: set() for name in table.functions}
     for call, place, stmt in acting:

@@ -75,7 +75,7 @@ def move_arguments(module: n.Module, arguments: Sequence[ActingArgument]) -> n.M
 
 def _free(decl: n.Decl, table: EffectTable) -> dict[n.Node, n.Stmt]:
     """Expressions that may as well be evaluated ahead of the statement in which they stand."""
-    headers = {item.init for item in walk(decl) if isinstance(item, n.For)}
+    headers = {loop.init for loop in walk(decl) if isinstance(loop, n.For)}
     free: dict[n.Node, n.Stmt] = {}
     for stmt in walk(decl):
         if isinstance(stmt, _Movers) and stmt not in headers:

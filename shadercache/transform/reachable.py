@@ -20,7 +20,7 @@ from shadercache.transform.trees import change_declarations
 
 def names_in(node: n.Node) -> set[str]:
     """Every variable, function and type that the piece of program uses."""
-    return {item.name for item in walk(node) if isinstance(item, n.Name | n.Call | n.TypeSpec)}
+    return {part.name for part in walk(node) if isinstance(part, n.Name | n.Call | n.TypeSpec)}
 
 
 def kept_names(node: n.Node, memo: Memo) -> frozenset[str]:
@@ -42,11 +42,11 @@ def declared_names(decl: n.Decl) -> tuple[str, ...]:
         case n.VarDecl():
             struct = decl.type.struct
             named = (struct.name,) if struct and struct.name else ()
-            return (*named, *(item.name for item in decl.declarators))
+            return (*named, *(variable.name for variable in decl.declarators))
         case n.BlockDecl():
             if decl.instance is not None:
                 return (decl.instance,)
-            return tuple(item.name for field in decl.fields for item in field.declarators)
+            return tuple(variable.name for field in decl.fields for variable in field.declarators)
     return ()
 
 
@@ -73,10 +73,10 @@ def _kept(decl: n.Decl, needed: Set[str], wanted: frozenset[str]) -> n.Decl | tu
             if not kept:
                 return ()
             return decl if kept == names else replace(decl, names=kept)
-        case n.VarDecl(declarators=(item,)) if decl.qualifiers.has("out"):
-            if item.name in wanted:
+        case n.VarDecl(declarators=(output,)) if decl.qualifiers.has("out"):
+            if output.name in wanted:
                 return decl
-            return _as_global(decl) if item.name in needed else ()
+            return _as_global(decl) if output.name in needed else ()
     return () if needed.isdisjoint(declared_names(decl)) else decl
 
 

@@ -183,7 +183,7 @@ class _Pruner:
     def _note_calls(self, node: n.Node, live: Live) -> None:
         """Note what is live behind the calls inside: globals, and parameters that write back."""
         functions = self.table.functions
-        calls = [item for item in walk(node) if isinstance(item, n.Call) and item.name in functions]
+        calls = [call for call in walk(node) if isinstance(call, n.Call) and call.name in functions]
         last = _last_call(node)
         for call in calls:
             # Other parts may be evaluated after it.
@@ -238,16 +238,16 @@ class _Pruner:
         """Declarators are one to a statement (:mod:`shadercache.transform.split`)."""
         if len(decl.declarators) != 1:  # a struct alone, or variables of an anonymous struct
             return stmt, self.evaluated(decl, live)
-        (item,) = decl.declarators
-        mentioned = item.name in self.mentioned
-        acts = item.init is not None and self._matters(item.init, live)
-        if item.name in live or (mentioned and (acts or decl.qualifiers.has("const"))):
-            return stmt, self.evaluated(decl, live - {item.name})
+        (variable,) = decl.declarators
+        mentioned = variable.name in self.mentioned
+        acts = variable.init is not None and self._matters(variable.init, live)
+        if variable.name in live or (mentioned and (acts or decl.qualifiers.has("const"))):
+            return stmt, self.evaluated(decl, live - {variable.name})
         if not mentioned:
-            return self.expression(n.ExprStmt(stmt.span, item.init), live)
-        if item.init is None:
+            return self.expression(n.ExprStmt(stmt.span, variable.init), live)
+        if variable.init is None:
             return stmt, live
-        bare = replace(decl, declarators=(replace(item, init=None),))
+        bare = replace(decl, declarators=(replace(variable, init=None),))
         return replace(stmt, decl=bare), live
 
     def branch(self, stmt: n.If, live: Live, jumps: _Jumps) -> Left:
@@ -304,8 +304,8 @@ class _Pruner:
         inside = _Jumps(live, jumps.after_continue, self.at_end)
         kept: list[n.Stmt] = []
 
-        def before(item: n.Stmt, after: Live) -> Live:
-            new, at = self.statement(item, after, inside)
+        def before(part: n.Stmt, after: Live) -> Live:
+            new, at = self.statement(part, after, inside)
             if new is not None:
                 kept.append(new)
                 if not isinstance(new, n.Case):
@@ -313,7 +313,7 @@ class _Pruner:
             return at
 
         head = before_cases(NAMES, stmt.body, live, before)
-        if all(isinstance(item, n.Case) or _is_break(item) for item in kept):
+        if all(isinstance(part, n.Case) or _is_break(part) for part in kept):
             return self.expression(n.ExprStmt(stmt.span, stmt.selector), live)
         at_selector = self.evaluated(stmt.selector, head)
         if isinstance(kept[0], n.Case):  # Something has to follow the last label.
@@ -354,7 +354,7 @@ def _ends_here(stmt: n.Stmt, jumps: _Jumps) -> bool:
 
 
 def _returns_nothing(stmt: n.Stmt) -> bool:
-    return all(item.value is None for item in walk(stmt) if isinstance(item, n.Return))
+    return all(node.value is None for node in walk(stmt) if isinstance(node, n.Return))
 
 
 def _is_break(stmt: n.Stmt) -> bool:

@@ -17,7 +17,7 @@ Several things can be asked for, each at an expression on a call path:
 * *goal*: as store, and everything after the last goal is cut off: the functions on its path return
   nothing.
 
-And where not every fragment comes by the expression:
+And where not every fragment reaches the expression:
 
 * *keep*: as store, and it is noted in the cut's flag (``sc_valid``) that there is a value;
 * *fill*: as keep, but a value from the cache (``sc_reuse``) is taken as it is;
@@ -66,8 +66,8 @@ class Clones:
     """The clone of ``main``, and of every function on the way, each with what it was made from."""
 
     entry: str
-    made: tuple[tuple[n.FunctionDef, n.FunctionDef], ...]
-    """Pairs (original, clone)."""
+    pairs: tuple[tuple[n.FunctionDef, n.FunctionDef], ...]
+    """(original, clone)"""
 
 
 def specialise(
@@ -82,14 +82,14 @@ def specialise(
     functions = {d.name: d for d in module.decls if isinstance(d, n.FunctionDef)}
     maker = _Maker(functions, names, prefix)
     maker.clone(functions["main"], cuts, 0, entry)
-    return Clones(entry, tuple(maker.made))
+    return Clones(entry, tuple(maker.pairs))
 
 
 def insert_clones(module: n.Module, *clones: Clones) -> n.Module:
     """The module with each clone behind its original (and its prototype behind the original's)."""
     by_original: dict[str, list[n.FunctionDef]] = {}
     for group in clones:
-        for original, clone in group.made:
+        for original, clone in group.pairs:
             by_original.setdefault(original.name, []).append(clone)
 
     def with_clones(decl: n.Decl) -> tuple[n.Decl, ...]:
@@ -118,7 +118,7 @@ class _Maker:
 
     def __init__(self, functions: dict[str, n.FunctionDef], names: FreshNames, prefix: str) -> None:
         self.functions, self.names, self.prefix = functions, names, prefix
-        self.made: list[tuple[n.FunctionDef, n.FunctionDef]] = []
+        self.pairs: list[tuple[n.FunctionDef, n.FunctionDef]] = []
 
     def clone(
         self, function: n.FunctionDef, cuts: Sequence[Cut], depth: int, name: str, ends: bool = True
@@ -148,7 +148,7 @@ class _Maker:
         if last is not None:
             proto = returning_nothing(proto)
         clone = replace(function, proto=proto, body=body.rewrite(function.body))
-        self.made.append((function, clone))
+        self.pairs.append((function, clone))
         return name
 
 
@@ -194,12 +194,12 @@ class _CloneBody(Rewriter):
     def place(self, stmts: Sequence[n.Stmt], moved: list[_Moved]) -> None:
         """Find the statements that ``moved`` expressions come before."""
         for stmt in stmts:
-            inside = [item for item in moved if _holds(stmt, item.expr)]
+            inside = [move for move in moved if _holds(stmt, move.expr)]
             match stmt:
                 case n.Block():
                     self.place(stmt.body, inside)
                 case n.If(condition=head) | n.Switch(selector=head):
-                    ahead = [item for item in inside if _holds(head, item.expr)]
+                    ahead = [move for move in inside if _holds(head, move.expr)]
                     self._ahead[stmt] = _operands_first(ahead)
                     if len(ahead) < len(inside):
                         self._parted.add(stmt)
@@ -226,18 +226,18 @@ class _CloneBody(Rewriter):
                     node = replace(node, other=_block(node.other, original.other))
                 node = replace(node, then=_block(node.then, original.then))
         ahead = [
-            new for item in self._ahead.get(original, ()) for new in self._own_statements(item)
+            new for move in self._ahead.get(original, ()) for new in self._own_statements(move)
         ]
         self._ended = original is self._last
         if self._ended:
             return ahead
         return (*ahead, node) if ahead else node
 
-    def _own_statements(self, item: _Moved) -> list[n.Stmt]:
+    def _own_statements(self, move: _Moved) -> list[n.Stmt]:
         """``variable = expression;`` and the like, or the call that leads to the last goals."""
-        span, cut = item.expr.span, item.cut
+        span, cut = move.expr.span, move.cut
         if cut is None:
-            return [n.ExprStmt(span, self._values[item.expr])]
+            return [n.ExprStmt(span, self._values[move.expr])]
         match cut.kind:
             case "need":
                 return [self._unless_reused(n.Jump(span, "discard"))]
@@ -270,8 +270,8 @@ def _block(new: n.Stmt, old: n.Stmt) -> n.Block:
 def _operands_first(items: list[_Moved]) -> list[_Moved]:
     """What stands inside of another comes before it."""
 
-    def depth(item: _Moved) -> int:
-        return sum(_holds(other.expr, item.expr) for other in items)
+    def depth(move: _Moved) -> int:
+        return sum(_holds(other.expr, move.expr) for other in items)
 
     return sorted(items, key=depth, reverse=True) if len(items) > 1 else items
 

@@ -47,6 +47,6 @@ def _split(decl: n.VarDecl) -> list[n.VarDecl]:
         kind = replace(kind, struct=None)
     elif len(decl.declarators) == 1:
         return [decl]
-    for item in decl.declarators:
-        parts.append(replace(decl, span=item.span, type=kind, declarators=(item,)))
+    for variable in decl.declarators:
+        parts.append(replace(decl, span=variable.span, type=kind, declarators=(variable,)))
     return parts

@@ -120,7 +120,7 @@ def assigned(name: str, value: n.Expr, span: Span = NOWHERE) -> n.ExprStmt:
 
 
 def declared(
-    words: n.Qualifiers, kind: n.TypeSpec, item: n.Declarator, span: Span = NOWHERE
+    words: n.Qualifiers, kind: n.TypeSpec, variable: n.Declarator, span: Span = NOWHERE
 ) -> n.DeclStmt:
-    """``words kind item;``"""
-    return n.DeclStmt(span, n.VarDecl(NOWHERE, words, kind, (item,)))
+    """``words kind variable;``"""
+    return n.DeclStmt(span, n.VarDecl(NOWHERE, words, kind, (variable,)))

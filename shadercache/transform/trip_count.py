@@ -54,9 +54,7 @@ class TripCounter:
         while True:
             goes_on = self.value(loop.condition, {**around, **own})
             if goes_on is None:
-                raise UncountableError(
-                    "its condition does not hang on its counters and constants alone"
-                )
+                raise UncountableError("its condition needs more than its counters and constants")
             if not goes_on:
                 return trips
             trips.append(own)
@@ -72,12 +70,12 @@ class TripCounter:
             case _:
                 raise UncountableError("it does not declare its counter")
         own: dict[str, Scalar] = {}
-        for item in items:
-            kind = self._facts.declared[item].type
-            value = None if item.init is None else self.value(item.init, {**around, **own})
+        for counter in items:
+            kind = self._facts.declared[counter].type
+            value = None if counter.init is None else self.value(counter.init, {**around, **own})
             if value is None or not kind.is_scalar or kind.base not in COUNTABLE:
                 raise UncountableError("a counter does not begin with a constant number")
-            own[item.name] = _fitting(value, kind.base)
+            own[counter.name] = _fitting(value, kind.base)
         return own
 
     def _stepped(self, step: n.Expr, around: Counters, own: Counters) -> Counters:

@@ -73,7 +73,8 @@ def _functions(
 def _prototypes(module: n.Module, function: n.FunctionDef) -> list[n.FunctionProto]:
     wanted = _signature(function.proto)
     protos = (decl for decl in module.decls if isinstance(decl, n.FunctionProto))
-    return [item for item in protos if item.name == function.name and _signature(item) == wanted]
+    named = (proto for proto in protos if proto.name == function.name)
+    return [proto for proto in named if _signature(proto) == wanted]
 
 
 def _signature(proto: n.FunctionProto) -> tuple[object, ...]:

@@ -99,10 +99,10 @@ class _Unroller:
 
     def _size(self, node: n.Node) -> int:
         total = 0
-        for item in walk(node):
-            total += isinstance(item, EXPRESSIONS)
-            if isinstance(item, n.Call) and item.name in self._functions:
-                total += self.size_of_call(item.name)
+        for part in walk(node):
+            total += isinstance(part, EXPRESSIONS)
+            if isinstance(part, n.Call) and part.name in self._functions:
+                total += self.size_of_call(part.name)
         return total
 
     def outermost(self, loop: n.For) -> list[n.Block] | None:
@@ -151,7 +151,7 @@ class _Unroller:
         return trips, count
 
     def _check(self, loop: n.For) -> None:
-        if any(isinstance(item, n.StructDef) for item in walk(loop.body)):
+        if any(isinstance(part, n.StructDef) for part in walk(loop.body)):
             raise UncountableError("a struct is defined in it")
         if self._table.of(loop.init).writes & self._table.of(loop.body).writes:
             raise UncountableError("its counter is written in its body")
@@ -160,9 +160,9 @@ class _Unroller:
         """The declarations that a trip begins with; they stand nowhere, but their names do."""
         assert isinstance(loop.init, n.DeclStmt) and isinstance(loop.init.decl, n.VarDecl)
         decl = loop.init.decl
-        for item in decl.declarators:
-            kind = self._facts.declared[item].type
-            counter = replace(item, init=_literal(own[item.name], kind.base or ""))
+        for variable in decl.declarators:
+            kind = self._facts.declared[variable].type
+            counter = replace(variable, init=_literal(own[variable.name], kind.base or ""))
             yield n.DeclStmt(NOWHERE, replace(copied(decl), declarators=(counter,)))
 
 
@@ -183,7 +183,7 @@ class _LoopRewriter(Rewriter):
                 holds = self._unroller.counter.decision(condition, self._around)
                 if holds is None:
                     return None
-                # The branch that a trip takes; what it never comes by is not there.
+                # Of the branch that a trip does not take nothing is left.
                 branch = then if holds else other
                 return self._spliceable(NOWHERE, ()) if branch is None else self.rewrite(branch)
             case n.FunctionDef() | n.Block() | n.If() | n.Switch():

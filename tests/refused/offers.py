@@ -138,7 +138,7 @@ def offers_of(analysis: Analysis) -> Shader:
     value = f"{program.prefix}value"
     user = without_main(insert_clones(program.module, clones))
     module = merge(program.module, user, _glue(analysis, nodes, names, value))
-    made = {clone.name for _, clone in clones.made}
+    made = {clone.name for _, clone in clones.pairs}
     while (smaller := drop_parameters(remove_dead(module, [value]), made, Memo())) is not module:
         module = smaller
     return interface(with_locations(module, (value,)))

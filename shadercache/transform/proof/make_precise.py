@@ -78,10 +78,10 @@ def make_precise(module: n.Module, prefix: str, stage: Stage, memo: Memo) -> n.M
 
 def _proto(proto: n.FunctionProto) -> n.FunctionProto:
     params = tuple(
-        replace(item, qualifiers=_with_precise(item.qualifiers))
-        if item.writes_back and _is_float(item.type)
-        else item
-        for item in proto.params
+        replace(param, qualifiers=_with_precise(param.qualifiers))
+        if param.writes_back and _is_float(param.type)
+        else param
+        for param in proto.params
     )
     return replace(proto, params=params)
 
@@ -160,11 +160,11 @@ class _PreciseBody(Rewriter):
         return (*ahead, node) if ahead else node
 
     def _initialised(self, decl: n.VarDecl) -> n.VarDecl:
-        items = (
-            item if item.init is None else replace(item, init=self._expression(item.init))
-            for item in decl.declarators
+        variables = (
+            replace(variable, init=self._expression(variable.init)) if variable.init else variable
+            for variable in decl.declarators
         )
-        return replace(decl, declarators=tuple(items))
+        return replace(decl, declarators=tuple(variables))
 
     def _expression(self, expr: n.Expr) -> n.Expr:
         """Turn the arguments of the user's functions into precise locals, where order allows."""
@@ -209,6 +209,7 @@ class _PreciseBody(Rewriter):
             return value
         self._count += 1
         name = f"{self._prefix}exact_{self._count}"
-        item = n.Declarator(value.span, name, dims, value)
-        self._ahead.append(declared(n.Qualifiers(NOWHERE, ("precise",)), kind, item, value.span))
+        variable = n.Declarator(value.span, name, dims, value)
+        words = n.Qualifiers(NOWHERE, ("precise",))
+        self._ahead.append(declared(words, kind, variable, value.span))
         return n.Name(value.span, name)

@@ -78,13 +78,13 @@ def _constants(constants: Constants, decls: Iterable[n.Node]) -> Constants:
     for decl in decls:
         if not isinstance(decl, n.VarDecl) or not decl.qualifiers.has("const"):
             continue
-        for item in decl.declarators:
-            dims = len(decl.type.dims) + len(item.dims)
-            if item.init is None or dims > 1 or builtin_type(decl.type.name) is None:
+        for variable in decl.declarators:
+            dims = len(decl.type.dims) + len(variable.dims)
+            if variable.init is None or dims > 1 or builtin_type(decl.type.name) is None:
                 continue
-            init = known_values(item.init, constants).get(item.init)
+            init = known_values(variable.init, constants).get(variable.init)
             zero = init is None or init.zero
-            constants[item.name] = Known(is_floating(decl.type), zero, array=dims == 1)
+            constants[variable.name] = Known(is_floating(decl.type), zero, array=dims == 1)
     return constants
 
 
@@ -104,7 +104,9 @@ class _OpaqueArguments(Rewriter):
             case n.VarDecl(qualifiers=words) if words.has("const"):
                 return node
             case n.VarDecl(type=kind, declarators=items) if is_floating(kind):
-                self._floats.update(item.init for item in items if item.init is not None)
+                self._floats.update(
+                    variable.init for variable in items if variable.init is not None
+                )
             case n.Declarator(dims=dims):
                 self._kept.update(size for size in dims if size is not None)
             case n.Construct(type=kind, args=args) if is_floating(kind):

@@ -230,5 +230,5 @@ class FixedFunction:
 
 
 def _variable(words: n.Qualifiers, kind: str, name: str, dims: n.Dims = ()) -> n.VarDecl:
-    item = n.Declarator(NOWHERE, name, dims)
-    return n.VarDecl(NOWHERE, words, n.TypeSpec(NOWHERE, kind), (item,))
+    variable = n.Declarator(NOWHERE, name, dims)
+    return n.VarDecl(NOWHERE, words, n.TypeSpec(NOWHERE, kind), (variable,))

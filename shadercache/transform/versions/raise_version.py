@@ -112,9 +112,9 @@ def _raise(tree: StageTree, stem: str, shared: Shared) -> Raised:
     except InputError as error:
         message = f"the shader cannot be raised to {raiser.language}: "
         problems = [
-            replace(item, code="SC412", message=message + item.message)
-            for item in error.diagnostics
-            if item.severity is Severity.ERROR
+            replace(problem, code="SC412", message=message + problem.message)
+            for problem in error.diagnostics
+            if problem.severity is Severity.ERROR
         ]
         raise InputError(problems) from None
     return Raised(module, facts, raiser.interface(), tuple(raiser.notes()))
@@ -175,10 +175,10 @@ class _Raiser(Rewriter):
     def interface(self) -> dict[str, str]:
         """New names of what an engine sees."""
         named = (
-            item.name
+            variable.name
             for decl in self.tree.module.decls
             if isinstance(decl, n.VarDecl) and decl.qualifiers.has("uniform", "attribute", "in")
-            for item in decl.declarators
+            for variable in decl.declarators
         )
         renamed = {name: self.variables[name] for name in named if name in self.variables}
         return self.fixed.interface() | renamed
@@ -208,7 +208,7 @@ class _Raiser(Rewriter):
         words = keywords(version, profile == "es") | reserved_words(version, profile == "es")
         module = self.tree.module
         was = _place(module, self.tree.stage)
-        called = {item.name for item in self.tree.facts.functions}
+        called = {function.name for function in self.tree.facts.functions}
         declared = _declared(module)
         keyed = {name for name in declared | called if name in words}
         hiding = {name for name in declared | called if functions(name, *self.place)}
@@ -296,10 +296,10 @@ class _Raiser(Rewriter):
         if block.name != BUILTIN_BLOCK:
             return block
         parts = (
-            replace(field, declarators=(item,))
+            replace(field, declarators=(variable,))
             for field in block.fields
-            for item in field.declarators
-            if item.name not in self.fixed.names
+            for variable in field.declarators
+            if variable.name not in self.fixed.names
         )
         return replace(block, fields=tuple(parts))
 
@@ -317,14 +317,16 @@ class _Raiser(Rewriter):
     def _directives(self) -> Iterator[n.Directive]:
         """Without extensions that are part of the new version."""
         es = self.target[1] == "es"
-        for item in self.tree.module.directives:
-            words = item.text.removeprefix("#").replace(":", " ").split()
+        for directive in self.tree.module.directives:
+            words = directive.text.removeprefix("#").replace(":", " ").split()
             if self.raises and words[:1] == ["extension"] and len(words) > 1:
                 if words[1] in (_CORE_ES if es else _CORE):
                     continue
                 if es and words[1] in _RENAMED:
-                    item = replace(item, text=item.text.replace(words[1], _RENAMED[words[1]]))
-            yield item
+                    directive = replace(
+                        directive, text=directive.text.replace(words[1], _RENAMED[words[1]])
+                    )
+            yield directive
 
 
 def _renamed(node: N, names: Mapping[str, str]) -> N:
