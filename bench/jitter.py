@@ -1,7 +1,7 @@
-"""A cache under a jittered projection (TAA): hits, error and blur, with and without its offset.
+"""A cache under a jittered projection (TAA): hits, error and blur.
 
-``python -m bench.jitter [--scene dragon] [--size 384]`` prints a table. The scene moves as it does,
-or rests; errors are against the original of the same frame, and of the means of as many frames as
+``python -m bench.jitter [--scene dragon] [--size 384]`` prints a table. The jitter is *known* where
+the previous matrices carry it too. The scene moves as it does, or rests. Errors are against the original of the same frame, and of the means of as many frames as
 the jitter has places (what an integration over time makes of them). Blur is the share of the
 original's fine detail (what a 3 x 3 mean takes away) that is missing in the cached image.
 """
@@ -31,8 +31,8 @@ from shadercache.scene.graphics_state import GraphicsState
 PLACES = 8
 CASES = {
     "no jitter": GraphicsState(),
-    "jitter": GraphicsState(jitter=PLACES),
-    "jitter, kept from the cache": GraphicsState(jitter=PLACES, told=False),
+    "jitter known": GraphicsState(jitter=PLACES),
+    "jitter unknown": GraphicsState(jitter=PLACES, told=False),
 }
 
 Image = NDArray[np.float64]
