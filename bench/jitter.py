@@ -1,9 +1,10 @@
 """A cache under a jittered projection (TAA): hits, error and blur.
 
-``python -m bench.jitter [--scene dragon] [--size 384]`` prints a table. The jitter is *known* where
-the previous matrices carry it too. The scene moves as it does, or rests. Errors are against the original of the same frame, and of the means of as many frames as
-the jitter has places (what an integration over time makes of them). Blur is the share of the
-original's fine detail (what a 3 x 3 mean takes away) that is missing in the cached image.
+``python -m bench.jitter [--scene dragon] [--size 384]`` prints a table. The scene moves as it does,
+or rests. The jitter is *known* where the previous matrices carry it too. Errors are against the
+original of the same frame, and against the means of as many frames as the jitter has places (what
+an integration over time makes of them). Blur is the share of the original's fine detail (what a
+3 x 3 mean takes away) that is missing in the cached image.
 """
 
 from __future__ import annotations
