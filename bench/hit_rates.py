@@ -15,7 +15,7 @@ from shadercache.files import write_bytes
 from shadercache.gpu.context import open_context
 from shadercache.linking.linker import Linker
 from shadercache.linking.scene_shaders import open_scene
-from shadercache.measure.hit_curves import outcome_curves
+from shadercache.measure.measure import outcome_curves
 from shadercache.measure.measurement import Curve
 from shadercache.measure.subjects import subjects_of
 from shadercache.paths import data_path

@@ -49,8 +49,7 @@ class ErrorSum:
     def add(self, original: Pixels, image: Pixels, covered: NDArray[np.bool_]) -> float:
         """Compare one frame; returns its RMSE over the covered pixels (0 if none is covered).
 
-        Raises:
-            InputError: SC604, an image holds NaN or infinity.
+        Raises :class:`InputError` SC604: an image holds NaN or infinity.
         """
         count = np.count_nonzero(covered)
         if not count:
@@ -69,7 +68,7 @@ class ErrorSum:
         if count == 0:
             return ErrorStats(0.0, 0.0, 0.0, math.inf, 0)
         rmse = math.sqrt(self._squares / (3 * count))
-        rank = math.ceil(0.99 * count)
+        rank = math.ceil(0.99 * count)  # the nearest rank: a value that really is there
         p99 = int(np.searchsorted(np.cumsum(self._histogram), rank)) / (_BINS - 1)
         psnr = math.inf if rmse == 0.0 else -20.0 * math.log10(rmse)
         return ErrorStats(rmse, min(p99, self._maximum), self._maximum, psnr, count)
@@ -90,6 +89,7 @@ def _bytes_apart(
     squares = float(np.einsum("p,p->", flat, flat)) / 255.0**2
     largest = np.maximum(np.maximum(levels[:, 0], levels[:, 1]), levels[:, 2])
     histogram = np.zeros(_BINS, np.int64)
+    # 65535 = 257 * 255, so every level of a byte has a bin of its own.
     histogram[:: (_BINS - 1) // 255] = np.bincount(largest, minlength=256)
     return squares, histogram, float(largest.max()) / 255.0
 
@@ -112,14 +112,3 @@ def _floats_apart(
 def _encoded(pixels: Pixels) -> NDArray[np.float64]:
     colors = pixels.astype(np.float64)
     return colors / 255.0 if pixels.dtype == np.uint8 else colors
-
-
-def compare(original: Pixels, image: Pixels, covered: NDArray[np.bool_]) -> ErrorStats:
-    """The error of one image over the covered pixels (h, w).
-
-    Raises:
-        InputError: SC604, an image holds NaN or infinity.
-    """
-    total = ErrorSum()
-    total.add(original, image, covered)
-    return total.stats()

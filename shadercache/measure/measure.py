@@ -19,13 +19,13 @@ from shadercache.diagnostics import usage_error
 from shadercache.gpu.clock import Clock, no_collection, pick_clock
 from shadercache.gpu.resource import Resource
 from shadercache.measure import measurement as results
-from shadercache.measure.hit_curves import outcome_curves
 from shadercache.measure.statistics import COMPARED, timing
 from shadercache.measure.subjects import Subject, VariantSubject
 from shadercache.measure.timed_runs import TimedOriginal, TimedParts, TimedSubject, TimedVariant
 from shadercache.measure.worth_caching import weigh
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import VariantRunner
 
 RESETS = 6
 """About how many frames after a reset are timed."""
@@ -161,7 +161,7 @@ class _GroupRun(Resource):
             parts.warm_up(0, self._clock)
         yield "timing"
         begun = monotonic()
-        with no_collection():
+        with no_collection():  # Python's garbage collector would stop some frame for milliseconds.
             for frame in range(self._options.frames):
                 self._draw(frame)
                 yield "timing"
@@ -182,6 +182,7 @@ class _GroupRun(Resource):
             self.covered.append(float(reference.covered.mean()))
         for timed in self._subjects:
             if isinstance(timed, TimedVariant):
+                # Before the frame: a mask tells what the draw that follows is going to do.
                 if probed:
                     timed.probe(frame)
                 elif shown:
@@ -199,6 +200,7 @@ class _GroupRun(Resource):
 
     def _may_stop(self, frame: int, elapsed: float) -> bool:
         stop = self._options.stop
+        # Fewer images would say too little of the error, however well the times are known.
         if stop is None or frame + 1 < self._options.first_compared + COMPARED:
             return False
         return stop.is_met(elapsed, (timed.speedup(self._reference) for timed in self._subjects))
@@ -250,3 +252,28 @@ class _GroupRun(Resource):
     def release(self) -> None:
         """Give everything back to the render scene."""
         self._held.close()
+
+
+def outcome_curves(
+    world: RenderScene, subjects: Sequence[VariantSubject], frames: int
+) -> Iterator[results.Curve]:
+    """The shares of hits and refreshed pixels by frame, for each period and block of one payload.
+
+    The algorithms agree on them (law 4), so one of them is run. Raises as ``VariantRunner``.
+    """
+    chosen = {
+        (subject.configuration.refresh.period, subject.configuration.refresh.block): subject
+        for subject in subjects
+    }
+    for (period, block), subject in chosen.items():
+        hit: list[float] = []
+        refresh: list[float] = []
+        values = subject.bundle.mask_values
+        with VariantRunner(world, *subject.objects) as runner:
+            for frame in range(frames):
+                mask = runner.hit_mask(frame)
+                seen = max(1, int(np.count_nonzero(mask)))
+                hit.append(float(np.count_nonzero(mask == values["hit"]) / seen))
+                refresh.append(float(np.count_nonzero(mask == values["refresh"]) / seen))
+                runner.draw(frame)
+        yield results.Curve(period, block, tuple(hit), tuple(refresh))

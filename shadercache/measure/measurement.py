@@ -262,8 +262,9 @@ class Measurement:
     @cached_property
     def refreshes(self) -> tuple[tuple[int, int], ...]:
         """The periods and blocks that were measured beside each other."""
-        found = (variant.configuration.refresh for node in self.nodes for variant in node.variants)
-        return tuple(dict.fromkeys((refresh.period, refresh.block) for refresh in found))
+        variants = (variant for node in self.nodes for variant in node.variants)
+        refreshes = (variant.configuration.refresh for variant in variants)
+        return tuple(dict.fromkeys((refresh.period, refresh.block) for refresh in refreshes))
 
     def name(self, configuration: Configuration) -> str:
         """What tells variants of one node apart: the algorithm; with several periods and blocks

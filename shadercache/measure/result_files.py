@@ -9,15 +9,15 @@ from __future__ import annotations
 import csv
 import io
 import json
-import math
 import os
 import platform
 import re
 from collections.abc import Mapping
-from dataclasses import asdict
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
+
+import msgspec
 
 from shadercache import foreign_files as foreign
 from shadercache.diagnostics import input_error
@@ -52,32 +52,27 @@ def to_json(measurement: Measurement, where: Mapping[str, Any]) -> dict[str, Any
         "clock": measurement.clock,
         "scene": measurement.scene,
         "size": list(measurement.size),
-        "options": asdict(measurement.options),
+        "options": plain(measurement.options),
         "assignments": {
             configuration.key: assignment.to_json()
             for configuration, assignment in measurement.assignments.items()
         },
         "covered": measurement.covered,
         "notes": list(measurement.notes),
-        "gains": [_plain(asdict(gain)) for gain in measurement.gains],
-        "groups": [_plain(asdict(group)) for group in measurement.groups],
+        "gains": plain(measurement.gains),
+        "groups": plain(measurement.groups),
     }
 
 
 def write_json(path: Path, data: Mapping[str, Any]) -> None:
-    """Write a result file.
-
-    Raises:
-        UsageError: SC025, the path cannot be written.
-    """
+    """Write a result file. Raises :class:`UsageError` SC025: the path cannot be written."""
     write_bytes(path, (json.dumps(data, indent=1, allow_nan=False) + "\n").encode())
 
 
 def read_json(path: Path) -> dict[str, Any]:
     """Read a result file back.
 
-    Raises:
-        InputError: SC023, it is no result file of this version.
+    Raises :class:`InputError` SC023: it is no result file of this version.
     """
     try:
         data = foreign.read_json(path)
@@ -138,13 +133,10 @@ def _row(group: Group, node: NodeResult, variant: VariantResult) -> dict[str, An
     }
 
 
-def _plain(value: Any) -> Any:
-    """JSON has no infinity: the PSNR of equal images becomes null."""
-    if isinstance(value, dict):
-        return {key: _plain(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [_plain(item) for item in value]
-    return None if isinstance(value, float) and not math.isfinite(value) else value
+def plain(value: Any) -> Any:
+    """Dataclasses, mappings and sequences as JSON values; numbers without end become null."""
+    # JSON has no infinity (the PSNR of equal images), and msgspec writes null for it.
+    return msgspec.json.decode(msgspec.json.encode(value, enc_hook=float))
 
 
 def machine_name(where: Mapping[str, Any]) -> str:

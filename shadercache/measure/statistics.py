@@ -44,12 +44,11 @@ class Ratio:
 
 @dataclass(frozen=True, slots=True)
 class StopRule:
-    """Stop when every ratio is known to within ``half_width`` of itself, or after ``seconds``.
+    """Stop when every ratio is known to within ``half_width`` of itself, or after ``seconds``."""
 
-    Whoever stops when the intervals are narrow does so more often when chance has made them so: a
-    95 % interval then holds slightly less than 95 %. That is right for a demonstration; a benchmark
-    draws a fixed number of frames.
-    """
+    # Whoever stops when the intervals are narrow does so more often when chance has made them so: a
+    # 95 % interval then holds slightly less than 95 %. That is right for a demonstration; a
+    # benchmark draws a fixed number of frames.
 
     half_width: float
     seconds: float
@@ -70,20 +69,19 @@ def timing(samples: Sequence[float]) -> Timing:
     return Timing(tuple(samples), median, least, p95, p99)
 
 
-def paired_ratio(first: Sequence[float], second: Sequence[float], seed: int = 1) -> Ratio:
+def paired_ratio(first: Sequence[float], second: Sequence[float]) -> Ratio:
     """The ratio ``first / second`` of samples taken side by side, frame by frame.
 
-    Machines drift by a factor of two within minutes; pairs drift together. The interval is the
-    percentile bootstrap over the pairs (Efron), with a fixed seed: equal samples, equal interval.
-
-    Raises:
-        ValueError: the series differ in length or are empty.
+    Raises :class:`ValueError` where the series differ in length or are empty.
     """
     a, b = np.asarray(first, np.float64), np.asarray(second, np.float64)
     if a.shape != b.shape or a.size == 0:
         raise ValueError(f"not paired: {a.size} and {b.size} samples")
+    # Machines drift by a factor of two within minutes; pairs drift together.
     ratios = a / b
-    picks = np.random.default_rng(seed).integers(0, a.size, (RESAMPLES, a.size))
+    # The percentile bootstrap over the pairs (Efron), with a fixed seed: equal samples, equal
+    # interval.
+    picks = np.random.default_rng(1).integers(0, a.size, (RESAMPLES, a.size))
     medians = np.median(ratios[picks], axis=1)
     low, high = np.quantile(medians, (0.025, 0.975))
     return Ratio(float(np.median(ratios)), float(low), float(high), float(a.sum() / b.sum()))

@@ -34,8 +34,7 @@ class OriginalSubject:
 
     def __init__(self, label: str, *bundles: Bundle) -> None:
         """Args: ``bundles`` are one for all objects, or as many."""
-        self.label = label
-        self._bundles = bundles
+        self.label, self._bundles = label, bundles
         self._runner: OriginalRunner | None = None
 
     def prepare(self, world: RenderScene) -> None:
@@ -78,9 +77,9 @@ class VariantSubject:
         """The programs of the scene's own shader."""
         nodes = self.configuration.nodes
         of_scene = (
-            item.bundle
-            for item in self.objects
-            if item.configuration is not None and item.configuration.nodes == nodes
+            linked.bundle
+            for linked in self.objects
+            if linked.configuration is not None and linked.configuration.nodes == nodes
         )
         return next(of_scene, self.objects[0].bundle)
 
@@ -92,6 +91,7 @@ class VariantSubject:
 
     def prepare(self, world: RenderScene) -> None:
         """Raises as ``VariantRunner``."""
+        # As an engine would draw the frame after a reset: by the shortest way.
         self._runner = VariantRunner(world, *self.objects, short_reset=True)
 
     def draw(self, frame: int) -> None:
@@ -109,8 +109,8 @@ class VariantSubject:
             return self
         many = self.objects * len(world.drawables) if len(self.objects) == 1 else self.objects
         objects = [
-            LinkedObject(item.bundle) if drawable.item.name in names else item
-            for drawable, item in zip(world.drawables, many, strict=True)
+            LinkedObject(linked.bundle) if drawable.item.name in names else linked
+            for drawable, linked in zip(world.drawables, many, strict=True)
         ]
         assignment = self.assignment and self.assignment.with_originals(names)
         return VariantSubject(self.label, self.configuration, objects, assignment, self.equal)
@@ -124,10 +124,10 @@ class VariantSubject:
         if hit_pass is None:
             return None
         return tuple(
-            LinkedObject(item.bundle, item.configuration.with_refresh(period)).by(hit_pass[0])
-            if item.configuration is not None
-            else item
-            for item in self.objects
+            LinkedObject(linked.bundle, linked.configuration.with_refresh(period)).by(hit_pass[0])
+            if linked.configuration is not None
+            else linked
+            for linked in self.objects
         )
 
 

@@ -12,24 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.gpu.clock import Clock
+from shadercache.measure import measurement as results
 from shadercache.measure.image_error import ErrorSum, Pixels
-from shadercache.measure.measurement import (
-    Curve,
-    NodeResult,
-    OtherResult,
-    Probe,
-    Shot,
-    VariantResult,
-)
 from shadercache.measure.statistics import Ratio, Timing, paired_ratio, timing
 from shadercache.measure.subjects import Subject, VariantSubject
+from shadercache.render import pass_runners
 from shadercache.render.bundle import Bundle
-from shadercache.render.pass_runners import (
-    CoverageRunner,
-    GeometryRunner,
-    OriginalRunner,
-    PayloadRunner,
-)
 from shadercache.render.render_scene import RenderScene
 from shadercache.render.variant_runner import NEVER, OLDEST_IN_HALF, VariantRunner
 
@@ -39,9 +27,9 @@ class TimedOriginal:
 
     def __init__(self, world: RenderScene, bundles: Sequence[Bundle]) -> None:
         """Raises as ``BoundPass``."""
-        self._original = OriginalRunner(world, *bundles)
-        self._geometry = GeometryRunner(world, *bundles)
-        self._coverage = CoverageRunner(world, *bundles)
+        self._original = pass_runners.OriginalRunner(world, *bundles)
+        self._geometry = pass_runners.GeometryRunner(world, *bundles)
+        self._coverage = pass_runners.CoverageRunner(world, *bundles)
         self._runners = (self._original, self._geometry, self._coverage)
         self._world = world
         self.original: dict[int, float] = {}
@@ -60,8 +48,7 @@ class TimedOriginal:
 
     def time_again(self, clock: Clock, frame: int) -> float:
         """The time of the original, which is not kept."""
-        # Uploads to the GPU are no part of what is compared.
-        self._world.prepare(frame)
+        self._world.prepare(frame)  # What changes in a frame is uploaded before the clock runs.
         return clock.time(partial(self._original.draw, frame))
 
     def time_all_objects(self, clock: Clock, frame: int) -> float:
@@ -84,10 +71,8 @@ class TimedOriginal:
         self.covered = self._coverage.coverage(frame)
 
     def share(self, seconds: dict[int, float]) -> float:
-        """What was timed as a share of the original: the median over the frames of both.
-
-        Shares of the same frame are what the drift of the machine leaves alone (DESIGN §7).
-        """
+        """What was timed as a share of the original: the median over the frames of both."""
+        # The drift of the machine leaves shares of the same frame alone (DESIGN §7).
         ratios = [time / self.original[frame] for frame, time in seconds.items()]
         return float(np.median(ratios))
 
@@ -129,9 +114,9 @@ class TimedSubject:
         original = [reference.original[frame] for frame in frames]
         return paired_ratio(original, [self.times[frame] for frame in frames])
 
-    def beside(self, reference: TimedOriginal) -> OtherResult:
+    def beside(self, reference: TimedOriginal) -> results.OtherResult:
         """What was measured of it, beside the original."""
-        return OtherResult(
+        return results.OtherResult(
             label=self.subject.label,
             timing=timing([time for frame, time in self.times.items() if frame > 0]),
             speedup=self.speedup(reference),
@@ -158,19 +143,21 @@ class TimedVariant(TimedSubject):
         return self.variant.runner
 
     @property
-    def _outcome(self) -> Probe:
+    def _outcome(self) -> results.Probe:
         """What the frame that was looked at last shows."""
         values, period = self.variant.bundle.mask_values, self.variant.configuration.refresh.period
-        return Probe(self.mask, values, self.runner.ages(), period)
+        return results.Probe(self.mask, values, self.runner.ages(), period)
 
     @property
     def _hit_rates(self) -> list[float]:
         return [shares.get("hit", 0.0) for shares in self._outcomes]
 
-    def shot(self, reference: TimedOriginal) -> Shot:
+    def shot(self, reference: TimedOriginal) -> results.Shot:
         """The pictures of the frame that was just drawn and looked at."""
         subject, cached = self.variant, self._world.targets.pixels()
-        return Shot(subject.label, subject.configuration, reference.pixels, cached, self._outcome)
+        return results.Shot(
+            subject.label, subject.configuration, reference.pixels, cached, self._outcome
+        )
 
     def warm_up(self, frame: int) -> None:
         """Draw a reset frame and one more, so that every pass has been drawn, then forget."""
@@ -195,12 +182,12 @@ class TimedVariant(TimedSubject):
         self.runner.note_hits(frame, self._hit_rates[-1])
         self._work.append(self.runner.work(frame))
 
-    def result(self, reference: TimedOriginal, hit: dict[int, float]) -> VariantResult:
+    def result(self, reference: TimedOriginal, hit: dict[int, float]) -> results.VariantResult:
         """What was measured; ``hit`` are the seconds of the hit part at the probed frames."""
         whole = self.beside(reference)
         original = np.median([reference.original[frame] for frame in self.times if frame > 0])
         floor = self._floor(reference, hit)
-        return VariantResult(
+        return results.VariantResult(
             configuration=self.variant.configuration,
             timing=whole.timing,
             speedup=whole.speedup,
@@ -220,6 +207,7 @@ class TimedVariant(TimedSubject):
         if not hit or not self._hit_rates:
             return None
         bare = reference.share(reference.geometry)
+        # A miss costs what the original costs: 1, of which the geometry is drawn in either case.
         rate = float(np.mean(self._hit_rates))
         return bare + rate * (reference.share(hit) - bare) + (1.0 - rate) * (1.0 - bare)
 
@@ -235,7 +223,7 @@ class TimedParts:
         # Ages in half floats count no further, so the period may be no longer.
         never = NEVER if subject.bundle.cache.age_channel is None else OLDEST_IN_HALF
         objects = subject.at_rest(never)
-        self._payload = PayloadRunner(world, *subject.objects)
+        self._payload = pass_runners.PayloadRunner(world, *subject.objects)
         self._hit = VariantRunner(world, *objects) if objects else None
 
     def warm_up(self, frame: int, clock: Clock) -> None:
@@ -250,12 +238,10 @@ class TimedParts:
         self.payload[frame] = clock.time(partial(self._payload.draw, frame))
 
     def probe(self, clock: Clock, frame: int) -> None:
-        """Time the pass that shades hits alone, at rest.
-
-        It sees a cache that was filled at the same frame, so that every pixel is a hit.
-        """
+        """Time the pass that shades hits alone, at rest."""
         hit_pass = self.subject.bundle.hit_pass
         if self._hit is not None and hit_pass is not None:
+            # The cache is filled at the same frame, so that every pixel is a hit.
             self._hit.reset()
             self._hit.draw(frame)
             self.hit[frame] = clock.time(partial(self._hit.draw_pass, frame, hit_pass[1]))
@@ -270,11 +256,11 @@ class TimedParts:
         self,
         reference: TimedOriginal,
         variants: Sequence[TimedVariant],
-        curves: tuple[Curve, ...],
-    ) -> NodeResult:
+        curves: tuple[results.Curve, ...],
+    ) -> results.NodeResult:
         """The payload with all its variants."""
         bundle = self.subject.bundle
-        return NodeResult(
+        return results.NodeResult(
             label=self.subject.label,
             node_id=bundle.node("id"),
             path=bundle.node("path"),
@@ -293,6 +279,7 @@ class TimedParts:
         if not self.payload:
             return None
         bare = reference.share(reference.geometry)
+        # The geometry is drawn with the payload and with the original, so both go without.
         if bare == 1.0:  # a clock too coarse for the scene sees no shading
             return None
         return (reference.share(self.payload) - bare) / (1.0 - bare)

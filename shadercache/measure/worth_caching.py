@@ -30,16 +30,17 @@ def weigh(
 ) -> tuple[CachingGain, ...]:
     """Time the scene with and without caching the objects of each shader but the scene's own.
 
-    Of the subjects the first of each algorithm is taken, of the first's payload. The runs take
-    turns frame by frame, from frame 0 on. Raises as ``VariantRunner``.
+    Of the first subject's payload the first of each algorithm is taken. Raises as
+    ``VariantRunner``.
     """
     if not subjects:
         return ()
-    same = [item for item in subjects if item.label == subjects[0].label]
-    firsts = {item.configuration.algorithm: item for item in reversed(same)}
+    same = [subject for subject in subjects if subject.label == subjects[0].label]
+    # The last that is written for a key stays, so the first of each algorithm.
+    firsts = {subject.configuration.algorithm: subject for subject in reversed(same)}
     gains = []
     for shader, names in _own_shaders(world, subjects[0]).items():
-        ratios = {name: _ratio(world, item, names, clock) for name, item in firsts.items()}
+        ratios = {name: _ratio(world, subject, names, clock) for name, subject in firsts.items()}
         best = max(ratios, key=lambda name: ratios[name].median)
         gains.append(CachingGain(shader.name, tuple(names), best, ratios[best]))
     return tuple(gains)
@@ -61,8 +62,8 @@ def _ratio(
     times: tuple[list[float], list[float]] = ([], [])
     with ExitStack() as held, no_collection():
         runners = [
-            held.enter_context(VariantRunner(world, *item.objects))
-            for item in (subject.with_originals(world, names), subject)
+            held.enter_context(VariantRunner(world, *drawn.objects))
+            for drawn in (subject.with_originals(world, names), subject)
         ]
         for frame in range(WARM_UP + WEIGHED):
             world.prepare(frame)

@@ -9,14 +9,8 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 from shadercache.measure.measurement import Shot
-from shadercache.report.images import (
-    OUTCOME_COLORS,
-    OUTCOME_WORDS,
-    Picture,
-    difference_picture,
-    hit_picture,
-    picture,
-)
+from shadercache.report import images
+from shadercache.report.debug_views import with_legend
 
 COLUMN_TITLES = ("original", "cached", "10x difference", "hit map")
 
@@ -28,8 +22,6 @@ _GAP = 12
 _TITLE = 26
 _TEXT = 17
 
-Font = ImageFont.FreeTypeFont | ImageFont.ImageFont
-
 
 @dataclass(frozen=True, eq=False)
 class SheetRow:
@@ -40,7 +32,7 @@ class SheetRow:
     caption: str
 
 
-def contact_sheet(title: str, rows: Sequence[SheetRow], cell: int = 400) -> Picture:
+def contact_sheet(title: str, rows: Sequence[SheetRow], cell: int = 400) -> images.Picture:
     """The sheet, (h, w, 3) with row 0 at the top.
 
     Args:
@@ -51,7 +43,7 @@ def contact_sheet(title: str, rows: Sequence[SheetRow], cell: int = 400) -> Pict
     row_height = cell_height + 2 * _TEXT + 2 * _GAP
     head = _MARGIN + _TITLE + 2 * _GAP + _TEXT + _GAP
     sheet_width = 2 * _MARGIN + 4 * cell + 3 * _GAP
-    sheet_height = head + len(rows) * (row_height + _GAP) + 2 * _TEXT + _MARGIN
+    sheet_height = head + len(rows) * (row_height + _GAP)
     sheet = Image.new("RGB", (sheet_width, sheet_height), _PAPER)
     draw = ImageDraw.Draw(sheet)
     draw.text((_MARGIN, _MARGIN), title, _INK, _font(_TITLE))
@@ -60,24 +52,19 @@ def contact_sheet(title: str, rows: Sequence[SheetRow], cell: int = 400) -> Pict
         draw.text((x, head - _TEXT - _GAP), name, _FAINT, _font(_TEXT))
     y = head
     for row in rows:
-        _draw_row(sheet, draw, row, y, (cell, cell_height))
+        _draw_row(sheet, row, y, (cell, cell_height))
         y += row_height + _GAP
-    _draw_legend(draw, rows, y)
-    return np.asarray(sheet, np.uint8)
+    possible = {name for row in rows for name in row.shot.probe.values}
+    legend = [entry for name, entry in images.LEGEND.items() if name in possible]
+    return with_legend(np.asarray(sheet, np.uint8), legend, _MARGIN)
 
 
-def _draw_row(
-    sheet: Image.Image,
-    draw: ImageDraw.ImageDraw,
-    row: SheetRow,
-    y: int,
-    size: tuple[int, int],
-) -> None:
-    shot = row.shot
+def _draw_row(sheet: Image.Image, row: SheetRow, y: int, size: tuple[int, int]) -> None:
+    shot, draw = row.shot, ImageDraw.Draw(sheet)
     smooth, exact = Image.Resampling.LANCZOS, Image.Resampling.NEAREST
-    original, cached = picture(shot.original), picture(shot.cached)
-    outcomes = hit_picture(shot.probe.mask, shot.probe.values)
-    difference = difference_picture(original, cached)
+    original, cached = images.picture(shot.original), images.picture(shot.cached)
+    outcomes = images.hit_picture(shot.probe.mask, shot.probe.values)
+    difference = images.difference_picture(original, cached)
     # Neither the difference nor the hit map may be averaged: single pixels are what they show.
     shown = (original, smooth), (cached, smooth), (difference, exact), (outcomes, exact)
     for column, (pixels, how) in enumerate(shown):
@@ -92,26 +79,11 @@ def _draw_row(
 def _fitting(draw: ImageDraw.ImageDraw, text: str, room: float) -> str:
     """The text, or its first words with dots where it is wider than ``room`` pixels."""
     kept = text
+    # Fonts are proportional, so words are taken away until what is left fits.
     while kept and draw.textlength(kept if kept == text else f"{kept} ...", _font(_TEXT)) > room:
         kept = kept.rpartition(" ")[0]
     return kept if kept == text else f"{kept} ..."
 
 
-def _legend(rows: Sequence[SheetRow]) -> dict[str, str]:
-    """The outcomes that the rows' variants can have."""
-    possible = {name for row in rows for name in row.shot.probe.values}
-    return {name: words for name, words in OUTCOME_WORDS.items() if name in possible}
-
-
-def _draw_legend(draw: ImageDraw.ImageDraw, rows: Sequence[SheetRow], y: int) -> None:
-    x = float(_MARGIN)
-    font = _font(_TEXT)
-    for outcome, words in _legend(rows).items():
-        draw.rectangle((x, y + 2, x + _TEXT, y + 2 + _TEXT), fill=OUTCOME_COLORS[outcome])
-        x += _TEXT + 8
-        draw.text((x, y), words, _INK, font)
-        x += draw.textlength(words, font) + 28
-
-
-def _font(size: int) -> Font:
+def _font(size: int) -> ImageFont.FreeTypeFont | ImageFont.ImageFont:
     return ImageFont.load_default(size)

@@ -15,7 +15,7 @@ from PIL import Image, ImageDraw, ImageFont
 from shadercache.diagnostics import usage_error
 from shadercache.measure.measurement import Probe, Shot
 from shadercache.report import images
-from shadercache.report.images import OUTCOME_WORDS, Color, Picture, hit_picture, outcome_color
+from shadercache.report.images import LEGEND, Color, Picture, hit_picture, outcome_color
 
 ALL, HITS, AGE = "all", "hits", "age"
 
@@ -57,8 +57,7 @@ def view_names(probe: Probe) -> tuple[str, ...]:
 def chosen_views(words: Iterable[str], probe: Probe) -> list[str]:
     """The names that are meant by what a user wrote, in that order.
 
-    Raises:
-        UsageError: SC442 for a view that there is not.
+    Raises :class:`UsageError` SC442 for a view that there is not.
     """
     known = view_names(probe)
     chosen: dict[str, None] = {}
@@ -87,44 +86,35 @@ def view_picture(name: str, probe: Probe) -> Picture:
     return with_legend(colors[probe.mask[::-1]], _outcome_legend(probe, [name]))
 
 
-def with_legend(shown: Picture, entries: Iterable[tuple[Color, str]]) -> Picture:
+def with_legend(
+    shown: Picture, entries: Iterable[tuple[Color, str]], margin: int = _PAD
+) -> Picture:
     """The picture with a line for each few entries below it: a patch of colour and its meaning."""
     height, width = shown.shape[:2]
     size = max(9, min(18, width // 28))
     font = ImageFont.load_default(size)
-    places, bottom = _placed(entries, width, size, font)
-    sheet = Image.new("RGB", (width, height + bottom), _PAPER)
-    sheet.paste(Image.fromarray(shown), (0, 0))
-    draw = ImageDraw.Draw(sheet)
-    for x, y, color, words in places:
-        top = height + y
-        draw.rectangle((x, top + 2, x + size, top + 2 + size), fill=color)
-        draw.text((x + size + _PAD, top), words, _INK, font)
-    return np.asarray(sheet, np.uint8)
-
-
-Font = ImageFont.FreeTypeFont | ImageFont.ImageFont
-
-
-def _placed(
-    entries: Iterable[tuple[Color, str]], width: int, size: int, font: Font
-) -> tuple[list[tuple[int, int, Color, str]], int]:
-    """Where each entry stands, left to right and then in the next line; and the height of all."""
-    found: list[tuple[int, int, Color, str]] = []
-    x, y = _PAD, _PAD
+    placed: list[tuple[int, int, Color, str]] = []
+    x, y = margin, height + _PAD
     for color, words in entries:
         needed = size + _PAD + int(font.getlength(words)) + 2 * _PAD
-        if x > _PAD and x + needed > width:
-            x, y = _PAD, y + size + _PAD
-        found.append((x, y, color, words))
+        if x > margin and x + needed > width - margin + _PAD:
+            x, y = margin, y + size + _PAD
+        placed.append((x, y, color, words))
         x += needed
-    return found, y + size + 2 * _PAD
+    sheet = Image.new("RGB", (width, y + size + 2 * _PAD), _PAPER)
+    sheet.paste(Image.fromarray(shown), (0, 0))
+    draw = ImageDraw.Draw(sheet)
+    for x, y, color, words in placed:
+        draw.rectangle((x, y + 2, x + size, y + 2 + size), fill=color)
+        draw.text((x + size + _PAD, y), words, _INK, font)
+    return np.asarray(sheet, np.uint8)
 
 
 def _outcome_legend(probe: Probe, names: Iterable[str]) -> Iterator[tuple[Color, str]]:
     for name in names:
-        words = OUTCOME_WORDS.get(name, name)
-        yield outcome_color(name, probe.values[name]), f"{words} {probe.shares[name]:.1%}"
+        color = outcome_color(name, probe.values[name])
+        words = LEGEND[name][1] if name in LEGEND else name
+        yield color, f"{words} {probe.shares[name]:.1%}"
 
 
 def _age_picture(probe: Probe) -> Picture:

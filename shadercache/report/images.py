@@ -21,37 +21,24 @@ Picture = NDArray[np.uint8]
 
 Color = tuple[int, int, int]
 
-OUTCOME_COLORS: Mapping[str, Color] = {
-    "hit": (38, 132, 148),
-    "refresh": (240, 190, 70),
-    "outside": (150, 90, 170),
-    "depth": (214, 75, 60),
-    "id": (96, 176, 88),
-    "poison": (232, 232, 236),
-    "magnified": (70, 96, 200),
-    "opted-out": (150, 150, 156),
-    "old": (236, 130, 40),
+LEGEND: Mapping[str, tuple[Color, str]] = {
+    "hit": ((38, 132, 148), "hit: reused"),
+    "refresh": ((240, 190, 70), "refresh: recomputed on purpose"),
+    "outside": ((150, 90, 170), "miss: was outside the picture"),
+    "depth": ((214, 75, 60), "miss: was hidden, or another surface"),
+    "id": ((96, 176, 88), "miss: another object"),
+    "poison": ((232, 232, 236), "miss: not finite, or out of range"),
+    "magnified": ((70, 96, 200), "miss: has become too large"),
+    "opted-out": ((150, 150, 156), "miss: by the draw's mask"),
+    "old": ((236, 130, 40), "refresh: older than the period"),
 }
-"""Colours of the hit map: told apart in grey and by most colour-blind people."""
-
-OUTCOME_WORDS: Mapping[str, str] = {
-    "hit": "hit: reused",
-    "refresh": "refresh: recomputed on purpose",
-    "outside": "miss: was outside the picture",
-    "depth": "miss: was hidden, or another surface",
-    "id": "miss: another object",
-    "poison": "miss: not finite, or out of range",
-    "magnified": "miss: has become too large",
-    "opted-out": "miss: by the draw's mask",
-    "old": "refresh: older than the period",
-}
-"""The legend of the hit map."""
+"""Colours of the hit map, told apart in grey and by most colour-blind people, and their meaning."""
 
 
 def outcome_color(name: str, value: int) -> Color:
     """The colour of an outcome; one that is not known has a colour by its number."""
-    if name in OUTCOME_COLORS:
-        return OUTCOME_COLORS[name]
+    if name in LEGEND:
+        return LEGEND[name][0]
     return (60 + 67 * value % 180, 60 + 113 * value % 180, 60 + 31 * value % 180)
 
 
@@ -59,22 +46,22 @@ def picture(pixels: Pixels) -> Picture:
     """An image as it is shown: 8 bits, no alpha, right way up."""
     colors = pixels[::-1, :, :3]
     if colors.dtype != np.uint8:
+        # A cast of NaN to a byte is undefined, and differs between processors.
         safe = np.nan_to_num(colors.astype(np.float32), nan=0.0, posinf=1.0, neginf=0.0)
         colors = np.rint(np.clip(safe, 0.0, 1.0) * 255.0)
     return np.ascontiguousarray(colors, np.uint8)
 
 
-def difference_picture(original: Picture, image: Picture, gain: float = 10.0) -> Picture:
-    """``gain`` times the absolute difference, clipped."""
+def difference_picture(original: Picture, image: Picture) -> Picture:
+    """Ten times the absolute difference, clipped."""
     difference = np.abs(original.astype(np.float32) - image.astype(np.float32))
-    return np.minimum(difference * gain, 255.0).astype(np.uint8)
+    return np.minimum(10.0 * difference, 255.0).astype(np.uint8)
 
 
 def hit_picture(mask: NDArray[np.uint8], values: Mapping[str, int]) -> Picture:
-    """The hit mask (h, w) in ``OUTCOME_COLORS``; uncovered pixels are black.
+    """The hit mask (h, w) in false colours; uncovered pixels are black.
 
-    Args:
-        values: outcome -> the mask's number for it, from the manifest.
+    ``values``: outcome -> the mask's number for it, from the manifest.
     """
     colors = np.zeros((256, 3), np.uint8)
     for outcome, value in values.items():
@@ -82,17 +69,8 @@ def hit_picture(mask: NDArray[np.uint8], values: Mapping[str, int]) -> Picture:
     return np.ascontiguousarray(colors[mask[::-1]])
 
 
-def png_bytes(shown: Picture) -> bytes:
-    """The picture as a PNG file."""
+def write_png(path: Path, shown: Picture) -> None:
+    """Write a picture. Raises :class:`UsageError` SC025: the path cannot be written."""
     buffer = io.BytesIO()
     Image.fromarray(shown).save(buffer, "PNG", compress_level=4)  # 6: twice the time, 4 % smaller
-    return buffer.getvalue()
-
-
-def write_png(path: Path, shown: Picture) -> None:
-    """Write a picture.
-
-    Raises:
-        UsageError: SC025, the path cannot be written.
-    """
-    write_bytes(path, png_bytes(shown))
+    write_bytes(path, buffer.getvalue())

@@ -9,7 +9,7 @@ matplotlib takes half a second to import, so it is imported when a plot is made.
 from __future__ import annotations
 
 import io
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -38,17 +38,16 @@ def plot_time(measurement: Measurement) -> bytes:
     The original's time is a line, its geometry's a dotted one; bars span the speed-up's interval.
     """
     figure, axes = _axes(f"{measurement.scene}: time against payload share")
-    for chosen, found in _by_kind(measurement).items():
-        known = [(node.ratio, variant) for node, variant in found if node.ratio is not None]
+    for name, drawn in _by_kind(measurement).items():
+        known = [(node.ratio, variant) for node, variant in drawn if node.ratio is not None]
         if not known:
             continue
         x = [ratio for ratio, _ in known]
         y = [variant.timing.median * 1e3 for _, variant in known]
-        look = _look(measurement, found[0][1].configuration)
+        look = _look(measurement, drawn[0][1].configuration)
         bars = np.array([_bar(variant) for _, variant in known]).T
-        axes.errorbar(x, y, yerr=bars, **look, ls="", ms=4, lw=0.8, alpha=0.8, label=chosen)
-    original = _median([group.original.median for group in measurement.groups])
-    geometry = _median([group.geometry.median for group in measurement.groups])
+        axes.errorbar(x, y, yerr=bars, **look, ls="", ms=4, lw=0.8, alpha=0.8, label=name)
+    original, geometry = _medians(measurement)
     axes.axhline(original, color="#333333", lw=1.2, label=f"original, {original:.1f} ms")
     axes.axhline(geometry, color="#999999", lw=1.0, ls=":", label=f"geometry, {geometry:.1f} ms")
     axes.set_xlabel("P/T: cost of the payload over cost of the shader, measured")
@@ -64,12 +63,12 @@ def plot_error(measurement: Measurement) -> bytes:
     The error is on a logarithmic scale; images without error stand on its lower edge.
     """
     figure, axes = _axes(f"{measurement.scene}: error against time")
-    for chosen, found in _by_kind(measurement).items():
-        x = [variant.timing.median * 1e3 for _, variant in found]
-        y = [max(variant.error.rmse, _LEAST_ERROR) for _, variant in found]
-        look = _look(measurement, found[0][1].configuration)
-        axes.plot(x, y, **look, ls="", ms=4, alpha=0.8, label=chosen)
-    original = _median([group.original.median for group in measurement.groups])
+    for name, drawn in _by_kind(measurement).items():
+        x = [variant.timing.median * 1e3 for _, variant in drawn]
+        y = [max(variant.error.rmse, _LEAST_ERROR) for _, variant in drawn]
+        look = _look(measurement, drawn[0][1].configuration)
+        axes.plot(x, y, **look, ls="", ms=4, alpha=0.8, label=name)
+    original, _ = _medians(measurement)
     axes.axvline(original, color="#333333", lw=1.2, label=f"original, {original:.1f} ms")
     axes.set_yscale("log")
     axes.set_xlim(left=0.0)
@@ -83,15 +82,12 @@ def plot_hits(measurement: Measurement) -> bytes | None:
 
     None where nothing was counted. The level of full reuse is what random refresh leaves.
     """
-    known = {
-        node.label
-        if len(node.curves) == 1
-        else f"{node.label}, n{curve.period} k{curve.block}": curve
-        for node in measurement.nodes
-        for curve in node.curves
-    }
-    title = f"{measurement.scene}: hit rate"
-    return plot_curves(title, known) if known else None
+    curves = {}
+    for node in measurement.nodes:
+        for curve in node.curves:
+            which = f", n{curve.period} k{curve.block}" if len(node.curves) > 1 else ""
+            curves[node.label + which] = curve
+    return plot_curves(f"{measurement.scene}: hit rate", curves) if curves else None
 
 
 def plot_curves(title: str, curves: Mapping[str, Curve]) -> bytes:
@@ -112,11 +108,11 @@ def plot_curves(title: str, curves: Mapping[str, Curve]) -> bytes:
 
 def _by_kind(measurement: Measurement) -> dict[str, list[tuple[NodeResult, VariantResult]]]:
     """The variants by what tells those of one node apart."""
-    found: dict[str, list[tuple[NodeResult, VariantResult]]] = {}
+    kinds: dict[str, list[tuple[NodeResult, VariantResult]]] = {}
     for node in measurement.nodes:
         for variant in node.variants:
-            found.setdefault(measurement.name(variant.configuration), []).append((node, variant))
-    return dict(sorted(found.items()))
+            kinds.setdefault(measurement.name(variant.configuration), []).append((node, variant))
+    return dict(sorted(kinds.items()))
 
 
 def _look(measurement: Measurement, configuration: Configuration) -> dict[str, Any]:
@@ -136,8 +132,12 @@ def _bar(variant: VariantResult) -> tuple[float, float]:
     return middle * max(0.0, below), middle * max(0.0, above)
 
 
-def _median(values: Sequence[float]) -> float:
-    return float(np.median(values)) * 1e3
+def _medians(measurement: Measurement) -> tuple[float, float]:
+    """Milliseconds of the original and of its geometry."""
+    groups = measurement.groups
+    original = np.median([group.original.median for group in groups])
+    geometry = np.median([group.geometry.median for group in groups])
+    return float(original) * 1e3, float(geometry) * 1e3
 
 
 def _axes(title: str) -> tuple[Figure, Axes]:

@@ -8,9 +8,15 @@ import numpy as np
 import pytest
 
 from shadercache.diagnostics import InputError
-from shadercache.measure.image_error import ErrorSum, compare
+from shadercache.measure.image_error import ErrorStats, ErrorSum, Pixels
 
 ALL = np.ones((4, 8), bool)
+
+
+def compare(original: Pixels, image: Pixels, covered: np.ndarray) -> ErrorStats:
+    total = ErrorSum()
+    total.add(original, image, covered)
+    return total.stats()
 
 
 @pytest.mark.parametrize("kind", [np.uint8, np.float32])

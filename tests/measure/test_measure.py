@@ -31,7 +31,7 @@ from shadercache.render.pass_runners import GeometryRunner
 from shadercache.render.render_scene import RenderScene
 from shadercache.report.contact_sheet import SheetRow, contact_sheet
 from shadercache.report.images import (
-    OUTCOME_COLORS,
+    LEGEND,
     difference_picture,
     hit_picture,
     picture,
@@ -220,7 +220,7 @@ def test_pictures(measurement: Measurement, bundle: Bundle, tmp_path: Path) -> N
     outcomes = hit_picture(shot.probe.mask, shot.probe.values)
     assert original.shape == cached.shape == outcomes.shape == (96, 128, 3)
     colors = {tuple(color) for color in outcomes.reshape(-1, 3).tolist()}
-    assert {OUTCOME_COLORS["hit"], OUTCOME_COLORS["refresh"], (0, 0, 0)} <= colors
+    assert {LEGEND["hit"][0], LEGEND["refresh"][0], (0, 0, 0)} <= colors
     assert difference_picture(original, original).max() == 0
     assert difference_picture(original, cached).max() > 0
     write_png(tmp_path / "a.png", original)
@@ -232,7 +232,7 @@ def test_pictures_stand_upright() -> None:
     pixels[1, 0] = (2.0, np.nan, 0.5, 1.0)  # the upper row in OpenGL's order
     assert picture(pixels)[0, 0].tolist() == [255, 0, 128]
     mask = np.array([[0], [1]], np.uint8)
-    assert tuple(hit_picture(mask, {"hit": 1})[0, 0]) == OUTCOME_COLORS["hit"]
+    assert tuple(hit_picture(mask, {"hit": 1})[0, 0]) == LEGEND["hit"][0]
 
 
 def test_the_contact_sheet(measurement: Measurement) -> None:

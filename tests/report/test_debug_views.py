@@ -16,7 +16,7 @@ from shadercache.report.debug_views import (
     view_names,
     view_picture,
 )
-from shadercache.report.images import OUTCOME_COLORS, OUTCOME_WORDS, outcome_color
+from shadercache.report.images import LEGEND, outcome_color
 
 WIDTH = 400
 
@@ -33,7 +33,7 @@ def probe(ages: bool = True) -> Probe:
 def test_every_outcome_has_a_colour_of_its_own_and_words() -> None:
     colors = [outcome_color(name, value) for name, value in OUTCOMES.items()]
     assert len({(0, 0, 0), *colors}) == len(OUTCOMES) + 1
-    assert set(OUTCOMES) <= set(OUTCOME_COLORS) and set(OUTCOMES) <= set(OUTCOME_WORDS)
+    assert set(OUTCOMES) <= set(LEGEND)
 
 
 def test_all_outcomes_in_one_picture() -> None:
@@ -48,7 +48,7 @@ def test_all_outcomes_in_one_picture() -> None:
 def test_one_outcome_stands_out() -> None:
     shown = view_picture("depth", probe())[:64].reshape(-1, 3)
     colors = {tuple(color) for color in np.unique(shown, axis=0)}
-    assert colors == {(0, 0, 0), (72, 72, 78), OUTCOME_COLORS["depth"]}
+    assert colors == {(0, 0, 0), (72, 72, 78), LEGEND["depth"][0]}
 
 
 def test_ages_from_new_to_too_old() -> None:
