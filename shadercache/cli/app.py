@@ -75,7 +75,7 @@ def main(argv: Sequence[str]) -> int:
         app = _build(args, reporter)
         status = app(args, prog_name="shadercache", standalone_mode=False)
         sys.stdout.flush()
-        return status if isinstance(status, int) else 0
+        return status if isinstance(status, int) else 0  # a command returns None if all is well
     except DiagnosticError as error:
         return reporter.fail(error)
     except typer.TyperException as error:
@@ -121,6 +121,7 @@ def _build(args: Sequence[str], reporter: Reporter) -> typer.Typer:
         reporter.json = diagnostics is Format.JSON
         context.obj = reporter
 
+    # A file may have the name of a command; then one more module is imported, and nothing else.
     for name in [name for name in COMMANDS if name in args] or COMMANDS:
         module = import_module(f"shadercache.cli.{name}")
         app.command(name, hidden=name in HIDDEN)(expanded(module.command))

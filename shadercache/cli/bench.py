@@ -13,13 +13,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from shadercache.cli import options
-from shadercache.cli.io import folder
 from shadercache.cli.measuring import measured, result_table, summary
-from shadercache.cli.scenes import choose_nodes
+from shadercache.cli.scenes import choose_nodes, one_by_one
 from shadercache.cli.tables import shorten
 
 if TYPE_CHECKING:
-    from shadercache.analysis.candidates import Candidate
     from shadercache.measure.measurement import Measurement, NodeResult
 
 SMALL = options.DrawOptions(size="512")
@@ -43,12 +41,7 @@ def command(
     block: Annotated[str, typer.Option(metavar="K,...", help="Block edges, pixels.")] = "4",
     frames: Annotated[int, typer.Option(min=2, help="Frames of each run.")] = 16,
     draw: options.DrawOptions = SMALL,
-    out: Annotated[
-        Path,
-        typer.Option(
-            "-o", "--output", metavar="DIR", parser=folder, help="For JSON, CSV and plots."
-        ),
-    ] = Path("out/bench"),
+    out: Annotated[Path, options.output("For JSON, CSV and plots.")] = Path("out/bench"),
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON, not a table.")] = False,
 ) -> None:
     """Measure nodes by every algorithm: P/T, time, ratio to the original, hit rate, error.
@@ -60,7 +53,6 @@ def command(
     bootstrap. Writes JSON (with raw samples), CSV and plots into DIR; of few nodes also the hit
     rate of every frame.
     """
-    from shadercache.analysis.value_numbering import one_of_each
     from shadercache.linking.linker import Linker
     from shadercache.measure.measurement import MeasureOptions
     from shadercache.measure.result_files import to_json
@@ -69,15 +61,12 @@ def command(
     algorithms = options.parse_passes(passes)
     periods, blocks = options.parse_periods(period), options.parse_blocks(block)
     scene, analysis = source.open()
-    equal: dict[Candidate, int] = {}
-    chosen: list[tuple[str, tuple[Candidate, ...]]]
     if nodes:
         wanted = [part for text in nodes for part in text.split(",") if part]
-        chosen = choose_nodes(scene, analysis, wanted)
+        payloads = choose_nodes(scene, analysis, wanted)
     else:
         offered = [node for node in analysis.nodes if node.offered]
-        equal = one_of_each(offered, analysis.groups)
-        chosen = [(node.id, (node,)) for node in (offered if every_node else equal)]
+        payloads = one_by_one(analysis, offered, every_node)
     base = draw.configured(scene)
     kinds = [
         replace(base, algorithm=name).with_refresh(every, edge)
@@ -85,12 +74,10 @@ def command(
         for edge in blocks
         for name in algorithms
     ]
-    linker = Linker(scene, analysis)
-    subjects = []
-    for label, payload in chosen:
-        ids = tuple(node.id for node in payload)
-        count = 1 if every_node else equal.get(payload[0], 1)
-        subjects += subjects_of(linker, label, [replace(kind, nodes=ids) for kind in kinds], count)
+    linker, subjects = Linker(scene, analysis), []
+    for payload in payloads:
+        chosen = [replace(kind, nodes=payload.ids) for kind in kinds]
+        subjects += subjects_of(linker, payload.label, chosen, payload.equal)
     how = MeasureOptions(frames, weigh=draw.weigh)
     results, where = measured(linker, subjects, how, draw, scene.name)
     report = to_json(results, where)

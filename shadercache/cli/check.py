@@ -29,7 +29,7 @@ READ = SourceOptions()
 class CheckedFile:
     """A file and what there is to say of it; it has no source if it cannot be read."""
 
-    file: str
+    name: str
     stage: StageName
     diagnostics: tuple[Diagnostic, ...]
     source: Source | None = None
@@ -61,26 +61,24 @@ def command(
     results: list[CheckedFile] = []
     for first in range(0, len(shaders), _AT_ONCE):
         names = shaders[first : first + _AT_ONCE]
-        checked = [_check(name, stage or _stage_of(name), options) for name in names]
+        checked = [_check(name, stage, options) for name in names]
         results += _with_findings(checked, options) if glslang else checked
         if not as_json:
-            for item in results[first:]:
-                context.obj.show(item.diagnostics)
+            for file in results[first:]:
+                context.obj.show(file.diagnostics)
     print(json.dumps(_to_json(results), indent=1) if as_json else summary(results))
-    if any(item.count(Severity.ERROR) for item in results):
+    if any(file.count(Severity.ERROR) for file in results):
         raise typer.Exit(1)
 
 
-def _stage_of(name: str) -> StageName:
-    """By suffix; ``name.vert.glsl`` is a vertex shader too."""
-    return "fragment" if VERTEX_SUFFIXES.isdisjoint(Path(name).suffixes) else "vertex"
-
-
-def _check(name: str, stage: StageName, options: ReadOptions) -> CheckedFile:
+def _check(name: str, stage: StageName | None, options: ReadOptions) -> CheckedFile:
     from shadercache.ast.large import allow_deep_trees
     from shadercache.valid.read import read
 
     allow_deep_trees()
+    # All suffixes count: name.vert.glsl is a vertex shader too.
+    is_vertex = not VERTEX_SUFFIXES.isdisjoint(Path(name).suffixes)
+    stage = stage or ("vertex" if is_vertex else "fragment")
     source = None
     try:
         source = read_source(name)
@@ -98,23 +96,23 @@ def _with_findings(checked: Sequence[CheckedFile], options: ReadOptions) -> list
     if tool is None:
         return [*checked]
     questions = [
-        Question(item.source or Source(item.file, ""), item.stage, item.diagnostics)
-        for item in checked
+        Question(file.source or Source(file.name, ""), file.stage, file.diagnostics)
+        for file in checked
     ]
     return [
-        replace(item, diagnostics=_in_order(item.diagnostics, findings)) if findings else item
-        for item, findings in zip(checked, ask_compiler(tool, questions, options), strict=True)
+        replace(file, diagnostics=_in_order(file.diagnostics, findings)) if findings else file
+        for file, findings in zip(checked, ask_compiler(tool, questions, options), strict=True)
     ]
 
 
 def _in_order(own: Sequence[Diagnostic], more: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
-    return tuple(sorted((*own, *more), key=lambda item: item.span.start if item.span else 0))
+    return tuple(sorted((*own, *more), key=lambda one: one.span.start if one.span else 0))
 
 
 def summary(results: Sequence[CheckedFile]) -> str:
     """``12 files: 11 ok, 1 with 3 errors, 2 warnings``, without what there is none of."""
-    errors = [count for item in results if (count := item.count(Severity.ERROR))]
-    warnings = sum(item.count(Severity.WARNING) for item in results)
+    errors = [count for file in results if (count := file.count(Severity.ERROR))]
+    warnings = sum(file.count(Severity.WARNING) for file in results)
     parts = []
     if len(errors) < len(results):
         parts.append(f"{len(results) - len(errors)} ok")
@@ -133,14 +131,14 @@ def _to_json(results: Sequence[CheckedFile]) -> dict[str, Any]:
     return {
         "files": [
             {
-                "file": item.file,
-                "stage": item.stage,
-                "ok": not item.count(Severity.ERROR),
-                "diagnostics": [diagnostic.to_json() for diagnostic in item.diagnostics],
+                "file": file.name,
+                "stage": file.stage,
+                "ok": not file.count(Severity.ERROR),
+                "diagnostics": [diagnostic.to_json() for diagnostic in file.diagnostics],
             }
-            for item in results
+            for file in results
         ],
-        "ok": sum(not item.count(Severity.ERROR) for item in results),
-        "errors": sum(item.count(Severity.ERROR) for item in results),
-        "warnings": sum(item.count(Severity.WARNING) for item in results),
+        "ok": sum(not file.count(Severity.ERROR) for file in results),
+        "errors": sum(file.count(Severity.ERROR) for file in results),
+        "warnings": sum(file.count(Severity.WARNING) for file in results),
     }

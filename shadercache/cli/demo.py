@@ -13,9 +13,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from shadercache.caching import configuration as cached
-from shadercache.cli.io import folder
+from shadercache.cli import options
 from shadercache.cli.measuring import FEW_FIGURES, FIGURES, measured, result_table, summary
-from shadercache.cli.options import FormatOption, PictureOptions
 from shadercache.cli.scenes import choose_nodes, find_scene
 from shadercache.diagnostics import input_error
 
@@ -31,7 +30,7 @@ HALF_WIDTH, SECONDS = 0.03, 30.0
 
 
 @dataclass(frozen=True, kw_only=True)
-class DemoPictures(PictureOptions):
+class DemoPictures(options.PictureOptions):
     """As for other commands, but a mesh replaces that of one scene only."""
 
     mesh: Annotated[
@@ -66,11 +65,8 @@ WHOLE, PICTURES = Effort(), DemoPictures()
 def command(
     effort: Effort = WHOLE,
     drawn: DemoPictures = PICTURES,
-    cache_format: FormatOption = "rgba16f",
-    out: Annotated[
-        Path,
-        typer.Option("-o", "--output", metavar="DIR", parser=folder, help="Folder for results."),
-    ] = Path("out/demo"),
+    cache_format: options.FormatOption = "rgba16f",
+    out: Annotated[Path, options.output("Folder for results.")] = Path("out/demo"),
 ) -> None:
     """Rewrite both scenes' shaders, run every variant beside the original, print the table.
 
@@ -109,9 +105,9 @@ def _subjects(
     base = cached.Configuration(storage=cached.Storage(cache_format))
     base = base.with_refresh(scene.demo.period, scene.demo.block)
     labels = scene.demo.nodes if full else scene.demo.nodes[-1:]
-    for label, nodes in choose_nodes(scene, analysis, labels):
-        chosen = replace(base, nodes=tuple(node.id for node in nodes))
-        subjects += subjects_of(linker, label, cached.by_every_algorithm(chosen))
+    for payload in choose_nodes(scene, analysis, labels):
+        chosen = cached.by_every_algorithm(replace(base, nodes=payload.ids))
+        subjects += subjects_of(linker, payload.label, chosen)
     return linker, subjects
 
 

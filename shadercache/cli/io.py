@@ -11,7 +11,7 @@ from contextlib import contextmanager, suppress
 from errno import EISDIR, ENOTDIR
 from pathlib import Path
 
-from shadercache.diagnostics import Diagnostic, InputError, UsageError, usage_error
+from shadercache.diagnostics import Diagnostic, InputError, UsageError, input_error, usage_error
 from shadercache.foreign_files import MAX_SHADER, read_bytes, read_stream
 from shadercache.source import Source, Span
 
@@ -21,8 +21,7 @@ MANIFEST = "manifest.json"
 def folder(text: str | Path) -> Path:
     """The folder that an option names. An empty name would quietly mean the current one.
 
-    Raises:
-        UsageError: SC002, the name is empty.
+    Raises :class:`UsageError` SC002: the name is empty.
     """
     if not str(text):
         raise usage_error("SC002", "cannot write: the name of the folder is empty")
@@ -34,8 +33,7 @@ def read_source(path: str) -> Source:
 
     A byte order mark is dropped; line ends stay as they are.
 
-    Raises:
-        InputError: SC001, the file cannot be read or is not UTF-8 text.
+    Raises :class:`InputError` SC001: the file cannot be read or is not UTF-8 text.
     """
     name = "<stdin>" if path == "-" else path
     try:
@@ -44,12 +42,15 @@ def read_source(path: str) -> Source:
         else:
             data = read_bytes(Path(path), MAX_SHADER)
     except OSError as error:
-        reason = error.strerror or str(error)
-        raise InputError(Diagnostic("SC001", f"cannot read {name}: {reason}")) from None
+        raise input_error("SC001", f"cannot read {name}: {error.strerror or error}") from None
     try:
         return Source(name, data.decode("utf-8-sig"))
     except UnicodeDecodeError as error:
-        raise _not_utf8(name, data, error) from None
+        start = len(data[: error.start].decode("utf-8-sig"))
+        source = Source(name, data.decode("utf-8-sig", errors="replace"))
+        message = f"not UTF-8 text: {error.reason} (byte 0x{data[error.start]:02x})"
+        place = Span(start, start + 1)
+        raise InputError(Diagnostic("SC001", message, source, place)) from None
 
 
 def read_pair(fragment: str, vertex: str | None) -> tuple[Source, Source | None]:
@@ -69,13 +70,6 @@ def read_pair(fragment: str, vertex: str | None) -> tuple[Source, Source | None]
     return read_source(fragment), read_source(vertex)
 
 
-def _not_utf8(name: str, data: bytes, error: UnicodeDecodeError) -> InputError:
-    start = len(data[: error.start].decode("utf-8-sig"))
-    source = Source(name, data.decode("utf-8-sig", errors="replace"))
-    message = f"not UTF-8 text: {error.reason} (byte 0x{data[error.start]:02x})"
-    return InputError(Diagnostic("SC001", message, source, Span(start, start + 1)))
-
-
 @contextmanager
 def atomic_folder(out: Path) -> Iterator[Path]:
     """An empty folder to write results into; they appear in ``out`` only if the block succeeds.
@@ -84,8 +78,7 @@ def atomic_folder(out: Path) -> Iterator[Path]:
     (files with other names stay); its old manifest goes first and the new one comes last, so that
     a folder with a manifest is always complete.
 
-    Raises:
-        UsageError: SC002, the folder cannot be written or the disk is full.
+    Raises :class:`UsageError` SC002: the folder cannot be written or the disk is full.
     """
     out = Path(os.path.realpath(out))
     home = out if out.is_dir() else out.parent
@@ -112,27 +105,23 @@ def atomic_folder(out: Path) -> Iterator[Path]:
 
 def _publish(staged: Path, out: Path) -> None:
     if not out.exists():
-        staged.chmod(0o777 & ~_umask())  # mkdtemp makes it private
+        mask = os.umask(0)  # There is no way to read it without setting it.
+        os.umask(mask)
+        staged.chmod(0o777 & ~mask)  # mkdtemp makes it private
         staged.rename(out)
         return
     files = sorted(path.relative_to(staged) for path in staged.rglob("*") if path.is_file())
-    files.sort(key=lambda path: path == Path(MANIFEST))
     for path in files:
         if (out / path).is_dir():
-            raise IsADirectoryError(
-                EISDIR, "it is a folder, but a file must go there", str(out / path)
-            )
+            reason = "it is a folder, but a file must go there"
+            raise IsADirectoryError(EISDIR, reason, str(out / path))
+    # Without a manifest a folder is no result, so nobody takes a half of it for one.
+    files.sort(key=lambda path: path == Path(MANIFEST))
     if Path(MANIFEST) in files:
         (out / MANIFEST).unlink(missing_ok=True)
     for path in files:
         (out / path).parent.mkdir(parents=True, exist_ok=True)
         (staged / path).replace(out / path)
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
 
 
 def _cannot_write(out: Path, staged: Path | None, error: OSError) -> OSError | UsageError:

@@ -68,7 +68,8 @@ def measured(
 
 @contextmanager
 def _steps(label: str) -> Iterator[Callable[[int, int, str], None]]:
-    """Progress in thousandths: how many steps there are is only known with the first call."""
+    """Progress in steps that a measurement counts for itself."""
+    # In thousandths, since how many steps there are is only known with the first call.
     with progress(label, 1000) as advance:
         shown = 0
 
@@ -101,6 +102,7 @@ def result_table(
 def summary(measurement: Measurement) -> str:
     """The original's time, its ratio to the bare geometry, and the share of the frame covered."""
     group, options, size = measurement.groups[0], measurement.options, measurement.size
+    # All groups are of one scene, so the first one's times of the original will do.
     original, geometry = group.original.median, group.geometry.median
     lines = [
         f"original {original * 1e3:.1f} ms, geometry alone {geometry * 1e3:.1f} ms "

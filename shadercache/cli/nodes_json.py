@@ -26,6 +26,7 @@ _encode = json.JSONEncoder().encode
 def print_nodes(analysis: Analysis, nodes: Sequence[Candidate], changes: Changes | None) -> str:
     """The JSON text: the tables and the nodes have a line for each entry."""
     writer = _Writer(analysis, changes)
+    # A list may leave out nodes that are refused, so numbers are those of this list.
     places = {node: number for number, node in enumerate(nodes)}
     written = [writer.node(node, places[analysis.groups[node].first]) for node in nodes]
     head = {

@@ -20,6 +20,7 @@ from shadercache.analysis.mapping import MappingKind
 from shadercache.caching import configuration as cached
 from shadercache.caching.algorithms import ALGORITHMS
 from shadercache.caching.settings import cache_choices
+from shadercache.cli.io import folder
 from shadercache.cli.scenes import configured, find_scene
 from shadercache.diagnostics import usage_error
 from shadercache.front.read_options import MAX_TOKENS, Dialect, ReadOptions
@@ -89,16 +90,15 @@ class SourceOptions:
     def read_options(self) -> ReadOptions:
         """What the options ask for. Of two definitions of a macro the later one holds.
 
-        Raises:
-            UsageError: SC008, the name of a macro is not one, or a folder does not exist.
+        Raises :class:`UsageError` SC008: a macro's name is not one, or a folder does not exist.
         """
         defines = dict(map(_definition, self.define or ()))
         for name in self.undefine or ():
             _check_macro(name, "-U")
-        for folder in self.include or ():
-            if not folder.is_dir():
-                what = "is not a folder" if folder.exists() else "there is no such folder"
-                raise usage_error("SC008", f"-I {folder}: {what}")
+        for path in self.include or ():
+            if not path.is_dir():
+                what = "is not a folder" if path.exists() else "there is no such folder"
+                raise usage_error("SC008", f"-I {path}: {what}")
         return ReadOptions(
             defines=tuple(defines.items()),
             undefined=tuple(self.undefine or ()),
@@ -209,10 +209,12 @@ def expanded(command: Callable[..., R]) -> Callable[..., R]:
     """
     groups: dict[str, Any] = {}
     shown: list[Parameter] = []
+    # By keyword, since a parameter that must be given may then stand behind one that need not.
+    kind = Parameter.KEYWORD_ONLY
     for parameter in signature(command, eval_str=True).parameters.values():
         group = parameter.annotation
         if not is_dataclass(group):
-            shown.append(parameter.replace(kind=Parameter.KEYWORD_ONLY))
+            shown.append(parameter.replace(kind=kind))
             continue
         groups[parameter.name] = group
         hints = get_type_hints(group, include_extras=True)
@@ -220,7 +222,6 @@ def expanded(command: Callable[..., R]) -> Callable[..., R]:
             default = getattr(parameter.default, field.name, field.default)
             if default is MISSING:
                 default = Parameter.empty
-            kind = Parameter.KEYWORD_ONLY
             shown.append(Parameter(field.name, kind, default=default, annotation=hints[field.name]))
 
     @wraps(command)
@@ -232,6 +233,11 @@ def expanded(command: Callable[..., R]) -> Callable[..., R]:
 
     call.__signature__ = Signature(shown)  # type: ignore[attr-defined]
     return call
+
+
+def output(purpose: str) -> Any:
+    """The option ``--output`` for a folder."""
+    return typer.Option("-o", "--output", metavar="DIR", parser=folder, help=purpose)
 
 
 def one_of(words: Sequence[str]) -> Callable[[str], str]:

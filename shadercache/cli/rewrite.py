@@ -11,7 +11,7 @@ import typer
 from shadercache.caching.configuration import Mode
 from shadercache.caching.settings import with_settings
 from shadercache.cli import options
-from shadercache.cli.io import MANIFEST, atomic_folder, folder, read_pair
+from shadercache.cli.io import MANIFEST, atomic_folder, read_pair
 from shadercache.diagnostics import usage_error
 
 READ, CACHED = options.ShaderOptions(), options.CacheOptions()
@@ -24,10 +24,7 @@ def command(
         list[str],
         typer.Option(metavar="ID", help="The node to cache, from 'nodes'; several are one set."),
     ],
-    out: Annotated[
-        Path,
-        typer.Option("-o", "--output", metavar="DIR", parser=folder, help="Folder to write."),
-    ],
+    out: Annotated[Path, options.output("Folder to write.")],
     vert: Annotated[
         str | None,
         typer.Option(metavar="FILE", help="Vertex shader; if left out, FRAG with .vert."),
@@ -68,14 +65,14 @@ def command(
     nodes = analysis.nodes_of("+".join(node))
     analysis.require_all(nodes, unprofitable)
     overlaps = () if carry else overlap_notes(analysis, nodes)
-    payload = tuple(item.id for item in (carrying(analysis, nodes) if carry else nodes))
+    payload = tuple(node.id for node in (carrying(analysis, nodes) if carry else nodes))
     chosen = replace(caching.base, nodes=payload, mode=mode)
     chosen = with_settings(chosen, caching.cache or ())
     wanted = [replace(chosen, algorithm=name) for name in options.parse_passes(passes)]
     emission = rewrite(analysis, wanted, unprofitable=unprofitable)
-    with atomic_folder(out) as made:
+    with atomic_folder(out) as folder:
         for name, text in {**emission.files, MANIFEST: encode(emission.manifest)}.items():
-            (made / name).write_text(text, encoding="utf-8", newline="")
+            (folder / name).write_text(text, encoding="utf-8", newline="")
     context.obj.show((*analysis.notes, *emission.notes, *overlaps))
     print(
         f"wrote {len(emission.files)} shaders and {MANIFEST} to {out} (mapping: {analysis.mapping})"

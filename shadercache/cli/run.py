@@ -10,7 +10,6 @@ import typer
 
 from shadercache.caching.algorithms import DEFAULT, algorithm
 from shadercache.cli import options
-from shadercache.cli.io import folder
 from shadercache.cli.measuring import measured, result_table, summary
 from shadercache.cli.scenes import choose_nodes
 
@@ -46,12 +45,7 @@ def command(
             "age, or all.",
         ),
     ] = None,
-    out: Annotated[
-        Path,
-        typer.Option(
-            "-o", "--output", metavar="DIR", parser=folder, help="Folder for the pictures."
-        ),
-    ] = Path("out/run"),
+    out: Annotated[Path, options.output("Folder for the pictures.")] = Path("out/run"),
 ) -> None:
     """Run a variant from a reset up to a frame; write original, cached, 10x difference, hit map.
 
@@ -66,16 +60,16 @@ def command(
     [edge] = options.parse_blocks(str(block))
     scene, analysis = source.open()
     [by] = options.parse_passes(passes)
-    [(label, chosen)] = choose_nodes(scene, analysis, ["+".join(node)])
-    analysis.require_all(chosen, unprofitable)
-    cached = replace(draw.configured(scene), nodes=tuple(item.id for item in chosen), algorithm=by)
+    [payload] = choose_nodes(scene, analysis, ["+".join(node)])
+    analysis.require_all(payload.nodes, unprofitable)
+    cached = replace(draw.configured(scene), nodes=payload.ids, algorithm=by)
     cached = cached.with_refresh(period, edge)
     context.obj.show(depth_warnings(cached, scene.view.camera.near, scene.view.camera.far))
     linker = Linker(scene, analysis)
     assignment = linker.assign(cached)
-    subject = VariantSubject(label, cached, linker.link(assignment), assignment)
+    subject = VariantSubject(payload.label, cached, linker.link(assignment), assignment)
     how = MeasureOptions(frame + 1, picture_frame=frame, weigh=draw.weigh)
-    results, _ = measured(linker, [subject], how, draw, f"running {label}")
+    results, _ = measured(linker, [subject], how, draw, f"running {payload.label}")
     print(f"mapping: {analysis.mapping}")
     print(f"{summary(results)}\n\n{result_table(results, lambda node: node.label)}\n")
     for shot in results.shots:

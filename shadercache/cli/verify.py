@@ -15,7 +15,7 @@ import typer
 from shadercache.caching.configuration import Configuration
 from shadercache.cli.options import SettingsOption, ShaderOptions
 from shadercache.cli.progress import progress
-from shadercache.cli.scenes import choose_nodes, configured, find_scene
+from shadercache.cli.scenes import choose_nodes, configured, find_scene, one_by_one
 from shadercache.cli.tables import format_table, shorten, terminal_width
 
 if TYPE_CHECKING:
@@ -77,34 +77,31 @@ def command(
     Of nodes that have the same value one is checked; the others are counted, and --every-node
     checks them too.
     """
-    from shadercache.analysis.value_numbering import one_of_each
     from shadercache.gpu.context import open_context
     from shadercache.linking.scene_shaders import open_scene
     from shadercache.measure.result_files import environment, write_json
     from shadercache.verify.parallel import VerifiedScene, verify_in_parallel
     from shadercache.verify.verifier import Verifier
 
-    equal = 0
     path, read_options = find_scene(target), reading.read_options()
     scene, analysis = open_scene(path, read_options, reading.mapping)
     configuration = configured(scene, Configuration(), cache)
     if node:
-        chosen = [nodes for _, nodes in choose_nodes(scene, analysis, node)]
+        payloads = choose_nodes(scene, analysis, node)
     else:
-        every = [item for item in analysis.nodes if item.offered or (unprofitable and item.legal)]
-        kept = every if every_node else list(one_of_each(every, analysis.groups))
-        equal = len(every) - len(kept)
-        chosen = [(item,) for item in kept]
-    for nodes in chosen:
-        analysis.require_all(nodes, unprofitable)
+        every = [node for node in analysis.nodes if node.offered or (unprofitable and node.legal)]
+        payloads = one_by_one(analysis, every, every_node)
+    for payload in payloads:
+        analysis.require_all(payload.nodes, unprofitable)
+    equal = sum(payload.equal - 1 for payload in payloads)
     with open_context() as gpu, closing(Verifier(gpu, (scene, analysis))) as verifier:
         about = environment(gpu)
         whole = WholeScene(verifier.round_trip(), verifier.references.ties, equal)
-    with progress(f"verifying {scene.name}", len(chosen)) as advance:
+    with progress(f"verifying {scene.name}", len(payloads)) as advance:
         verdicts = verify_in_parallel(
             VerifiedScene(path, read_options, reading.mapping, configuration),
-            ["+".join(item.id for item in nodes) for nodes in chosen],
-            min(jobs or os.cpu_count() or 1, max(1, len(chosen))),
+            ["+".join(payload.ids) for payload in payloads],
+            min(jobs or os.cpu_count() or 1, max(1, len(payloads))),
             plain,
             lambda _: advance(1),
         )
@@ -159,8 +156,9 @@ def _text(whole: WholeScene, verdicts: Sequence[Verdict]) -> str:
         lines.append(
             f"{whole.equal} more nodes have the value of one of these (--every-node checks all)"
         )
-    lines += [f"{item.node}: {reason}" for item in verdicts for reason in item.reasons]
-    lines += [f"{item.node}: {item.cause}" for item in verdicts if item.cause]
+    for verdict in verdicts:
+        lines += [f"{verdict.node}: {reason}" for reason in verdict.reasons]
+    lines += [f"{verdict.node}: {verdict.cause}" for verdict in verdicts if verdict.cause]
     if whole.ties > MAX_TIES:
         lines.append(f"{whole.ties:.2%} of the pixels are depth ties, which are left out")
     return "\n".join(lines)

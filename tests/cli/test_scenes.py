@@ -21,7 +21,7 @@ def test_nodes_have_ids_and_names_and_go_together(dragon: tuple[Scene, Analysis]
     scene, analysis = dragon
     octaves, albedo = (scene.nodes[name] for name in ("two octaves", "albedo"))
     found = choose_nodes(scene, analysis, [albedo, f"two octaves+{albedo}"])
-    assert [(label, [node.id for node in nodes]) for label, nodes in found] == [
+    assert [(payload.label, list(payload.ids)) for payload in found] == [
         (albedo, [albedo]),
         (f"two octaves+{albedo}", [octaves, albedo]),
     ]
