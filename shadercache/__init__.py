@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from shadercache.front.parse import parse
     from shadercache.measure.measure import measure
     from shadercache.source import Source
+    from shadercache.verify.parallel import VerifiedScene
     from shadercache.verify.parallel import verify_in_parallel as verify
 
 __version__ = "0.1.0"
@@ -25,6 +26,7 @@ __all__ = [
     "Diagnostic",
     "DiagnosticError",
     "Source",
+    "VerifiedScene",
     "__version__",
     "analyse",
     "measure",
@@ -38,6 +40,7 @@ _HOME = {
     "Diagnostic": "shadercache.diagnostics:Diagnostic",
     "DiagnosticError": "shadercache.diagnostics:DiagnosticError",
     "Source": "shadercache.source:Source",
+    "VerifiedScene": "shadercache.verify.parallel:VerifiedScene",
     "analyse": "shadercache.compiler:analyse",
     "measure": "shadercache.measure.measure:measure",
     "parse": "shadercache.front.parse:parse",

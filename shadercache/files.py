@@ -14,8 +14,7 @@ def write_bytes(path: Path, data: bytes) -> None:
 
     Missing folders are made.
 
-    Raises:
-        UsageError: SC025, the path cannot be written or the disk is full.
+    Raises :class:`UsageError` SC025: the path cannot be written or the disk is full.
     """
     try:
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -44,6 +44,6 @@ def tells_true_levels(gpu: Gpu) -> bool:
     ctx.enable_only(ctx.NOTHING)
     array.render(moderngl.TRIANGLES, vertices=3)
     other = np.frombuffer(target.read(), np.float32)
-    for item in (array, framebuffer, target, texture, program):
-        item.release()
+    for resource in (array, framebuffer, target, texture, program):
+        resource.release()
     return not other.any()

@@ -17,7 +17,6 @@ from shadercache.caching.outcomes import INTERPOLATION, SPREAD
 from shadercache.verify.surfaces import Floats, Mask, Surface
 
 Outcomes = NDArray[np.uint8]
-Rectangle = tuple[int, int, int, int]
 
 LEAST = 0.9
 """Share of the points that the frame before showed whole which have to hit. (The corpus: 98 to
@@ -95,13 +94,14 @@ def at_rest(masks: HitMasks, has: Mask, unfit: Mask, configuration: Configuratio
     """Over the frames of one period, of the pixels that have payloads (``has``).
 
     Some of these are ``unfit`` for reuse. Each has one turn in a period, or none where nothing is
-    refreshed on purpose. With ages a payload that was computed out of turn misses it, and one that
-    is too old is computed again.
+    refreshed on purpose.
     """
     frames, age = len(masks.frames), configuration.refresh.age
     hit, due = masks.times("hit"), masks.times(*_DUE)
     exempt = np.where(unfit, masks.times("poison"), 0)
     turns = 1 if configuration.refresh.schedule != "none" else 0
+    # With ages a payload that was computed out of turn misses it, and one that is too old is
+    # computed again: once more, or not at all.
     in_turn = due <= 1 + turns if age else due == turns
     right = in_turn & (hit + due + exempt == frames)
     expected = frames - exempt - (np.minimum(due, 1 + turns) if age else turns)
@@ -158,6 +158,8 @@ class DepthTest:
         if tolerance != "fixed":
             relative = INTERPOLATION if tolerance == "akeley-su" else self.epsilon
             return np.full_like(inverse_w, relative)
+        # A fixed difference of what is stored of a depth, as a share of 1/w. What is stored is
+        # 16/w, w, or z/w, whose slope over 1/w is the camera's.
         units = {"inverse-w": 16.0 * inverse_w, "linear": 1.0 / inverse_w}
         depth = self.configuration.storage.depth
         return self.epsilon / np.abs(units.get(depth, self.unit * inverse_w))
@@ -170,7 +172,7 @@ class Stored:
 
     kept: Mask
     discrete: NDArray[np.uint32]
-    viewport: Rectangle
+    viewport: tuple[int, int, int, int]
 
 
 def shown_before(
@@ -187,12 +189,14 @@ def shown_before(
         corner, expected = np.stack([x, y], -1).astype(np.float64), now.inverse_w
     else:
         corner, expected = now.place - 0.5, now.before
+    # Pixels that show nothing have a 1/w of 0, and points behind the camera a negative one.
     with np.errstate(divide="ignore", invalid="ignore"):
         low = np.array(stored.viewport[:2])
         last = low + np.array(stored.viewport[2:]) - 1
         inside = (now.number > 0) & (expected > 0.0)
         inside &= ((corner >= low) & (corner <= last)).all(axis=-1)
         allowed = test.allowed(expected)
+        # What lies outside counts no more, but must be an index.
         corner = np.where(inside[..., None], corner, low)
         blended = np.zeros_like(expected)
         near = next(_taps(corner, last))[1]
@@ -200,6 +204,7 @@ def shown_before(
             off = before.inverse_w[tap] / expected - 1.0
             inside &= stored.kept[tap] & (before.number[tap] == now.number)
             inside &= (stored.discrete[tap] == stored.discrete[near]).all(axis=-1)
+            # The look-up turns down any single texel that is too far off, whatever its weight.
             inside &= np.abs(off) <= SPREAD * test.epsilon
             blended += weight * off
         shown: Mask = inside & (np.abs(blended) <= allowed)
@@ -213,6 +218,7 @@ def _taps(
     whole = np.floor(corner)
     part = corner - whole
     near = whole.astype(np.int64)
+    # In the middle of a texel there is no second one, and beyond the edge there is none.
     far = np.minimum(near + np.ceil(part).astype(np.int64), last)
     for up in (0, 1):
         for right in (0, 1):

@@ -28,7 +28,7 @@ def judge(references: References, bundle: Bundle, verdict: Verdict) -> None:
         laws["always"][name] = refreshed(references, bundle, name, "proof")
         laws["resting"][name], resting_fault = _resting(reuse, name)
         frames, moving_fault = _reusing(reuse, name)
-        first = first or frames
+        first = first or frames  # the first algorithm agrees with itself
         laws["agreeing"][name] = _agreement(references, frames, first)
         for law, fault in (("law 3", resting_fault), ("law 4", moving_fault)):
             if fault:
@@ -92,10 +92,8 @@ def _reusing(reuse: Reuse, name: str) -> tuple[Frames, str]:
 
 
 def _agreement(references: References, frames: Frames, first: Frames) -> Difference:
-    """Law 4: the algorithms agree on colour and cache.
-
-    Equal caches before a frame follow from equal caches after the one before.
-    """
+    """Law 4: the algorithms agree on colour and cache."""
+    # Equal caches before a frame follow from equal caches after the one before.
     pairs = zip(frames, first, references.covered, strict=True)
     return worst_of(
         difference(image, reference, covered)

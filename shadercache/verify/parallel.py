@@ -64,8 +64,7 @@ def verify_in_parallel(
         plain: as in :meth:`Verifier.check`.
         heard: called with each verdict as it comes.
 
-    Raises:
-        GraphicsError: SC606 where nothing can be drawn; else as :meth:`VerifiedScene.open`.
+    Raises :class:`GraphicsError` SC606 where nothing can be drawn, and as ``VerifiedScene.open``.
     """
     verdicts: dict[str, Verdict] = {}
 

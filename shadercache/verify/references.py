@@ -53,6 +53,7 @@ class References(Resource):
             for mode in modes:
                 originals = self.linker.originals(mode)
                 self.images[mode] = render_original(self.world, originals, MOVING)
+        # The depth function decides which of two tied fragments is seen, and passes differ in it.
         with CoverageRunner(self.world, *self.linker.originals("proof")) as runner:
             ties = [runner.ties(frame) for frame in MOVING]
             self.covered = [

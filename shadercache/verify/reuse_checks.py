@@ -72,6 +72,7 @@ class Reuse:
         if not hits.enough:
             return str(hits)
         mask = runner.hit_mask(frame)
+        # The masks say hit; whether what is drawn is what was stored, only a changed cache shows.
         among = has & masks.where(mask, "hit", "refresh", "old") & self._fit(runner.cache())
         must = among & masks.where(mask, "hit")
         reused = self._reused(runner, among, must, frame)
@@ -89,6 +90,7 @@ class Reuse:
     def motion_fault(self, runner: VariantRunner, looks: list[Look]) -> str:
         """What is wrong with the hits of a run in motion, or nothing."""
         masks = HitMasks([look.mask for look in looks], self.bundle.mask_values)
+        # Where the shader itself says from where it reuses, only it knows what was there.
         some = self.mapping == "user"
         seen = [
             self._has(runner, look.frame) if some else self._shown(runner, look) for look in looks
@@ -112,6 +114,7 @@ class Reuse:
                 if not spec.looks:
                     continue
                 asked = [(inputs, self.references.surfaces.before(role.drawable, frame))]
+                # Passes and bundles often share a vertex shader but for its heading.
                 shader = (role.drawable, _HEADING.sub("", spec.vertex.text))
                 if shader not in self.references.proven:
                     asked.append(self._shaken(role, inputs))
@@ -158,6 +161,7 @@ class Reuse:
         return self.configuration.filter.kind == "bilateral" and self.mapping != "screen"
 
     def _shaken(self, role: DrawItem, inputs: FrameInputs) -> tuple[FrameInputs, Positions]:
+        # A scene may leave a uniform as it is from frame to frame, and hide that its twin is wrong.
         before = shaken(inputs.before)
         there = replace(inputs, now=before, before=before)
         truth = self.references.surfaces.at(role.drawable, there)
@@ -214,7 +218,7 @@ class Reuse:
                     given = replace(plain_inputs(world, role.drawable, frame), numbers=numbers)
                     naming = Naming(role.naming.roles)
                     bound = BoundPass(world, role.drawable, spec, naming)
-                    bound.draw(given, None, "==")
+                    bound.draw(given, None, "==")  # the front, as the originals have drawn it
                     bound.release()
             self._needed[frame] = world.targets.mask_values()
         return self._needed[frame]
@@ -228,18 +232,17 @@ class Reuse:
         return fit & (texels[..., DEPTH] > 0.0) if self._marks else fit
 
     def _reused(self, runner: VariantRunner, among: Mask, hits: Mask, frame: int) -> Mask | None:
-        """Which pixels store again what the frame before stored.
-
-        Hits are given the payloads of others. Where a payload decides on a loop, or all are the
-        same, it is told by the signs of depths, and where hits do not keep these, not at all.
-        """
+        """Which pixels store again what the frame before stored; None where nothing tells."""
         cache = runner.cache()
         given = cache.copy()
+        # Hits are given the payloads of others, but not where a payload decides on a loop: there
+        # no algorithm reads back.
         read_back = any(algorithm(name).reads_back for name in self.bundle.algorithms)
         exchanged = read_back and _exchange(given, hits, self._channels)
         if not exchanged:
             if not self._marks:
                 return None
+            # All are the same, or not to be exchanged: the signs of depths, which hits keep, tell.
             given[among, DEPTH] *= -1.0
         runner.restore(given, frame - 1)
         runner.draw(frame)

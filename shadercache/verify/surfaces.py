@@ -15,7 +15,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.gpu.programs import Program
-from shadercache.gpu.resource import Resource
 from shadercache.render.bound_pass import FrameInputs, plain_inputs
 from shadercache.render.bundle import NO_NAMES, Bundle
 from shadercache.render.drawable import Drawable
@@ -44,8 +43,8 @@ class Surface:
     before: Floats
 
 
-class Surfaces(Resource):
-    """The surfaces of one scene, frame by frame."""
+class Surfaces:
+    """The surfaces of one scene, frame by frame. What it draws with ends with the world."""
 
     def __init__(self, world: RenderScene, originals: Sequence[Bundle]) -> None:
         """Args: ``originals``: one for each object. Raises as ``OriginalRunner``."""
@@ -66,14 +65,15 @@ class Surfaces(Resource):
     def frame(self, frame: int) -> Surface:
         """What a frame shows."""
         if frame not in self._frames:
-            self._frames[frame] = self._drawn(frame)
+            self._draw(frame)
+            self._frames[frame] = self._read(frame)
         return self._frames[frame]
 
     def before(self, drawable: Drawable, frame: int) -> Positions:
-        """Where the frame before drew the corners of an object, by this frame's jitter if the
-        engine tells of it."""
+        """Where the frame before drew the corners of an object."""
         was = max(frame - 1, 0)
         told = self.world.scene.view.engine.told
+        # Told of the jitter, passes take the last frame's points with this frame's jitter.
         return self._captured(drawable, was, frame if told else was)
 
     def at(self, drawable: Drawable, inputs: FrameInputs) -> Positions:
@@ -86,13 +86,6 @@ class Surfaces(Resource):
         targets = self.world.targets
         targets.clear(targets.color, keep_depth=True)
 
-    def release(self) -> None:
-        """Give the programs back."""
-        self._original.release()
-        self.world.programs.release(self._program)
-        for capture in self._captures.values():
-            capture.release()
-
     def _captured(self, drawable: Drawable, frame: int, jittered: int) -> Positions:
         key = (drawable, frame, jittered)
         if key not in self._positions:
@@ -100,7 +93,9 @@ class Surfaces(Resource):
             self._positions[key] = self.at(drawable, inputs)
         return self._positions[key]
 
-    def _drawn(self, frame: int) -> Surface:
+    def _draw(self, frame: int) -> None:
+        context, number = self.world.gpu.ctx, self._program.uniforms["u_number"]
+        # Captured first, since a capture binds a framebuffer of its own.
         parts = [
             (drawable, self._captured(drawable, frame, frame), self.before(drawable, frame))
             for drawable in self.world.drawn(frame)
@@ -110,24 +105,20 @@ class Surfaces(Resource):
         framebuffer = targets.framebuffer((targets.color, targets.mask), depth_write=False)
         framebuffer.viewport = self.world.viewport(frame)
         framebuffer.use()
-        self.world.gpu.ctx.depth_func = "=="
+        context.depth_func = "=="
         for drawable, now, was in parts:
-            self._draw(drawable, now, was)
-        return self._surface(frame)
+            self.world.set_culling(drawable)
+            number.write(number.encode(np.array([drawable.number], np.float64), "u_number"))
+            buffer = context.buffer(np.concatenate([now, was], axis=-1).tobytes())
+            content = [(buffer, "4f 4f", "a_now", "a_before")]
+            array = context.vertex_array(self._program.gl, content)
+            array.render(moderngl.TRIANGLES)
+            array.release()
+            buffer.release()
 
-    def _draw(self, drawable: Drawable, now: Positions, was: Positions) -> None:
-        self.world.set_culling(drawable)
-        number = self._program.uniforms["u_number"]
-        number.write(number.encode(np.array([drawable.number], np.float64), "u_number"))
-        context = self.world.gpu.ctx
-        buffer = context.buffer(np.concatenate([now, was], axis=-1).tobytes())
-        content = [(buffer, "4f 4f", "a_now", "a_before")]
-        array = context.vertex_array(self._program.gl, content)
-        array.render(moderngl.TRIANGLES)
-        array.release()
-        buffer.release()
-
-    def _surface(self, frame: int) -> Surface:
+    def _read(self, frame: int) -> Surface:
+        # As motion.frag writes them: red and green the place in -1 to 1, blue the 1/w before, alpha
+        # the number; the mask holds 1/w.
         color = self.world.targets.image().astype(np.float64)
         width, height = self.world.size
         raw = np.frombuffer(self.world.targets.mask.read(), np.float32)

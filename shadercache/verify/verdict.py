@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from shadercache.measure.result_files import plain
 
 Image = NDArray[np.float32]
 
@@ -119,8 +121,8 @@ class Verdict:
         }
 
     def to_json(self) -> dict[str, Any]:
-        """Plain data, with the list of broken laws."""
-        data = asdict(self)
+        """JSON values, with the list of broken laws. Differences without end are null."""
+        data: dict[str, Any] = plain(self)
         data.update(data.pop("laws"), broken=self.broken, reasons=self.reasons)
         return data
 

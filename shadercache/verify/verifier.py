@@ -67,6 +67,7 @@ class Verifier:
         text = written(analysis)
         if text is None:
             return None
+        # The files of the printed original, but with the user's own text in them.
         files = {"original.vert": analysis.vertex_source.text, "original.frag": text}
         bundle = Bundle(emit_original(analysis, "plain").manifest, files)
         try:

@@ -63,11 +63,13 @@ class PositionPass(BoundPass):
         ``truth`` is where the last frame drew the vertices.
         """
         positions = self.captured(inputs)
+        # Both may be infinite or NaN, where only the bits can be compared.
         with np.errstate(invalid="ignore", over="ignore"):
             size = np.abs(truth).max(axis=-1)
             away = np.abs(positions - truth).max(axis=-1)
             bits = positions.view(np.uint32), truth.view(np.uint32)
             same = (away <= EXACT * size) | (bits[0] == bits[1]).all(-1)
+        # What is not finite was drawn nowhere, so nothing is reused of it.
         wrong = ~same & np.isfinite(truth).all(-1)
         if not wrong.any():
             return ""
