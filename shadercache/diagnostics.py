@@ -56,40 +56,16 @@ class Diagnostic:
 
     def render(self) -> str:
         """``file:line:col: error: message [SCnnn]``, the source line and a caret, the hint."""
-        lines = [f"{self._place()}{self.severity}: {self.message} [{self.code}]"]
+        place = "" if self.source is None else f"{self.source.name}: "
         if self.source is not None and self.span is not None:
-            lines += self._snippet(self.source, self.span)
-            lines += self._included(self.source, self.span)
+            place = f"{_place(self.source, self.span.start)}: "
+        lines = [f"{place}{self.severity}: {self.message} [{self.code}]"]
+        if self.source is not None and self.span is not None:
+            lines += _snippet(self.source, self.span)
+            lines += _included(self.source, self.span)
         if self.hint:
             lines.append(f"  hint: {self.hint}")
         return "\n".join(lines)
-
-    def _place(self) -> str:
-        if self.source is None:
-            return ""
-        if self.span is None:
-            return f"{self.source.name}: "
-        return f"{_place(self.source, self.span.start)}: "
-
-    @staticmethod
-    def _snippet(source: Source, span: Span) -> list[str]:
-        line, column = source.position(span.start)
-        text, column = _window(source.part(span.start).line(line), column)
-        width = max(1, min(span.end - span.start, len(text) - column + 1))
-        # Tabs are kept in the padding, so that the caret stands right at any tab width.
-        pad = "".join("\t" if char == "\t" else " " for char in text[: column - 1])
-        gutter = f"{line:5d} | "
-        return [gutter + text, " " * (len(gutter) - 2) + "| " + pad + "^" + "~" * (width - 1)]
-
-    @staticmethod
-    def _included(source: Source, span: Span) -> list[str]:
-        """Where the file was included, if it was."""
-        lines = []
-        origin = source.part(span.start).origin
-        while origin is not None:
-            lines.append(f"  included at {_place(source, origin)}")
-            origin = source.part(origin).origin
-        return lines
 
     def to_json(self) -> dict[str, Any]:
         """A plain dictionary: file, line, column, severity, message, code, hint."""
@@ -109,6 +85,26 @@ class Diagnostic:
             "code": self.code,
             "hint": self.hint,
         }
+
+
+def _snippet(source: Source, span: Span) -> list[str]:
+    line, column = source.position(span.start)
+    text, column = _window(source.part(span.start).line(line), column)
+    width = max(1, min(span.end - span.start, len(text) - column + 1))
+    # Tabs are kept in the padding, so that the caret stands right at any tab width.
+    pad = "".join("\t" if char == "\t" else " " for char in text[: column - 1])
+    gutter = f"{line:5d} | "
+    return [gutter + text, " " * (len(gutter) - 2) + "| " + pad + "^" + "~" * (width - 1)]
+
+
+def _included(source: Source, span: Span) -> list[str]:
+    """Where the file was included, if it was."""
+    lines = []
+    origin = source.part(span.start).origin
+    while origin is not None:
+        lines.append(f"  included at {_place(source, origin)}")
+        origin = source.part(origin).origin
+    return lines
 
 
 def shortened(text: str, limit: int = MAX_QUOTED) -> str:
@@ -148,7 +144,7 @@ class DiagnosticError(Exception):
 
     def __str__(self) -> str:
         """All that is told, one below the other."""
-        return "\n".join(item.render() for item in self.diagnostics)
+        return "\n".join(diagnostic.render() for diagnostic in self.diagnostics)
 
     def __reduce__(self) -> tuple[type[DiagnosticError], tuple[tuple[Diagnostic, ...]]]:
         """What another process needs to raise it again: the diagnostics, not their text."""
@@ -157,8 +153,6 @@ class DiagnosticError(Exception):
 
 class InputError(DiagnosticError):
     """The input is rejected or a law is broken (exit code 1)."""
-
-    exit_code = 1
 
 
 class UsageError(DiagnosticError):

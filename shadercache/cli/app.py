@@ -15,10 +15,9 @@ import os
 import sys
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
-from enum import StrEnum
 from importlib import import_module
 from itertools import islice
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
@@ -31,13 +30,6 @@ COMMANDS = ("check", "nodes", "rewrite", "verify", "run", "bench", "demo", "asse
 
 HIDDEN = frozenset({"demo"})
 """Subcommands that the help text leaves out."""
-
-
-class Format(StrEnum):
-    """How diagnostics are written to stderr."""
-
-    TEXT = "text"
-    JSON = "json"
 
 
 class Reporter:
@@ -114,11 +106,11 @@ def _build(args: Sequence[str], reporter: Reporter) -> typer.Typer:
             ),
         ] = False,
         diagnostics: Annotated[
-            Format,
+            Literal["text", "json"],
             typer.Option(help="How errors are written; may stand behind the command as well."),
-        ] = Format.TEXT,
+        ] = "text",
     ) -> None:
-        reporter.json = diagnostics is Format.JSON
+        reporter.json = diagnostics == "json"
         context.obj = reporter
 
     # A file may have the name of a command; then one more module is imported, and nothing else.
