@@ -33,7 +33,7 @@ PLACES = 8
 CASES = {
     "no jitter": GraphicsState(),
     "jitter known": GraphicsState(jitter=PLACES),
-    "jitter unknown": GraphicsState(jitter=PLACES, told=False),
+    "jitter unknown": GraphicsState(jitter=PLACES, jitter_told=False),
 }
 
 Image = NDArray[np.float64]

@@ -19,8 +19,7 @@ from shadercache.caching.settings import with_settings
 from shadercache.compiler import Analysis, Emission, rewrite
 from shadercache.linking.linker import Linker
 from shadercache.manifest.model import Manifest
-from shadercache.render.bundle import Bundle
-from shadercache.render.linked_object import LinkedObject
+from shadercache.render.bundle import Bundle, LinkedObject
 from shadercache.render.render_scene import RenderScene
 from shadercache.render.variant_runner import VariantRunner
 from shadercache.scene.description import Scene

@@ -1,9 +1,7 @@
 """Texture files on the GPU: ``.png`` (8 bits a channel) and ``.npz`` (any precision).
 
-The latter also hold cube maps and the layers of an array.
-
-Row 0 of a file is uploaded first: it lies at texture coordinate v = 0, for both kinds of file.
-Values reach the shader as stored; nothing is converted from or to sRGB.
+The latter also hold cube maps and the layers of an array. Values reach the shader as stored;
+nothing is converted from or to sRGB.
 """
 
 from __future__ import annotations
@@ -17,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, UnidentifiedImageError
 
-from shadercache.diagnostics import InputError, input_error
+from shadercache.diagnostics import input_error
 from shadercache.gpu.context import Gpu
-from shadercache.scene.npz import load_npz
+from shadercache.scene.npz import INFLATION, load_npz
 from shadercache.scene.object_inputs import TextureSpec
 
 GlTexture = moderngl.Texture | moderngl.TextureCube | moderngl.TextureArray
@@ -32,12 +30,8 @@ _FILTERS = {
     ("linear", True): (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR),
 }
 
-
 MAX_PIXELS = 1 << 26
 """Pixels of a PNG file: 8192 by 8192."""
-
-_RATIO = 1_100
-"""Deflated data are at most 1,032 times as long once they are inflated."""
 
 _ARRAYS = {"faces": "(6, n, n, c)", "layers": "(n, h, w, c)", "pixels": "(h, w, c)"}
 """The array that a ``.npz`` file has one of, and its shape."""
@@ -75,6 +69,7 @@ def load_pixels(path: Path) -> tuple[NDArray[np.generic], str]:
     if pixels.ndim == _ARRAYS[what].count(","):
         pixels = pixels[..., np.newaxis]
     _check(path, pixels, what)
+    # Row 0 of a file is uploaded first: it lies at v = 0, for both kinds of file.
     return np.ascontiguousarray(pixels), what
 
 
@@ -98,26 +93,23 @@ def _check_size(path: Path, width: int, height: int) -> None:
     """Refuse what is too large, and what a file of this size cannot hold."""
     if width * height > MAX_PIXELS:
         raise ValueError(f"it has {width} x {height} pixels; at most {MAX_PIXELS:,} are read")
-    if width * height > 8 * _RATIO * path.stat().st_size:  # A pixel may have one bit.
+    # A pixel may have one bit.
+    if width * height > 8 * INFLATION * path.stat().st_size:
         raise ValueError(f"it claims {width} x {height} pixels, which the file does not hold")
 
 
 def _check(path: Path, pixels: NDArray[np.generic], what: str) -> None:
-    shape = pixels.shape
-    wanted = _ARRAYS[what]
-    good = len(shape) == wanted.count(",") + 1 and min(shape) > 0 and shape[-1] <= 4
-    if good and what == "faces":
-        good = shape[0] == 6 and shape[1] == shape[2]
-    if not good:
-        raise _bad(path, f"has shape {shape}, not {wanted} with 1 to 4 channels")
-    if pixels.dtype.name not in _DTYPES:
-        raise _bad(path, f"has {pixels.dtype} values, not float32, float16 or uint8")
-    if not np.isfinite(pixels).all():
-        raise _bad(path, "holds NaN or infinity")
-
-
-def _bad(path: Path, what: str) -> InputError:
-    return input_error("SC531", f"the texture {path} {what}")
+    shape, wanted = pixels.shape, _ARRAYS[what]
+    fits = len(shape) == wanted.count(",") + 1 and min(shape) > 0 and shape[-1] <= 4
+    if not fits or (what == "faces" and (shape[0] != 6 or shape[1] != shape[2])):
+        fault = f"has shape {shape}, not {wanted} with 1 to 4 channels"
+    elif pixels.dtype.name not in _DTYPES:
+        fault = f"has {pixels.dtype} values, not float32, float16 or uint8"
+    elif not np.isfinite(pixels).all():
+        fault = "holds NaN or infinity"
+    else:
+        return
+    raise input_error("SC531", f"the texture {path} {fault}")
 
 
 def made_pixels(what: str) -> tuple[NDArray[np.generic], str]:
@@ -138,7 +130,7 @@ def upload_texture(gpu: Gpu, spec: TextureSpec) -> GlTexture:
     Raises:
         InputError: SC530, SC531 as ``load_pixels``.
     """
-    pixels, what = made_pixels(spec.path.name) if spec.made else load_pixels(spec.path)
+    pixels, what = made_pixels(spec.path.name) if spec.generated else load_pixels(spec.path)
     texture = _create(gpu.ctx, pixels, what)
     if spec.mipmap:
         texture.build_mipmaps()

@@ -97,9 +97,9 @@ def block_uniforms(
     Raises:
         InputError: SC524 for a block that is not laid out as std140 lays out columns.
     """
-    told = {item.name: item for item in inputs if isinstance(item, UniformBlockInput)}
+    blocks = {entry.name: entry for entry in inputs if isinstance(entry, UniformBlockInput)}
     for name, buffer in buffers.items():
-        block = told.get(name)
+        block = blocks.get(name)
         if block is None or not _is_usual(block, buffer.size):
             message = f"{shader}: the harness cannot fill the uniform block {name}"
             hint = "it fills blocks with layout(std140), by columns, and not in arrays"

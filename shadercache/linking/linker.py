@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from shadercache.caching.algorithms import NAMES
 from shadercache.caching.configuration import Assignment, Configuration, Mode, by_every_algorithm
-from shadercache.compiler import Analysis, emit_original, rewrite
+from shadercache.compiler import Analysis, Emission, emit_original, rewrite
 from shadercache.linking.scene_shaders import analyse_scene
-from shadercache.render.bundle import Bundle
-from shadercache.render.linked_object import LinkedObject
+from shadercache.render.bundle import Bundle, LinkedObject
 from shadercache.scene.description import Scene, SceneObject
 
 
@@ -30,10 +31,10 @@ class Linker:
         self._bundles: dict[tuple[object, ...], Bundle] = {}
         self.scene = scene
         named = tuple(
-            replace(item, inputs=item.inputs.with_aliases(self._analysis(item).renamed))
-            if item.own_shader
-            else item
-            for item in scene.objects
+            replace(part, inputs=part.inputs.with_aliases(self._analysis(part).renamed))
+            if part.own_shader
+            else part
+            for part in scene.objects
         )
         self.scene = replace(scene, objects=named)
 
@@ -44,7 +45,7 @@ class Linker:
         a block that an object asks for holds for it.
         """
         return Assignment(
-            tuple((item.name, self._chosen(item, configuration)) for item in self.scene.parts)
+            tuple((part.name, self._chosen(part, configuration)) for part in self.scene.parts)
         )
 
     def link(
@@ -61,13 +62,13 @@ class Linker:
         modes = [chosen.mode for _, chosen in assignment.objects if chosen is not None]
         mode: Mode = modes[0] if modes else "plain"
         linked = []
-        for item, (_, chosen) in zip(self.scene.parts, assignment.objects, strict=True):
-            given = None if item.own_shader else bundle
+        for part, (_, chosen) in zip(self.scene.parts, assignment.objects, strict=True):
+            given = None if part.own_shader else bundle
             if chosen is None:
-                linked.append(LinkedObject(given or self._original(item, mode)))
+                linked.append(LinkedObject(given or self._original(part, mode)))
                 continue
-            cached = LinkedObject(given or self._variants(item, chosen), chosen)
-            linked.append(cached.by(chosen.algorithm) if item.own_shader else cached)
+            cached = LinkedObject(given or self._variants(part, chosen), chosen)
+            linked.append(cached.by(chosen.algorithm) if part.own_shader else cached)
         return tuple(linked)
 
     def algorithms(self, configuration: Configuration) -> tuple[str, ...]:
@@ -77,12 +78,12 @@ class Linker:
     def originals(self, mode: Mode = "plain", bundle: Bundle | None = None) -> tuple[Bundle, ...]:
         """The unchanged shaders of each object; ``bundle`` as in :meth:`link`."""
         return tuple(
-            bundle if bundle and not item.own_shader else self._original(item, mode)
-            for item in self.scene.parts
+            bundle if bundle and not part.own_shader else self._original(part, mode)
+            for part in self.scene.parts
         )
 
-    def _chosen(self, item: SceneObject, configuration: Configuration) -> Configuration | None:
-        wanted, longest = item.caching, configuration.refresh.period
+    def _chosen(self, part: SceneObject, configuration: Configuration) -> Configuration | None:
+        wanted, longest = part.caching, configuration.refresh.period
         if not wanted.on:
             return None
         own = configuration.with_refresh(min(wanted.period or longest, longest), wanted.block)
@@ -90,31 +91,29 @@ class Linker:
             return own
         return replace(own, nodes=tuple(wanted.node.split("+")), fetches="whole")
 
-    def _variants(self, item: SceneObject | None, configuration: Configuration) -> Bundle:
-        """All variants, since the parts of P/T and of the floor are measured on them.
-
-        Without an item they are the scene's own shader's.
-        """
-        analysis = self.analysis if item is None else self._analysis(item)
+    def _variants(self, part: SceneObject | None, configuration: Configuration) -> Bundle:
+        """Without a part they are the scene's own shader's."""
+        analysis = self.analysis if part is None else self._analysis(part)
         first = replace(configuration.compiled, algorithm=NAMES[0])
         key = (id(analysis), first, configuration.storage.format)
+        # All algorithms, since the parts of P/T and of the floor are measured on their passes.
+        every = by_every_algorithm(configuration)
+        return self._bundle(key, lambda: rewrite(analysis, every, unprofitable=True))
+
+    def _original(self, part: SceneObject, mode: Mode) -> Bundle:
+        analysis = self._analysis(part)
+        return self._bundle((id(analysis), mode), lambda: emit_original(analysis, mode))
+
+    def _bundle(self, key: tuple[object, ...], emit: Callable[[], Emission[Any]]) -> Bundle:
         if key not in self._bundles:
-            emission = rewrite(analysis, by_every_algorithm(configuration), unprofitable=True)
+            emission = emit()
             self._bundles[key] = Bundle(emission.manifest, emission.files)
         return self._bundles[key]
 
-    def _original(self, item: SceneObject, mode: Mode) -> Bundle:
-        analysis = self._analysis(item)
-        key = (id(analysis), mode)
-        if key not in self._bundles:
-            original = emit_original(analysis, mode)
-            self._bundles[key] = Bundle(original.manifest, original.files)
-        return self._bundles[key]
-
-    def _analysis(self, item: SceneObject) -> Analysis:
-        if not item.own_shader:
+    def _analysis(self, part: SceneObject) -> Analysis:
+        if not part.own_shader:
             return self.analysis
-        shaders = (item.fragment, item.vertex)
+        shaders = (part.fragment, part.vertex)
         if shaders not in self._own:
-            self._own[shaders] = analyse_scene(self.scene.alone(item))[1]
+            self._own[shaders] = analyse_scene(self.scene.alone(part))[1]
         return self._own[shaders]

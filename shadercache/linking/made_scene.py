@@ -64,7 +64,7 @@ def made_scene(fragment: Path, analysis: Analysis, vertex: Path | None = None) -
         word = _PREFIX.sub("", name.rpartition(".")[2], count=1).replace("_", "").lower()
         texture = MADE_TEXTURES.get(kind.name)
         if texture is not None:
-            textures[name] = TextureSpec(Path(texture), "linear", True, "repeat", 1.0, made=True)
+            textures[name] = TextureSpec(Path(texture), "linear", True, "repeat", 1.0, True)
         elif word in SEMANTIC and _fits(SEMANTIC[word], kind):
             wide = SEMANTIC[word] == "resolution" and kind.components == 3
             semantics[name] = "resolution-aspect" if wide else SEMANTIC[word]

@@ -29,8 +29,8 @@ def _told(item: Diagnostic, analysis: Analysis) -> Diagnostic:
     """The diagnostic at the user's place, or at the file alone where that is not found."""
     own = (analysis.fragment, analysis.vertex or analysis.fragment)
     if item.source is None:
-        made = "original.vert + " if analysis.vertex is None else ""
-        message = item.message.replace(made, "")
+        generated = "original.vert + " if analysis.vertex is None else ""
+        message = item.message.replace(generated, "")
         for name, source in zip(_PRINTED, own, strict=True):
             message = message.replace(name, source.name)
         return replace(item, message=message)

@@ -7,8 +7,7 @@ from typing import Protocol
 
 from shadercache.caching.configuration import Assignment, Configuration
 from shadercache.linking.linker import Linker
-from shadercache.render.bundle import Bundle
-from shadercache.render.linked_object import LinkedObject
+from shadercache.render.bundle import Bundle, LinkedObject
 from shadercache.render.pass_runners import OriginalRunner
 from shadercache.render.render_scene import RenderScene
 from shadercache.render.variant_runner import VariantRunner

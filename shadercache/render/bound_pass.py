@@ -120,12 +120,12 @@ class BoundPass:
         self._program.bind_blocks()
 
     def _targets(self, caches: CachePair | None) -> tuple[moderngl.Texture, ...]:
-        made = self._world.targets
-        by_name = {"color": made.color}
+        shared = self._world.targets
+        by_name = {"color": shared.color}
         if caches is not None:
             by_name |= dict(zip(CACHE_TARGETS, caches.current, strict=False))
         if "mask" in self._spec.targets:
-            by_name["mask"] = made.mask
+            by_name["mask"] = shared.mask
         return tuple(by_name[name] for name in self._spec.targets)
 
     def _bind(self, naming: Naming) -> None:

@@ -15,6 +15,7 @@ from typing import Any, Literal
 from msgspec import UNSET
 
 from shadercache import foreign_files as foreign
+from shadercache.caching.algorithms import NAMES
 from shadercache.caching.configuration import DEFAULT_EPSILON, Configuration
 from shadercache.caching.settings import with_settings
 from shadercache.diagnostics import input_error, usage_error
@@ -121,15 +122,15 @@ class Bundle:
         if not self.has_variants:
             return plain
         cache = self._variants.cache
-        made = with_settings(plain, [f"{key}={word}" for key, word in cache.options.items()])
+        said = with_settings(plain, [f"{key}={word}" for key, word in cache.options.items()])
         epsilon = self.naming.defaults.get("epsilon", DEFAULT_EPSILON)
         form: Literal["rgba16f", "rgba32f"] = "rgba16f" if cache.format == "rgba16f" else "rgba32f"
         return replace(
-            made,
+            said,
             nodes=tuple(node.id for node in self._variants.nodes),
             algorithm=self.algorithms[0],
-            hit_test=replace(made.hit_test, epsilon=epsilon),
-            storage=replace(made.storage, format=form),
+            hit_test=replace(said.hit_test, epsilon=epsilon),
+            storage=replace(said.storage, format=form),
         )
 
     @cached_property
@@ -267,6 +268,26 @@ class Bundle:
         if name not in self.files:
             raise input_error("SC022", f"the manifest names the file {name}, which is not there")
         return Source(name, self.files[name])
+
+
+@dataclass(frozen=True, eq=False)
+class LinkedObject:
+    """The programs of one object, and the configuration it is drawn by; None: its original."""
+
+    bundle: Bundle
+    configuration: Configuration | None = None
+
+    def by(self, algorithm: str) -> LinkedObject:
+        """The same by an algorithm, or by the last in the table that the object has instead.
+
+        Without any it is drawn by its original.
+        """
+        have = self.bundle.algorithms if self.bundle.has_variants else ()
+        fit = [algorithm, *reversed(NAMES)]
+        chosen = next((name for name in fit if name in have), None)
+        if self.configuration is None or chosen is None:
+            return LinkedObject(self.bundle)
+        return LinkedObject(self.bundle, replace(self.configuration, algorithm=chosen))
 
 
 def load_bundle(folder: Path) -> Bundle:

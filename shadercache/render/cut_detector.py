@@ -47,8 +47,8 @@ class Suspicion:
     why: str
 
     def __str__(self) -> str:
-        told = "a cut that was not told: call reset() before it"
-        return f"frame {self.frame} looks like {told} ({self.why})"
+        what = "a cut that was not told: call reset() before it"
+        return f"frame {self.frame} looks like {what} ({self.why})"
 
 
 @dataclass(slots=True)

@@ -11,9 +11,8 @@ import numpy as np
 from shadercache.caching.configuration import Configuration
 from shadercache.gpu.cache_textures import CachePair
 from shadercache.render.bound_pass import BoundPass, FrameInputs, object_numbers
-from shadercache.render.bundle import Bundle, Naming, PassSpec
+from shadercache.render.bundle import Bundle, LinkedObject, Naming, PassSpec
 from shadercache.render.drawable import Drawable
-from shadercache.render.linked_object import LinkedObject
 from shadercache.render.render_scene import RenderScene
 
 
@@ -84,8 +83,8 @@ class RunInputs:
         given["viewport"] = np.array(viewport, np.float64)
         given["previous-viewport"] = np.array(self._world.viewport(before), np.float64)
         # Told of the jitter, the last frame's place of a point is the one it had with this frame's.
-        told = self._world.scene.view.engine.told or item.before is None
-        last = item.drawable.values(before, frame if told else frame - 1)
+        same_jitter = self._world.scene.view.engine.jitter_told or item.before is None
+        last = item.drawable.values(before, frame if same_jitter else frame - 1)
         return FrameInputs(item.drawable.values(shown, frame), last, given, viewport)
 
 

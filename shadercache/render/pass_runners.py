@@ -15,9 +15,8 @@ from numpy.typing import NDArray
 from shadercache.diagnostics import DiagnosticError
 from shadercache.gpu.resource import Resource
 from shadercache.render.bound_pass import BoundPass, plain_inputs
-from shadercache.render.bundle import NO_NAMES, Bundle, Naming, PassSpec
+from shadercache.render.bundle import NO_NAMES, Bundle, LinkedObject, Naming, PassSpec
 from shadercache.render.drawable import Drawable
-from shadercache.render.linked_object import LinkedObject
 from shadercache.render.render_scene import RenderScene
 from shadercache.scene.graphics_state import ORIGINALS
 

@@ -11,10 +11,8 @@ from shadercache.gpu.context import Gpu, apply_state
 from shadercache.gpu.programs import Programs
 from shadercache.gpu.resource import Resource
 from shadercache.gpu.targets import Targets
-from shadercache.gpu.textures import GlTexture
 from shadercache.render.drawable import Drawable
 from shadercache.render.uploads import Uploads
-from shadercache.scene.camera import Values
 from shadercache.scene.description import Scene
 from shadercache.scene.mesh import Mesh
 from shadercache.scene.motion import REST, Camera, CameraPath
@@ -23,8 +21,7 @@ from shadercache.scene.motion import REST, Camera, CameraPath
 class RenderScene(Resource):
     """Objects, textures, programs and render targets of one scene at one size.
 
-    ``drawables`` are the objects; of a scene of one, ``mesh``, ``values`` and ``texture`` are its
-    own. With ``culling`` objects outside of the picture are not drawn.
+    ``drawables`` are the objects. With ``culling`` those outside of the picture are not drawn.
     """
 
     def __init__(
@@ -60,19 +57,6 @@ class RenderScene(Resource):
         self._mixed = len({item.cull for item in scene.parts}) > 1
         # moderngl cannot free a query, so there is one for all runners.
         self.sample_counter = gpu.ctx.query(samples=True)
-
-    @property
-    def mesh(self) -> Mesh:
-        """The mesh of the first object."""
-        return self.drawables[0].mesh
-
-    def values(self, frame: int) -> Values:
-        """The uniforms of the first object at a frame. Equal frames give the same values."""
-        return self.drawables[0].values(frame)
-
-    def texture(self, name: str) -> GlTexture | None:
-        """A texture of the first object, as ``Drawable.texture``."""
-        return self.drawables[0].texture(name)
 
     def viewport(self, frame: int) -> tuple[int, int, int, int]:
         """Left, bottom, width and height of what a frame is drawn into, in pixels."""

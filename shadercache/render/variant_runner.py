@@ -14,12 +14,11 @@ from numpy.typing import NDArray
 from shadercache.caching.configuration import Configuration
 from shadercache.diagnostics import DiagnosticError, usage_error
 from shadercache.render.bound_pass import BoundPass
-from shadercache.render.bundle import NO_NAMES, Bundle
+from shadercache.render.bundle import NO_NAMES, Bundle, LinkedObject
 from shadercache.render.cut_detector import CutDetector, ResetReason
 from shadercache.render.draw_items import DrawItem, RunInputs, Turn, turns
 from shadercache.render.drawable import Drawable
 from shadercache.render.empty_passes import EmptyPasses
-from shadercache.render.linked_object import LinkedObject
 from shadercache.render.pass_runners import Runner
 from shadercache.render.render_scene import RenderScene
 

@@ -103,24 +103,18 @@ def _between_keys(camera: Camera, path: CameraPath, frame: int) -> Camera:
     end = next((at for at, key in enumerate(rest) if key.cut), len(rest))
     shot = [*past[first:], *rest[:end]]
     at = max(0, len(past) - first - 1)
-    points = [shot[min(max(at + step, 0), len(shot) - 1)] for step in (-1, 0, 1, 2)]
-    start, stop = points[1].frame, points[2].frame
+    four = [shot[min(max(at + step, 0), len(shot) - 1)] for step in (-1, 0, 1, 2)]
+    start, stop = four[1].frame, four[2].frame
     part = min(1.0, max(0.0, (frame - start) / (stop - start))) if stop > start else 0.0
-
-    def curve(name: str) -> tuple[float, float, float]:
-        values = [np.asarray(getattr(key, name), np.float64) for key in points]
-        x, y, z = _catmull_rom(values, part)
-        return float(x), float(y), float(z)
-
-    angle = points[1].fov_degrees + part * (points[2].fov_degrees - points[1].fov_degrees)
-    return replace(
-        camera, eye=curve("eye"), target=curve("target"), up=curve("up"), fov_degrees=angle
-    )
+    places = [np.array([key.eye, key.target, key.up], np.float64) for key in four]
+    eye, target, up = ((float(x), float(y), float(z)) for x, y, z in _catmull_rom(places, part))
+    angle = four[1].fov_degrees + part * (four[2].fov_degrees - four[1].fov_degrees)
+    return replace(camera, eye=eye, target=target, up=up, fov_degrees=angle)
 
 
 def _catmull_rom(points: Sequence[Matrix], part: float) -> Matrix:
     a, b, c, d = points
-    if part == 0.0:
+    if part == 0.0:  # At a key the camera is where the file says, to the bit.
         return b
     slope_b, slope_c = (c - a) / 2.0, (d - b) / 2.0
     t2, t3 = part * part, part * part * part

@@ -31,18 +31,17 @@ ORIGINALS: Mapping[str, str] = {
 class GraphicsState:
     """State of an application.
 
-    ``offset``: factor and units of the polygon offset. ``jitter``: the picture is shifted by less
-    than half a pixel, by another of so many places in each frame (0: it is not). ``told``: the
-    previous positions are those of this frame's jitter, so that jitter is no motion.
-    ``viewports``: left, bottom, width and height as shares of the target, in turns of ``hold``
-    frames each.
+    ``offset``: factor and units of the polygon offset. ``jitter``: over how many places the picture
+    is shifted, by less than half a pixel, one a frame (0: it is not). ``jitter_told``: the previous
+    positions have this frame's jitter, so that jitter is no motion. ``viewports``: left, bottom,
+    width and height as shares of the target, in turns of ``hold`` frames each.
     """
 
     depth: DepthFunction = "less"
     offset: tuple[float, float] = (0.0, 0.0)
     clip: ClipSpace = "symmetric"
     jitter: int = 0
-    told: bool = True
+    jitter_told: bool = True
     viewports: tuple[Rectangle, ...] = (WHOLE,)
     hold: int = 1
 
@@ -112,7 +111,7 @@ def read_engine(table: Table) -> GraphicsState:
         offset=(float(factor), float(units)),
         clip=cast(ClipSpace, clip),
         jitter=table.whole("jitter", 0, least=0),
-        told=table.boolean("jitter_told", True),
+        jitter_told=table.boolean("jitter_told", True),
         viewports=tuple((float(a), float(b), float(c), float(d)) for a, b, c, d in viewports)
         or (WHOLE,),
         hold=table.whole("viewport_frames", 1, least=1),

@@ -24,6 +24,7 @@ from shadercache.scene.description import Scene
 from shadercache.scene.npz import load_npz
 
 _HELPERS = ("bounds", "index", "index_delta")
+_LARGEST = {"u16": 65535.0, "i16": 32767.0, "i8": 127.0}
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,9 +44,7 @@ def load_mesh(path: Path) -> Mesh:
             wrong shape or with values that are not finite, SC513 an index out of range.
     """
     raw = load_npz(path, "SC510", "the mesh")
-    arrays = {
-        name: _decode(path, key, name, raw) for key in raw if (name := _target(key)) is not None
-    }
+    arrays = dict(_decode(path, key, raw) for key in raw if key not in _HELPERS)
     if "position" not in arrays:
         raise input_error("SC511", f"the mesh {path} has no array 'position'")
     count = len(arrays["position"])
@@ -80,36 +79,29 @@ def replacement_mesh(scene: Scene, path: Path | None) -> Mesh | None:
     return load_mesh(path)
 
 
-def _target(key: str) -> str | None:
-    if key in _HELPERS:
-        return None
-    name, _, suffix = key.rpartition("_")
-    return name if suffix in ("u16", "i16", "i8") else key
-
-
 def _decode(
-    path: Path, key: str, name: str, raw: Mapping[str, NDArray[np.generic]]
-) -> NDArray[np.float32]:
+    path: Path, key: str, raw: Mapping[str, NDArray[np.generic]]
+) -> tuple[str, NDArray[np.float32]]:
+    """Name and values of a stored array."""
     array = raw[key]
     if array.dtype.kind not in "fiu" or array.ndim not in (1, 2) or not array.size:
         raise _bad_shape(path, key, f"{array.dtype} {array.shape}")
     values = array.astype(np.float64).reshape(len(array), -1)
-    if key.endswith("_u16"):
-        values /= 65535.0
-        if name == "position":
-            low, high = _bounds(path, raw)
-            values = low + values * (high - low)
-    elif key.endswith(("_i16", "_i8")):
-        values /= 32767.0 if key.endswith("_i16") else 127.0
+    name, _, suffix = key.rpartition("_")
+    largest = _LARGEST.get(suffix)
+    if largest is None:
+        return key, np.ascontiguousarray(values, np.float32)
+    values /= largest
+    if suffix != "u16":
+        # Rounding has made directions a little too short or too long.
         values /= np.maximum(np.linalg.norm(values, axis=1, keepdims=True), 1e-12)
-    return np.ascontiguousarray(values, np.float32)
-
-
-def _bounds(path: Path, raw: Mapping[str, NDArray[np.generic]]) -> NDArray[np.float64]:
-    bounds = raw.get("bounds")
-    if bounds is None or bounds.shape != (2, 3):
-        raise input_error("SC511", f"the mesh {path} has position_u16 but no 'bounds' (2, 3)")
-    return bounds.astype(np.float64)
+    elif name == "position":
+        bounds = raw.get("bounds")
+        if bounds is None or bounds.shape != (2, 3):
+            raise input_error("SC511", f"the mesh {path} has position_u16 but no 'bounds' (2, 3)")
+        low, high = bounds.astype(np.float64)
+        values = low + values * (high - low)
+    return name, np.ascontiguousarray(values, np.float32)
 
 
 def _check_array(path: Path, name: str, array: NDArray[np.float32], count: int) -> None:

@@ -11,7 +11,7 @@ import tokenize
 import zipfile
 import zlib
 from pathlib import Path
-from typing import IO, Any
+from typing import IO
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,16 +26,16 @@ MAX_BYTES = 1 << 30
 
 MAX_ARRAYS = 1_000
 
-_RATIO = 1_100
+INFLATION = 1_100
 """Deflated data are at most 1,032 times as long once they are inflated."""
 
 _ENDING = ".npy"
 
+# What numpy raises beside ValueError: it evaluates a header as Python.
 _NO_HEADER = (
     *(LookupError, MemoryError, OverflowError, RecursionError, SyntaxError, TypeError),
     *(AttributeError, tokenize.TokenError),
 )
-"""What numpy raises beside ``ValueError``: it evaluates a header as Python."""
 
 
 class _UnusableError(Exception):
@@ -60,39 +60,27 @@ def load_npz(path: Path, code: str, what: str) -> dict[str, NDArray[np.generic]]
 
 
 def _arrays(archive: zipfile.ZipFile) -> dict[str, NDArray[np.generic]]:
-    members = [item for item in archive.infolist() if item.filename.endswith(_ENDING)]
+    members = [entry for entry in archive.infolist() if entry.filename.endswith(_ENDING)]
     if len(members) > MAX_ARRAYS:
         raise _UnusableError(f"it holds {len(members):,} arrays; at most {MAX_ARRAYS:,} are read")
-    whole = sum(item.file_size for item in members)
+    whole = sum(entry.file_size for entry in members)
     if whole > MAX_BYTES:
         raise _UnusableError(f"its arrays have {whole:,} bytes; at most {MAX_BYTES:,} are read")
-    found: dict[str, NDArray[np.generic]] = {}
+    arrays: dict[str, NDArray[np.generic]] = {}
     numbers = 0
-    for item in members:
-        if item.file_size > _RATIO * (item.compress_size + 1):
-            raise _claims(item, f"{item.file_size:,} bytes")
-        with archive.open(item) as stream:
-            array = _array(stream, item)
+    for entry in members:
+        if entry.file_size > INFLATION * (entry.compress_size + 1):
+            raise _claims(entry, f"{entry.file_size:,} bytes")
+        with archive.open(entry) as stream:
+            array = _array(stream, entry)
         numbers += array.size
         if numbers > MAX_NUMBERS:
             raise _UnusableError(f"it holds more than {MAX_NUMBERS:,} numbers")
-        found[item.filename.removesuffix(_ENDING)] = array
-    return found
+        arrays[entry.filename.removesuffix(_ENDING)] = array
+    return arrays
 
 
-def _array(stream: IO[bytes], item: zipfile.ZipInfo) -> NDArray[np.generic]:
-    shape, by_columns, dtype = _header(stream)
-    count = math.prod(shape)
-    if min(shape, default=0) < 0 or dtype.hasobject or dtype.itemsize == 0:
-        raise ValueError
-    if stream.tell() + count * dtype.itemsize != item.file_size or count > MAX_NUMBERS:
-        raise _claims(item, f"{count:,} numbers")
-    data = np.frombuffer(stream.read(), dtype, count)
-    return data.reshape(shape, order="F" if by_columns else "C")
-
-
-def _header(stream: IO[bytes]) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:
-    """Shape, order and type of the array that begins here."""
+def _array(stream: IO[bytes], entry: zipfile.ZipInfo) -> NDArray[np.generic]:
     readers = {
         (1, 0): np.lib.format.read_array_header_1_0,
         (2, 0): np.lib.format.read_array_header_2_0,
@@ -101,11 +89,18 @@ def _header(stream: IO[bytes]) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:
     if read is None:
         raise ValueError
     try:
-        return read(stream)
+        shape, by_columns, dtype = read(stream)
     except _NO_HEADER:
         raise ValueError from None
+    count = math.prod(shape)
+    if min(shape, default=0) < 0 or dtype.hasobject or dtype.itemsize == 0:
+        raise ValueError
+    if stream.tell() + count * dtype.itemsize != entry.file_size or count > MAX_NUMBERS:
+        raise _claims(entry, f"{count:,} numbers")
+    data = np.frombuffer(stream.read(), dtype, count)
+    return data.reshape(shape, order="F" if by_columns else "C")
 
 
-def _claims(item: zipfile.ZipInfo, what: str) -> _UnusableError:
-    name = item.filename.removesuffix(_ENDING)
+def _claims(entry: zipfile.ZipInfo, what: str) -> _UnusableError:
+    name = entry.filename.removesuffix(_ENDING)
     return _UnusableError(f"its array {name!r} claims {what}, which the file does not hold")

@@ -29,14 +29,14 @@ CAUSES = ("view", "light", "time")
 
 @dataclass(frozen=True, slots=True)
 class TextureSpec:
-    """A texture file and how it is sampled. ``made``: it is generated, and ``path`` says what."""
+    """A texture file and how it is sampled; a ``generated`` one has no file but a name."""
 
     path: Path
     filter: str
     mipmap: bool
     wrap: str
     anisotropy: float
-    made: bool = False
+    generated: bool = False
 
 
 @dataclass(frozen=True, slots=True)

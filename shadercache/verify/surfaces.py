@@ -72,7 +72,7 @@ class Surfaces:
     def before(self, drawable: Drawable, frame: int) -> Positions:
         """Where the frame before drew the corners of an object."""
         was = max(frame - 1, 0)
-        told = self.world.scene.view.engine.told
+        told = self.world.scene.view.engine.jitter_told
         # Told of the jitter, passes take the last frame's points with this frame's jitter.
         return self._captured(drawable, was, frame if told else was)
 

@@ -144,13 +144,16 @@ def test_textures_reach_the_shader(textured: RenderScene) -> None:
 
 
 def test_sampling_state(textured: RenderScene) -> None:
-    flat, sharp = textured.texture("u_flat"), textured.texture("u_sharp")
+    flat, sharp = textured.drawables[0].texture("u_flat"), textured.drawables[0].texture("u_sharp")
     assert isinstance(flat, moderngl.Texture) and isinstance(sharp, moderngl.Texture)
     assert flat.filter == (moderngl.NEAREST_MIPMAP_NEAREST, moderngl.NEAREST)
     assert sharp.filter == (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR)
     assert (flat.repeat_x, sharp.repeat_y) == (False, True)
     assert sharp.anisotropy == 4.0
-    assert textured.texture("u_flat") is flat and textured.texture("u_none") is None
+    assert (
+        textured.drawables[0].texture("u_flat") is flat
+        and textured.drawables[0].texture("u_none") is None
+    )
 
 
 def test_wrong_textures(textured: RenderScene, tmp_path: Path) -> None:

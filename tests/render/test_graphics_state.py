@@ -31,7 +31,7 @@ ENGINES = {
     "zero to one": GraphicsState(clip="zero-to-one"),
     "polygon offset": GraphicsState(offset=(1.5, 40.0)),
     "jitter": GraphicsState(jitter=8),
-    "jitter, untold": GraphicsState(jitter=8, told=False),
+    "jitter, untold": GraphicsState(jitter=8, jitter_told=False),
     "all": GraphicsState("greater", (-1.0, -8.0), "zero-to-one", 5),
 }
 
@@ -123,7 +123,7 @@ def test_jitter_is_no_motion_where_it_is_told(gpu: Gpu, scene: Scene, bundle: Bu
     still = altered(scene, degrees_per_frame=0.0)
     changes = {}
     for told in (True, False):
-        engine = GraphicsState(jitter=8, told=told)
+        engine = GraphicsState(jitter=8, jitter_told=told)
         with (
             RenderScene(gpu, altered(still, engine=engine), SIZE, "rgba32f") as world,
             variant(world, bundle, "2-pass", period=65535, form=EXACT) as runner,

@@ -43,7 +43,7 @@ def agree(
     world: RenderScene, bundle: Bundle, folder: Path, algorithm: str, form: str | None
 ) -> bool:
     """Whether both runners draw the same six frames."""
-    scene, mesh = world.scene, world.mesh
+    scene, mesh = world.scene, world.drawables[0].mesh
     other = IndependentRunner(
         world.gpu.ctx,
         folder,
@@ -51,13 +51,13 @@ def agree(
         world.size,
         {name: mesh.arrays[array] for name, array in scene.common.inputs.attributes.items()},
         mesh.index,
-        {name: world.texture(name) for name in scene.common.inputs.textures},
+        {name: world.drawables[0].texture(name) for name in scene.common.inputs.textures},
         form,
         scene.common.cull,
     )
     with variant(world, bundle, algorithm, period=5, block=4, form=form) as runner:
         for frame in range(6):
-            values = values_of(world.values(frame))
+            values = values_of(world.drawables[0].values(frame))
             expected = runner.image(frame)
             assert expected.any(), "an empty picture proves nothing"
             if other.draw(frame, values, 5, 4).tobytes() != expected.tobytes():

@@ -124,11 +124,11 @@ def given(manifest: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, A
 
 
 def independent(world: RenderScene, folder: Path, algorithm: str) -> IndependentRunner:
-    mesh = world.mesh
+    mesh = world.drawables[0].mesh
     arrays = {
         name: mesh.arrays[array] for name, array in world.scene.common.inputs.attributes.items()
     }
-    textures = {"u_map": world.texture("u_map")}
+    textures = {"u_map": world.drawables[0].texture("u_map")}
     return IndependentRunner(
         *(world.gpu.ctx, folder, algorithm, world.size, arrays, mesh.index, textures)
     )
@@ -157,7 +157,7 @@ def same_frames(
         for frame in range(6):
             expected = runner.image(frame)
             assert expected.any(), "an empty picture proves nothing"
-            drawn = other.draw(frame, given(manifest, world.values(frame)), 5, 4)
+            drawn = other.draw(frame, given(manifest, world.drawables[0].values(frame)), 5, 4)
             found.append(drawn.tobytes() == expected.tobytes())
         seen = runner.hit_mask(6)
         assert (seen == bundle.mask_values["hit"]).sum() > 0.5 * (seen > 0).sum()
