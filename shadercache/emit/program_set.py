@@ -28,6 +28,7 @@ from shadercache.sema.facts import Stage
 from shadercache.transform.proof.make_precise import make_precise
 from shadercache.transform.proof.opaque_arguments import make_arguments_opaque
 from shadercache.transform.proof.opaque_varyings import hide_uniform_varyings
+from shadercache.transform.proof.rewrite_do_loops import rewrite_do_loops
 from shadercache.transform.proof.write_out_matrices import write_out_matrices
 from shadercache.transform.versions.state_precisions import with_precisions
 
@@ -209,6 +210,7 @@ class _ProgramWriter:
         memo, prefix = self.vertex.memo, self.vertex.prefix
         module = with_precisions(shader.module, memo)
         if self.mode == "proof":
+            module = rewrite_do_loops(module, prefix)
             if stage == "fragment":
                 module = make_arguments_opaque(module, memo)
             else:

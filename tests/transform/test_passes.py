@@ -29,6 +29,7 @@ from shadercache.transform.names import FreshNames, fresh_prefix
 from shadercache.transform.proof.make_precise import make_precise
 from shadercache.transform.proof.opaque_arguments import make_arguments_opaque
 from shadercache.transform.proof.opaque_varyings import hide_uniform_varyings
+from shadercache.transform.proof.rewrite_do_loops import rewrite_do_loops
 from shadercache.transform.proof.write_out_matrices import write_out_matrices
 from shadercache.transform.remove_dead import remove_dead
 from shadercache.transform.rename import rename
@@ -117,6 +118,7 @@ PASSES: dict[str, Pass] = {
     "plain_builtin_block": lambda m, facts, about: plain_builtin_block(m, facts),
     "remove_dead": lambda m, facts, about: remove_dead(m, _words(about, "color")),
     "rename": lambda m, facts, about: rename(m, dict(about)),
+    "rewrite_do_loops": lambda m, facts, about: rewrite_do_loops(m, "sc_"),
     "specialise": _specialised,
     "spell_lists": lambda m, facts, about: spell_lists(m, facts),
     "split_declarations": lambda m, facts, about: split_declarations(m),
