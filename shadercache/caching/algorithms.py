@@ -49,22 +49,22 @@ class Algorithm:
     @property
     def branches(self) -> bool:
         """Does one pass both look up and compute, so that a branch is between them?"""
-        return any(item.on_reset and PREVIOUS in item.reads for item in self.passes)
+        return any(record.on_reset and PREVIOUS in record.reads for record in self.passes)
 
     @property
     def reads_back(self) -> bool:
         """Is the payload of a frame read from the cache in that frame?"""
-        return any(CURRENT in item.reads for item in self.passes)
+        return any(CURRENT in record.reads for record in self.passes)
 
     @property
     def resets_at_once(self) -> bool:
         """Is a frame after a reset one pass that looks nothing up?"""
-        drawn = [item for item in self.passes if item.on_reset]
+        drawn = [record for record in self.passes if record.on_reset]
         return len(drawn) == 1 and not self.branches
 
-    def file_of(self, item: AlgorithmPass) -> str:
+    def file_of(self, record: AlgorithmPass) -> str:
         """The name of a pass's files, without their endings."""
-        return self.name if len(self.passes) == 1 else f"{self.name}.{item.name}"
+        return self.name if len(self.passes) == 1 else f"{self.name}.{record.name}"
 
 
 ALGORITHMS = (
@@ -99,7 +99,7 @@ ALGORITHMS = (
 DEFAULT = "2-pass"
 """What a configuration takes where nothing is said."""
 
-NAMES = tuple(item.name for item in ALGORITHMS)
+NAMES = tuple(record.name for record in ALGORITHMS)
 
 
 def algorithm(name: str) -> Algorithm:
@@ -107,4 +107,4 @@ def algorithm(name: str) -> Algorithm:
     return _BY_NAME[name]
 
 
-_BY_NAME = {item.name: item for item in ALGORITHMS}
+_BY_NAME = {record.name: record for record in ALGORITHMS}

@@ -180,10 +180,10 @@ class Configuration:
         Raises:
             InputError: SC029, a field or value that is not known, at its path.
         """
-        made: Configuration = _read(cls, data, "configuration")
-        if made.algorithm not in NAMES:
-            raise _unknown("configuration.algorithm", made.algorithm)
-        return made
+        configuration: Configuration = _read(cls, data, "configuration")
+        if configuration.algorithm not in NAMES:
+            raise _unknown("configuration.algorithm", configuration.algorithm)
+        return configuration
 
     def with_refresh(self, period: int | None = None, block: int | None = None) -> Configuration:
         """The same with another period or block."""
@@ -232,10 +232,10 @@ def _read(kind: Any, data: Any, path: str) -> Any:
         for name in data:
             if name not in hints:
                 raise _unknown(f"{path}.{name}", data[name])
-        known = [item.name for item in fields(kind) if item.name in data]
+        known = [one.name for one in fields(kind) if one.name in data]
         return kind(**{name: _read(hints[name], data[name], f"{path}.{name}") for name in known})
     if get_origin(kind) is tuple and isinstance(data, list | tuple):
-        return tuple(_read(str, item, f"{path}[{at}]") for at, item in enumerate(data))
+        return tuple(_read(str, one, f"{path}[{at}]") for at, one in enumerate(data))
     if get_origin(kind) is Literal and data in get_args(kind):
         return data
     if kind is float and type(data) in (int, float):

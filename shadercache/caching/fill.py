@@ -56,9 +56,9 @@ class Filler(Rewriter):
 
     def functions(self, word: str) -> list[n.FunctionDef]:
         """The functions that a word stands for, filled in: one of most, any number of some."""
-        found = self._meant[word]
-        assert len(found) == 1 or word in _SEVERAL, f"{len(found)} meanings of {word}"
-        return [self._whole(function) for function in found]
+        functions = self._meant[word]
+        assert len(functions) == 1 or word in _SEVERAL, f"{len(functions)} meanings of {word}"
+        return [self._whole(function) for function in functions]
 
     def _whole(self, function: n.FunctionDef) -> n.FunctionDef:
         if function not in self._filled:
@@ -99,8 +99,9 @@ def _statements(function: n.FunctionDef, args: Sequence[n.Expr]) -> Iterator[n.S
                 span=span, expr=n.Assign(op="=", target=n.Name(name=name), value=value)
             ):
                 if kind := new.pop(name, None):
-                    item = n.Declarator(NOWHERE, name, (), value)
-                    stmt = n.DeclStmt(span, n.VarDecl(NOWHERE, n.NO_QUALIFIERS, kind, (item,)))
+                    variable = n.Declarator(NOWHERE, name, (), value)
+                    decl = n.VarDecl(NOWHERE, n.NO_QUALIFIERS, kind, (variable,))
+                    stmt = n.DeclStmt(span, decl)
         yield _with_arguments(stmt, meant)
 
 

@@ -17,7 +17,7 @@ channel each. It is never part of what is unpacked; the look-up asks for it by n
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -238,11 +238,6 @@ class Layout:
         )
         return [*self.leaves(prefix, masked), *extras]
 
-    @cached_property
-    def structs(self) -> tuple[str, ...]:
-        """The names of the structs that the payloads are made of."""
-        return tuple(dict.fromkeys(name for kind in self.types for name in _structs(kind)))
-
 
 def place(channel: int) -> tuple[int, str]:
     """The texel of a channel, 0 or 1, and the channel's name in it."""
@@ -264,8 +259,11 @@ def _parts(kind: Type, path: str) -> Iterator[tuple[str, Type]]:
         yield from _parts(part, below)
 
 
-def _structs(kind: Type) -> Iterator[str]:
-    if kind.struct is not None:
-        for field in kind.struct.fields.values():
-            yield from _structs(field)
-        yield kind.name
+def structs_in(types: Iterable[Type]) -> dict[str, None]:
+    """The names of the structs that values of these types are made of, inner ones first."""
+    names: dict[str, None] = {}
+    for kind in types:
+        if kind.struct is not None:
+            names |= structs_in(kind.struct.fields.values())
+            names[kind.name] = None
+    return names

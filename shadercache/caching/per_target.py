@@ -128,9 +128,9 @@ class _Doubler(Rewriter):
                 return replace(node, args=self._beside(node.args, places))
         return node
 
-    def _beside(self, items: Sequence[N], places: Sequence[int]) -> tuple[N, ...]:
-        beside = (self._both(item) if at in places else [item] for at, item in enumerate(items))
-        return tuple(item for both in beside for item in both)
+    def _beside(self, nodes: Sequence[N], places: Sequence[int]) -> tuple[N, ...]:
+        beside = (self._both(node) if at in places else [node] for at, node in enumerate(nodes))
+        return tuple(node for both in beside for node in both)
 
     def _any(self, condition: n.Expr) -> n.Expr:
         """A condition asked of each texture that holds floats: is it true of any?"""

@@ -10,6 +10,7 @@ from pathlib import Path
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 from shadercache.caching.fill import Filler
+from shadercache.caching.layout import structs_in
 from shadercache.caching.payload_text import payload_text
 from shadercache.caching.per_target import PerTarget
 from shadercache.caching.read_template import FOLDER, Template, parse_template, read_template
@@ -22,7 +23,7 @@ def program_part(main: Path, choice: Choice) -> Template:
     """The declarations of a pass with the ``main`` of a file, callees first, and their comments."""
     template = read_template(main, choice.prefix)
     library = _library(choice, f"{choice.prefix}look_up" in _called(template.decls))
-    decls = [item for decl in template.decls for item in library.filled(decl)]
+    decls = [filled for decl in template.decls for filled in library.filled(decl)]
     functions = library.with_callees(d for d in decls if isinstance(d, n.FunctionDef))
     named = set[str]().union(*map(names_in, functions))
     variables = [
@@ -40,7 +41,7 @@ def _library(choice: Choice, looks: bool) -> _Library:
     names = (*choice.files, choice.marking(looks))
     files = [read_template(FOLDER / f"{name}.glsl", choice.prefix) for name in names]
     text = payload_text(choice.layout, choice.prefix, choice.whole, choice.depths)
-    files.append(parse_template(text, choice.prefix, choice.layout.structs))
+    files.append(parse_template(text, choice.prefix, tuple(structs_in(choice.layout.types))))
     return _Library(files, choice)
 
 
@@ -56,7 +57,7 @@ class _Library:
         self._known = {decl.name: decl for decl in kept if isinstance(decl, n.FunctionDef)}
         self._filled: dict[str, n.FunctionDef] = {}
         variables = (decl for decl in kept if isinstance(decl, n.VarDecl))
-        filled = (item for decl in variables for item in self.filled(decl))
+        filled = (one for decl in variables for one in self.filled(decl))
         self.variables = [decl for decl in filled if isinstance(decl, n.VarDecl)]
         self.comments = [comment for file in files for comment in file.comments]
 
@@ -66,17 +67,17 @@ class _Library:
 
     def with_callees(self, functions: Iterable[n.FunctionDef]) -> list[n.FunctionDef]:
         """Functions with all that they call, each behind those that it calls itself."""
-        found: dict[str, n.FunctionDef] = {}
+        ordered: dict[str, n.FunctionDef] = {}
 
         def add(function: n.FunctionDef) -> None:
             for name in _called([function]):
-                if name in self._known and name not in found:
+                if name in self._known and name not in ordered:
                     add(self._function(name))
-            found[function.name] = function
+            ordered[function.name] = function
 
         for function in functions:
             add(function)
-        return list(found.values())
+        return list(ordered.values())
 
     def _function(self, name: str) -> n.FunctionDef:
         if name not in self._filled:
@@ -94,7 +95,7 @@ def _rank(decl: n.VarDecl) -> int:
 
 def _called(decls: Iterable[n.Decl]) -> dict[str, None]:
     """The functions that are called, in order."""
-    return {item.name: None for d in decls for item in walk(d) if isinstance(item, n.Call)}
+    return {node.name: None for d in decls for node in walk(d) if isinstance(node, n.Call)}
 
 
 def _comments(decls: Iterable[n.Decl], comments: Iterable[n.Comment]) -> tuple[n.Comment, ...]:
@@ -102,7 +103,7 @@ def _comments(decls: Iterable[n.Decl], comments: Iterable[n.Comment]) -> tuple[n
     places = {
         place
         for decl in decls
-        for item in walk(decl)
-        for place in (item.span.start, item.span.end, item.span.end - 1)
+        for node in walk(decl)
+        for place in (node.span.start, node.span.end, node.span.end - 1)
     }
     return tuple(comment for comment in comments if comment.anchor in places)

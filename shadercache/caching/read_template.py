@@ -52,7 +52,7 @@ def parse_template(text: str, prefix: str, structs: Sequence[str] = ()) -> Templ
     module = parse(Source("template.glsl", "\n".join([*head, text])))
     placed = _Placed(-next(_numbers) * _LONGEST)
     decls = placed.rewrite(replace(module, directives=())).decls[len(types) :]
-    return Template(decls, tuple(placed.comment(item) for item in module.comments))
+    return Template(decls, tuple(placed.comment(comment) for comment in module.comments))
 
 
 class _Placed(Rewriter):
@@ -61,8 +61,8 @@ class _Placed(Rewriter):
     def __init__(self, base: int) -> None:
         self._base = base
 
-    def comment(self, item: n.Comment) -> n.Comment:
-        return replace(item, span=self._moved(item.span), anchor=self._base + item.anchor)
+    def comment(self, comment: n.Comment) -> n.Comment:
+        return replace(comment, span=self._moved(comment.span), anchor=self._base + comment.anchor)
 
     def _moved(self, span: Span) -> Span:
         return Span(self._base + span.start, self._base + span.end)

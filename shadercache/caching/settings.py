@@ -29,11 +29,11 @@ def cache_choices() -> dict[str, tuple[str, ...]]:
     """What can be chosen of each, the default first."""
     plain = written_settings(Configuration())
     hints = get_type_hints(Configuration)
-    found: dict[str, tuple[str, ...]] = {}
+    choices: dict[str, tuple[str, ...]] = {}
     for key, (slot, name) in _FIELDS.items():
         words = get_args(get_type_hints(hints[slot])[name]) or ("off", "on")
-        found[key] = (plain[key], *(word for word in words if word != plain[key]))
-    return found
+        choices[key] = (plain[key], *(word for word in words if word != plain[key]))
+    return choices
 
 
 def with_settings(configuration: Configuration, settings: Sequence[str]) -> Configuration:
@@ -63,8 +63,8 @@ def with_settings(configuration: Configuration, settings: Sequence[str]) -> Conf
 
 def written_settings(configuration: Configuration) -> dict[str, str]:
     """The settings as a manifest has them: what :func:`with_settings` reads."""
-    found = {}
+    words = {}
     for key, (slot, name) in _FIELDS.items():
         value = getattr(getattr(configuration, slot), name)
-        found[key] = value if isinstance(value, str) else ("on" if value else "off")
-    return found
+        words[key] = value if isinstance(value, str) else ("on" if value else "off")
+    return words

@@ -7,6 +7,7 @@ files of a slot have the same functions with the same parameters (docs/TRANSFORM
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Literal, TypeAlias
 
 from shadercache.analysis.mapping import MappingKind
 from shadercache.caching.configuration import DEFAULT_EPSILON, Configuration
@@ -22,7 +23,10 @@ NUMBERS = {
 }
 """What words in capitals mean that stand for numbers."""
 
-LOCATE = {
+LocateKind: TypeAlias = MappingKind | Literal["user, current"]
+"""How a pass finds its texel; the last: the user says where the pixel itself is as well."""
+
+LOCATE: dict[LocateKind, tuple[str, ...]] = {
     "surface": ("locate/surface", "locate/by_motion"),
     "screen": ("locate/screen",),
     "user": ("locate/user_pixel", "locate/by_motion"),
@@ -53,20 +57,6 @@ _PIXEL = Resampling("fetch/pixel", "test/pixel")
 _FALLBACK = ("resample/fallback",)
 
 
-@dataclass(frozen=True, slots=True)
-class Located:
-    """How a pass finds its texel; ``own_current``: does the user say where the pixel itself is?"""
-
-    mapping: MappingKind = "surface"
-    own_current: bool = False
-
-    @property
-    def files(self) -> tuple[str, ...]:
-        """What the slot means."""
-        return LOCATE["user, current" if self.own_current else self.mapping]
-
-
-ON_SURFACE = Located()
 DEFAULT = Configuration()
 
 
@@ -80,7 +70,7 @@ class Choice:
     layout: Layout
     prefix: str
     whole: bool = False
-    located: Located = ON_SURFACE
+    located: LocateKind = "surface"
     configuration: Configuration = DEFAULT
 
     @property
@@ -109,7 +99,7 @@ class Choice:
             "wide",
             "texel/bits" if self.layout.bits else "texel/floats",
             *(("due/by_turn", f"due/{chosen.refresh.schedule}") if turns else ()),
-            *self.located.files,
+            *LOCATE[self.located],
             "frame/viewport" if chosen.hit_test.viewport else "frame/whole",
             f"depth/{chosen.storage.depth}",
             f"tolerance/{chosen.hit_test.tolerance}",
@@ -121,7 +111,7 @@ class Choice:
         )
 
     def _look_up(self) -> tuple[str, ...]:
-        chosen, screen = self.configuration, self.located.mapping == "screen"
+        chosen, screen = self.configuration, self.located == "screen"
         how = _PIXEL if screen else self._resampling
         tests = {
             "test/turn": chosen.refresh.schedule != "none" and not chosen.refresh.age,
@@ -131,7 +121,7 @@ class Choice:
             how.test: True,
         }
         between = ("resample/integers",) if self.layout.bits and how.fetch == "fetch/four" else ()
-        found = "marked" if how.part else "unmarked"
+        marked = "marked" if how.part else "unmarked"
         return (
             "look_up",
             how.fetch,
@@ -139,7 +129,7 @@ class Choice:
             *(*how.part, *between, *how.more),
             "ids/kept" if chosen.hit_test.ids else "ids/none",
             "mark/moved" if self._marks else "mark/none",
-            "found/marked_and_judged" if how.part and chosen.refresh.age else f"found/{found}",
+            "found/marked_and_judged" if how.part and chosen.refresh.age else f"found/{marked}",
         )
 
     def _storage(self) -> tuple[str, ...]:
@@ -154,7 +144,7 @@ class Choice:
 
     def marking(self, looks: bool) -> str:
         """The file on whether a pass marks the depths it stores; ``looks``: does it look up?"""
-        marks = self._marks and looks and self.located.mapping != "screen"
+        marks = self._marks and looks and self.located != "screen"
         return "store/marked" if marks else "store/unmarked"
 
     @property

@@ -33,7 +33,7 @@ def merge(module: n.Module, user: Iterable[n.Decl], *parts: Iterable[n.Decl]) ->
     seen: set[str] = set()
     variables: list[n.Decl] = []
     functions: list[n.Decl] = []
-    for decl in (item for part in parts for item in part):
+    for decl in (one for part in parts for one in part):
         names = declared_names(decl)
         if seen.issuperset(names):
             continue
@@ -90,7 +90,7 @@ def interface(module: n.Module) -> Shader:
     uniforms: list[str] = []
     for decl in module.decls:
         if isinstance(decl, n.VarDecl):
-            names = [item.name for item in decl.declarators]
+            names = [declarator.name for declarator in decl.declarators]
         elif isinstance(decl, n.BlockDecl):
             names = [decl.name]
         else:

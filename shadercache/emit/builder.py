@@ -22,7 +22,7 @@ from shadercache.caching.algorithms import Algorithm
 from shadercache.caching.configuration import Configuration
 from shadercache.caching.layout import Layout, extras_of
 from shadercache.caching.program_parts import program_part
-from shadercache.caching.slots import Choice, Located
+from shadercache.caching.slots import Choice, LocateKind
 from shadercache.emit.assemble import Shader, interface, merge, with_locations, without_main
 from shadercache.emit.runtime import FOLDER, runtime_names
 from shadercache.sema.facts import Facts
@@ -63,12 +63,12 @@ class FragmentProgram:
         return self.original is not self.module
 
     @property
-    def located(self) -> Located:
+    def located(self) -> LocateKind:
         """How the passes find their texels."""
-        if self.mapping != "user":
-            return Located(self.mapping)
         functions = (d.name for d in self.module.decls if isinstance(d, n.FunctionDef))
-        return Located(self.mapping, CURRENT_CLIP in functions)
+        if self.mapping == "user" and CURRENT_CLIP in functions:
+            return "user, current"
+        return self.mapping
 
 
 class PassBuilder:
@@ -189,12 +189,12 @@ class PassBuilder:
 
 def _fetches(candidates: Candidates, nodes: Sequence[Candidate]) -> list[SharedUse]:
     """The derivatives and implicit fetches that the nodes' values need, in order of evaluation."""
-    found: dict[SharedUse, None] = {}
+    uses: dict[SharedUse, None] = {}
     for node in nodes:
         assert node.instance is not None and node.place is not None
         value = candidates.slices.value(node.instance, node.place)
-        found |= dict.fromkeys(candidates.derivatives.inside(node.instance, node.place, value))
-    return sorted(found, key=evaluation_order)
+        uses |= dict.fromkeys(candidates.derivatives.inside(node.instance, node.place, value))
+    return sorted(uses, key=evaluation_order)
 
 
 def exact_original(program: FragmentProgram) -> Shader:

@@ -24,14 +24,14 @@ class Packing:
 
     def under(self, qualifiers: n.Qualifiers) -> Packing:
         """With what a ``layout(...)`` changes; its words may be written in capitals."""
-        found = self
-        for item in qualifiers.layout or ():
-            word = item.name.lower()
+        packing = self
+        for entry in qualifiers.layout or ():
+            word = entry.name.lower()
             if word in PACKINGS:
-                found = replace(found, packing=word)
+                packing = replace(packing, packing=word)
             elif word in _MATRICES:
-                found = replace(found, matrices=word)
-        return found
+                packing = replace(packing, matrices=word)
+        return packing
 
 
 def is_default(decl: n.Decl, storage: str) -> bool:

@@ -25,11 +25,11 @@ def print_expression(node: n.Node, least: int = COMMA) -> str:
     out: list[str] = []
     stack: list[str | tuple[n.Node, int]] = [(node, least)]
     while stack:
-        item = stack.pop()
-        if isinstance(item, str):
-            out.append(item)
+        part = stack.pop()
+        if isinstance(part, str):
+            out.append(part)
             continue
-        node, least = item
+        node, least = part
         if isinstance(node, n.Name):
             out.append(node.name)
             continue

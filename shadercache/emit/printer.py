@@ -24,6 +24,7 @@ from shadercache.lang.words import ASSIGN
 from shadercache.source import NOWHERE
 
 _INDENT = "    "
+_NONE = Comments()
 _EXPRESSIONS = frozenset(EXPRESSIONS)
 _HOLDERS = (n.Block, n.If, n.For, n.While, n.DoWhile, n.Switch, n.FunctionDef, n.BlockDecl)
 """Nodes that hold statements or fields; comments in them belong to these."""
@@ -97,7 +98,7 @@ def print_node(node: n.Node) -> str:
         case n.Qualifiers():
             return print_qualifiers(node).rstrip()
         case n.TypeSpec():
-            return _type(node, "", Comments())
+            return _type(node, "", _NONE)
         case n.Declarator():
             return _declarator(node)
         case n.Param():
@@ -105,7 +106,7 @@ def print_node(node: n.Node) -> str:
         case n.LayoutItem():
             return print_layout_item(node)
         case n.StructDef():
-            return _struct(node, "", Comments())
+            return _struct(node, "", _NONE)
         case n.Directive():
             return node.text
     out = _Output()
@@ -147,13 +148,13 @@ def _variables(node: n.VarDecl, indent: str, comments: Comments) -> str:
 
 def _param(node: n.Param) -> str:
     name = f" {node.name}" if node.name else ""
-    type_text = _type(node.type, "", Comments())
+    type_text = _type(node.type, "", _NONE)
     return f"{print_qualifiers(node.qualifiers)}{type_text}{name}{print_dims(node.dims)}"
 
 
 def _proto(node: n.FunctionProto, indent: str) -> str:
     params = ", ".join(map(_param, node.params))
-    type_text = _type(node.type, indent, Comments())
+    type_text = _type(node.type, indent, _NONE)
     return f"{print_qualifiers(node.qualifiers)}{type_text} {node.name}({params})"
 
 
@@ -300,9 +301,7 @@ def _ends_in_open_if(node: n.Node) -> bool:
 
 
 def _condition(node: n.Node) -> str:
-    return (
-        _variables(node, "", Comments()) if isinstance(node, n.VarDecl) else print_expression(node)
-    )
+    return _variables(node, "", _NONE) if isinstance(node, n.VarDecl) else print_expression(node)
 
 
 def _print_switch(node: n.Switch, indent: str, out: _Output) -> None:

@@ -78,12 +78,12 @@ class Twins:
     def _size(self, name: str) -> n.Expr | None:
         """How long the shader says that a built-in array is."""
         sizes = (
-            item.dims[0]
+            declarator.dims[0]
             for decl in self._slice.decls
             if isinstance(decl, n.VarDecl | n.BlockDecl) and is_builtin_output(decl)
             for field in (decl.fields if isinstance(decl, n.BlockDecl) else (decl,))
-            for item in field.declarators
-            if item.name == name and item.dims
+            for declarator in field.declarators
+            if declarator.name == name and declarator.dims
         )
         return next(sizes, None)
 
@@ -140,5 +140,5 @@ def _unplaced(decl: n.Decl) -> n.Decl:
 def _nowhere(qualifiers: n.Qualifiers) -> n.Qualifiers:
     if qualifiers.layout is None:
         return qualifiers
-    layout = tuple(item for item in qualifiers.layout if item.name not in _PLACES)
+    layout = tuple(entry for entry in qualifiers.layout if entry.name not in _PLACES)
     return replace(qualifiers, layout=layout or None)

@@ -8,35 +8,32 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Iterable
+from copy import copy
 
 from shadercache.ast.nodes import Comment
-
-
-class _Index:
-    """All comments of a module: in order, where each begins, and by what they belong to."""
-
-    def __init__(self, comments: Iterable[Comment]) -> None:
-        self.all = sorted(comments, key=lambda comment: comment.span)
-        self.starts = [comment.span.start for comment in self.all]
-        self.anchored: dict[tuple[int, bool], list[Comment]] = {}
-        for comment in self.all:
-            self.anchored.setdefault((comment.anchor, comment.behind), []).append(comment)
 
 
 class Comments:
     """The comments that are still to be printed."""
 
-    def __init__(self, comments: Iterable[Comment] = (), index: _Index | None = None) -> None:
-        self._index = _Index(comments) if index is None else index
+    def __init__(self, comments: Iterable[Comment] = ()) -> None:
+        self._all = sorted(comments, key=lambda comment: comment.span)
+        self._starts = [comment.span.start for comment in self._all]
+        self._anchored: dict[tuple[int, bool], list[Comment]] = {}
+        """By what they belong to: where that begins or, for those behind it, ends."""
+        for comment in self._all:
+            self._anchored.setdefault((comment.anchor, comment.behind), []).append(comment)
         self._taken: set[int] = set()
 
     def __bool__(self) -> bool:
         """Is any left?"""
-        return len(self._taken) < len(self._index.all)
+        return len(self._taken) < len(self._all)
 
     def anew(self) -> Comments:
         """All the comments of the module, none of them printed."""
-        return Comments(index=self._index)
+        fresh = copy(self)
+        fresh._taken = set()
+        return fresh
 
     @property
     def taken(self) -> frozenset[int]:
@@ -52,17 +49,16 @@ class Comments:
 
     def before(self, offset: int) -> list[str]:
         """Those that belong to what begins at an offset."""
-        return self._take(self._index.anchored.get((offset, False), ()))
+        return self._take(self._anchored.get((offset, False), ()))
 
     def behind(self, offset: int) -> list[str]:
         """Those that stand behind what ends at an offset."""
-        return self._take(self._index.anchored.get((offset, True), ()))
+        return self._take(self._anchored.get((offset, True), ()))
 
     def within(self, start: int, end: int) -> list[str]:
         """Those that stand in a range of the source."""
-        starts = self._index.starts
-        first, last = bisect_left(starts, start), bisect_left(starts, end)
-        return self._take(self._index.all[first:last])
+        first, last = bisect_left(self._starts, start), bisect_left(self._starts, end)
+        return self._take(self._all[first:last])
 
     def _take(self, comments: Iterable[Comment]) -> list[str]:
         left = [comment for comment in comments if comment.span.start not in self._taken]

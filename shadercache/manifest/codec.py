@@ -54,15 +54,15 @@ def unusable(reason: str) -> InputError:
 
 def _told(words: str) -> str:
     """What msgspec says, the path in front."""
-    found = _PLACE.fullmatch(words)
-    what = (found["what"] if found else words).replace("`", "'")
+    match = _PLACE.fullmatch(words)
+    what = (match["what"] if match else words).replace("`", "'")
     if len(what) > _LONGEST:
         what = what[:_LONGEST] + " ..."
     what = what[:1].lower() + what[1:]
-    if found is None:
+    if match is None:
         return what
-    path = found["path"]
-    return f"a key of {path}: {what}" if found["key"] else f"{path}: {what}"
+    path = match["path"]
+    return f"a key of {path}: {what}" if match["key"] else f"{path}: {what}"
 
 
 def _on_one_line(value: Any) -> Any:

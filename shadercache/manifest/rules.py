@@ -28,8 +28,8 @@ _OUTCOMES = ("hit", "refresh", "outside", "depth")
 def problems(manifest: Manifest) -> Iterator[Problem]:
     """What is wrong between the fields of a manifest."""
     yield from _interface(manifest)
-    attributes = {item.name for item in manifest.inputs if isinstance(item, AttributeInput)}
-    others = {item.name for item in (*manifest.uniforms, *manifest.inputs)} - attributes
+    attributes = {entry.name for entry in manifest.inputs if isinstance(entry, AttributeInput)}
+    others = {entry.name for entry in (*manifest.uniforms, *manifest.inputs)} - attributes
     for path, entry in passes_of(manifest):
         yield from _pass(path, entry, manifest)
         yield from _unknown(f"{path}.attributes", entry.attributes, attributes)
@@ -69,27 +69,27 @@ def _pass(path: str, entry: PassEntry, manifest: Manifest) -> Iterator[Problem]:
 
 
 def _interface(manifest: Manifest) -> Iterator[Problem]:
-    names = [item.name for item in (*manifest.uniforms, *manifest.inputs)]
+    names = [entry.name for entry in (*manifest.uniforms, *manifest.inputs)]
     yield from _twice("inputs", names)
-    for at, item in enumerate(manifest.inputs):
+    for at, entry in enumerate(manifest.inputs):
         path = f"inputs[{at}]"
-        yield from _twice(f"{path}.stages", item.stages)
-        if isinstance(item, UniformBlockInput | StorageBlockInput):
-            placed = [member.offset is not UNSET for member in item.members]
-            if item.packing in LAID_OUT and not (all(placed) and item.size is not UNSET):
-                yield path, f"a {item.packing} block has a size, and offsets of its members"
-        yield from _twin(path, item, manifest)
+        yield from _twice(f"{path}.stages", entry.stages)
+        if isinstance(entry, UniformBlockInput | StorageBlockInput):
+            placed = [member.offset is not UNSET for member in entry.members]
+            if entry.packing in LAID_OUT and not (all(placed) and entry.size is not UNSET):
+                yield path, f"a {entry.packing} block has a size, and offsets of its members"
+        yield from _twin(path, entry, manifest)
     for at, needed in enumerate(manifest.depends_on):
         yield from _twice(f"depends_on[{at}].stages", needed.stages)
 
 
-def _twin(path: str, item: InputEntry, manifest: Manifest) -> Iterator[Problem]:
-    if not isinstance(item, UniformInput | UniformBlockInput) or item.previous_of is UNSET:
+def _twin(path: str, entry: InputEntry, manifest: Manifest) -> Iterator[Problem]:
+    if not isinstance(entry, UniformInput | UniformBlockInput) or entry.previous_of is UNSET:
         return
-    if manifest.previous.get(item.previous_of) != item.name:
-        yield f"{path}.previous_of", f"'previous' does not lead from {item.previous_of} to it"
-    if item.previous_of not in {other.name for other in manifest.inputs}:
-        yield f"{path}.previous_of", f"there is no input {item.previous_of}"
+    if manifest.previous.get(entry.previous_of) != entry.name:
+        yield f"{path}.previous_of", f"'previous' does not lead from {entry.previous_of} to it"
+    if entry.previous_of not in {other.name for other in manifest.inputs}:
+        yield f"{path}.previous_of", f"there is no input {entry.previous_of}"
 
 
 def _twice(path: str, names: Iterable[str]) -> Iterator[Problem]:

@@ -171,12 +171,12 @@ def reset_sentences(
     configuration: Configuration, setting: Setting, programs: ProgramSet
 ) -> list[str]:
     """What it does on the first frame, whenever the last one does not fit, and on a change."""
-    found = list(RESET_FULL_SCREEN if setting.full_screen else RESET)
+    sentences = list(RESET_FULL_SCREEN if setting.full_screen else RESET)
     at_once = [name for name in programs.variants if algorithm(name).resets_at_once]
     if not at_once or len(programs.variants) == 1:
-        found.remove(SHORT_RESET)
+        sentences.remove(SHORT_RESET)
     twins = [RESET_TWINS] * bool(programs.previous)
-    return [*found, RESET_UNIFORMS, *twins, *_of_changes(configuration.refresh, setting)]
+    return [*sentences, RESET_UNIFORMS, *twins, *_of_changes(configuration.refresh, setting)]
 
 
 def _of_changes(refresh: Refresh, setting: Setting) -> list[str]:
@@ -211,13 +211,13 @@ def relies_on(configuration: Configuration, programs: ProgramSet, setting: Setti
         relies[relies.index(WHOLE_TARGET)] = PART_OF_TARGET
     if configuration.storage.depth != "ndc" and not setting.full_screen:
         relies.append("a perspective projection: in an orthographic one w tells no depth")
-    if configuration.storage.format == "rgba16f" and any(item.reads_back for item in chosen):
+    if configuration.storage.format == "rgba16f" and any(record.reads_back for record in chosen):
         relies.append(_LARGEST_OF_HALF)
     if programs.unchanging:
         names = ", ".join(programs.unchanging)
         relies.append(f"these decide the position and do not change between frames: {names}")
     relies += programs.numbers
-    if configuration.fetches == "level" and any(item.branches for item in chosen):
+    if configuration.fetches == "level" and any(record.branches for record in chosen):
         relies.append(
             "isotropic texture filtering: one pass asks for levels of detail, then fetches at these"
         )

@@ -5,11 +5,9 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 from itertools import product
-from typing import get_args
 
 import pytest
 
-from shadercache.analysis.mapping import MappingKind
 from shadercache.ast import nodes as n
 from shadercache.caching.configuration import Configuration
 from shadercache.caching.layout import Layout, extras_of
@@ -17,7 +15,7 @@ from shadercache.caching.outcomes import OUTCOMES
 from shadercache.caching.program_parts import program_part
 from shadercache.caching.read_template import FOLDER, read_template
 from shadercache.caching.settings import cache_choices, with_settings
-from shadercache.caching.slots import Choice, Located
+from shadercache.caching.slots import LOCATE, Choice
 from shadercache.emit.printer import print_node
 from shadercache.emit.runtime import FOLDER as PASSES
 from shadercache.lang.types import BOOL, FLOAT, INT, Type, vector
@@ -48,11 +46,8 @@ def choices(types: tuple[Type, ...]) -> list[Choice]:
         Choice(Layout(types, extras=extras_of(one)), "sc_", configuration=one)
         for one in configurations
     ]
-    located = [Located(mapping) for mapping in get_args(MappingKind)] + [Located("user", True)]
     others = [
-        replace(plain[0], located=where, whole=whole)
-        for where in located
-        for whole in (False, True)
+        replace(plain[0], located=where, whole=whole) for where in LOCATE for whole in (False, True)
     ]
     return [*plain, *others]
 
@@ -127,6 +122,6 @@ def test_names_get_the_prefix() -> None:
 def test_what_is_put_in_keeps_its_order_of_operations() -> None:
     """As text in the place of a name it would not: ``texel.w - 2.0 * z - 1.0``."""
     asked = with_settings(Configuration(), ["depth=ndc,filter=bilinear"])
-    choice = Choice(Layout((FLOAT,)), "sc_", located=Located("screen"), configuration=asked)
+    choice = Choice(Layout((FLOAT,)), "sc_", located="screen", configuration=asked)
     text = "\n".join(print_node(decl) for decl in program_part(MAINS[0], choice).decls)
     assert "abs(sc_texel.w - (2.0 * gl_FragCoord.z - 1.0))" in text
