@@ -149,7 +149,7 @@ def analyse(
 
 
 def _read_alike(fragment: Source, vertex: Source | None, reading: ReadOptions) -> ReadOptions:
-    """Where one stage is WebGL's, both are."""
+    """Where one stage is WebGL's, both are: a program has one version of GLSL ES."""
     if vertex is None:
         return reading
     other = replace(reading, dialect="glsl")
@@ -168,7 +168,7 @@ def _raised(
     stem = fresh_prefix(*(tree.source.text for tree in trees), stem="legacy")
     stages: list[Raised] = []
     for raised, tree in zip(raise_versions(trees, stem), trees, strict=True):
-        # Mesa wants names for the parameters of prototypes as well.
+        # GLSL lets parameters go without names, and Mesa does not.
         module = name_parameters(raised.module, prefix)
         if module is not raised.module:
             facts = infer(module, tree.source, tree.stage)
@@ -204,17 +204,16 @@ def rewrite(
     *,
     unprofitable: bool = False,
 ) -> Emission[Manifest]:
-    """The programs of a configuration, or of several that differ in their algorithm alone, with
-    their manifest.
+    """The programs of configurations that differ in their algorithm alone, with their manifest.
 
-    Several nodes are cached together: they share the cache's texels, the look-up and the refresh.
-    A node that is refused only as cheaper than a fetch is rewritten where ``unprofitable`` is set.
-    Raises :class:`UsageError` SC010 or SC011 for a node that does not exist, :class:`InputError`
-    with the refusal's code for any other refused node, SC402 without a vertex shader, SC407 where
-    an algorithm that was asked for alone cannot be used for the node, SC408 where a name that has
-    to stay is a keyword in proof mode, SC419 where levels of detail cannot be asked for, SC430
-    where the cache has no room for what is kept beside the payload, SC440 where there are no
-    triangles to refresh by, SC415 to SC417 for nodes that cannot be cached together.
+    Several nodes share the cache's texels, the look-up and the refresh. ``unprofitable``: may nodes
+    be cached that are refused only as cheaper than a fetch?
+
+    Raises:
+        UsageError: SC010, SC011 for a node that does not exist.
+        InputError: the refusal's code for a node, SC415 to SC417 for a set; SC402 without a vertex
+            shader; SC407 where no algorithm fits; SC408 for names that become keywords; SC419,
+            SC430, SC432, SC440 for choices that do not go with the shader.
     """
     wanted = (
         (configurations,) if isinstance(configurations, Configuration) else tuple(configurations)

@@ -1,7 +1,7 @@
 """One value names one configuration: what is cached, by which algorithm, and how.
 
-The slots are those of DESIGN section 3. Equal values are equal configurations; written down they
-are JSON (:meth:`Configuration.to_json`), and :attr:`Configuration.key` names them in short.
+Equal values are equal configurations. Written down they are JSON, and :attr:`Configuration.key`
+names them in short.
 """
 
 from __future__ import annotations
@@ -76,12 +76,9 @@ class Filter:
 
     @property
     def marks_depths(self) -> bool:
-        """Does the sign of a cached depth tell that the payload comes from a part of a filter?
-
-        Such a payload lies up to a pixel beside its place. What is made of it is marked as well,
-        and never again of a part of a filter: so no payload slides along an edge from frame to
-        frame.
-        """
+        """Does the sign of a cached depth tell that the payload comes from a part of a filter?"""
+        # Such a payload lies up to a pixel beside its place. What is made of it is marked as well,
+        # and never again of a part: so no payload slides along an edge from frame to frame.
         return self.kind == "bilateral" or (self.fallback and self.kind != "nearest")
 
 

@@ -1,18 +1,14 @@
 """How payloads lie in the cache: their scalars in the channels of one or two texels.
 
-Three channels of the first texel and four of the second hold the payloads, one behind the other and
-each scalar by scalar in the order of a constructor's arguments; the first texel's last channel
-holds the depth. What is made of floats alone lies in floats and is filtered. As soon as there is an
-integer or a boolean inside, all lies in 32-bit unsigned integers: bits of integers do not survive
-in float channels, whose NaNs a driver may change and whose smallest numbers it may flush to zero
-(GLSL 4.60 section 4.7.1)::
+Three channels of the first texel and four of the second hold the payloads, scalar by scalar in the
+order of a constructor's arguments. The first texel's last channel holds the depth. Floats alone lie
+in floats and are filtered; with an integer or a boolean all lies in 32-bit unsigned integers::
 
     vec4                   (x, y, z, depth) (w)
     vec2 and vec3          (x, y, x of the other, depth) (y, z)
     struct { vec2 a; bool b; }    (bits of a.x, bits of a.y, b, bits of the depth)
 
-What a guard keeps beside the payloads (:class:`Extra`: an object's id) lies behind them, one
-channel each. It is never part of what is unpacked; the look-up asks for it by name.
+What is kept beside the payloads (:class:`Extra`: an object's id) lies behind them, a channel each.
 """
 
 from __future__ import annotations
@@ -29,6 +25,7 @@ XYZW = "xyzw"
 TEXELS = (range(FIRST_TEXEL), range(FIRST_TEXEL, FIRST_TEXEL + SECOND_TEXEL))
 """The channels of payloads that lie in each texel."""
 
+# Three channels of floats need not be a render target (OpenGL 4.6 section 8.5.1).
 _NARROWEST = {1: "r", 2: "rg", 3: "rgba", 4: "rgba"}
 
 
@@ -53,8 +50,7 @@ class Extra:
     """A scalar that each texel holds beside the payloads.
 
     ``value`` is what is stored: a variable of the ``.glsl`` files, without their prefix. An integer
-    in a texel of floats must be small enough to survive there (:data:`MOST_IN_HALF`). The macro
-    ``SC_<NAME>_IN(first, second)`` is it again, from the first and, if there is one, second texel.
+    in a texel of floats must be small enough to survive there (:data:`MOST_IN_HALF`).
     """
 
     name: str
@@ -66,11 +62,8 @@ class Extra:
 class Precision:
     """What a channel of floats holds.
 
-    ``limit`` is the largest number that is reused: of half floats the largest there is
-    (:data:`MOST_OF_HALF`); of others so much less that no filter can make infinity of several.
-    ``least`` is the smallest above zero that drivers may not make zero of, ``resolution`` how much
-    of itself a number is rounded by. Half floats below 2^-14 are rounded, as the format is meant
-    to: by 3e-8, and payloads that change their sign have such.
+    ``limit`` is the largest number that is reused, ``least`` the smallest above zero that drivers
+    may not make zero of, ``resolution`` how much of itself a number is rounded by.
     """
 
     limit: float
@@ -81,7 +74,9 @@ class Precision:
 MOST_OF_HALF = 65504.0
 
 PRECISIONS = {
+    # Below 2^-14 half floats are rounded by 3e-8: payloads that change their sign have such.
     "16f": Precision(MOST_OF_HALF, 0.0, 2.0**-11),
+    # So far below the largest that no filter can make infinity of several.
     "32f": Precision(2.0**126, 2.0**-126, 2.0**-24),
 }
 """By the end of a format's name; unsigned integers hold the bits of ``32f``."""
@@ -93,16 +88,13 @@ def precision_of(texel: str) -> Precision:
 
 
 def empty_depth(layout: Layout, configuration: Configuration) -> float:
-    """What an empty texel has for a depth: it matches nothing. (In bits: as an unsigned integer.)
-
-    The depths of what is drawn are positive, or with ``ndc`` between -1 and 1. Where the sign of a
-    depth is a mark, an empty one has none, so that no slope can lead to it.
-    """
+    """What an empty texel has for a depth, in bits as an unsigned integer: it matches nothing."""
+    # What is drawn has a positive depth, or with `ndc` one between -1 and 1.
     ndc = configuration.storage.depth == "ndc"
     if layout.bits:
         return float(0x40000000) if ndc else 0.0  # The bits of 2.
     if configuration.filter.marks_depths:
-        return 0.0
+        return 0.0  # It has no sign, so that no slope can lead to it.
     return 2.0 if ndc else -1.0
 
 
@@ -123,8 +115,7 @@ class Layout:
     """Where each scalar of the payloads lies. ``types`` have at most seven scalars in all.
 
     ``es``: is it for GLSL ES, where integers may have 16 bits until they are made ``highp``?
-    ``precisions`` of the payloads' variables, where they have any. ``extras`` lie behind them; see
-    ``fits``.
+    ``precisions`` of the payloads' variables, where they have any. ``extras`` lie behind them.
     """
 
     types: tuple[Type, ...]
@@ -135,6 +126,8 @@ class Layout:
     @property
     def bits(self) -> bool:
         """Are the texels unsigned integers?"""
+        # Bits of integers do not survive in floats: a driver may change NaNs and flush the smallest
+        # numbers to zero (GLSL 4.60 section 4.7.1).
         return any(kind.bases != {"float"} for kind in self.types)
 
     @property

@@ -117,12 +117,9 @@ class _Text:
             yield (f"{extra.type} {self.prefix}{extra.name.upper()}({params}) {{ return {text}; }}")
 
     def packing(self) -> Iterator[str]:
-        """Functions that make the texels to store, and words for them without the depth.
-
-        Where not every fragment has payloads a texel may be empty, which matches nothing; so does
-        one that lacks one of several payloads: the third of three passes takes from there what
-        there is, but the next frame needs all or nothing.
-        """
+        """Functions that make the texels to store, and words for them without the depth."""
+        # A texel without payloads is empty and matches nothing. So does one that lacks one of
+        # several: a later pass takes from it what there is, but the next frame needs all of them.
         p, vector, first, second = self.prefix, self.vector, self.packed(0), self.packed(1)
         depth, zero = f"{p}KEPT_DEPTH()", self._zero(1)
         empty = zero if self.numbers[0] == zero else f"{zero}, {zero}, {zero}, {p}no_depth"

@@ -88,7 +88,7 @@ class _Library:
 
 
 def _rank(decl: n.VarDecl) -> int:
-    """Constants stand first, then what comes from outside."""
+    """Constants stand first, for the others use them; then what comes from outside."""
     kinds = ("const", "uniform", "in", "out")
     return next((at for at, kind in enumerate(kinds) if decl.qualifiers.has(kind)), len(kinds))
 

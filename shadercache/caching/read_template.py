@@ -1,7 +1,7 @@
 """The ``.glsl`` files of this package and of the passes, as trees: each is parsed once.
 
-Their nodes stand nowhere, so nothing takes them for the user's. Only statements and declarations
-have places, all of them negative: there the comments are anchored, and no two files share one.
+Their expressions stand nowhere, so nothing takes them for the user's. Statements and declarations
+have negative places, to which comments are anchored; no two files share one.
 """
 
 from __future__ import annotations

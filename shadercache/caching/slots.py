@@ -75,8 +75,8 @@ class Choice:
 
     @property
     def _resampling(self) -> Resampling:
-        """The filter, and what it comes to where integers lie in the texels: none of them lies
-        between two others, and the nearest one by itself may belong to something else."""
+        """The filter, and what it comes to for the payloads at hand."""
+        # No integer lies between two others, and the nearest alone may belong to something else.
         chosen = RESAMPLE[self.configuration.filter.kind]
         if self.layout.bits:
             return RESAMPLE["bilinear"] if chosen.fetch == "fetch/nearest" else chosen
@@ -149,14 +149,12 @@ class Choice:
 
     @property
     def depths(self) -> tuple[str, str]:
-        """Depths that match nothing: of an empty texel, and of one that must not be reused.
-
-        Where a sign is a mark they have one too, so that no slope can lead to them: they are never
-        taken alone.
-        """
+        """Depths that match nothing: of an empty texel, and of one that must not be reused."""
         if self.layout.bits:
             ndc = self.configuration.storage.depth == "ndc"
             return ("0x40000000u" if ndc else "0u"), "0xFF000000u"
+        # Nothing that is drawn is as near: as 16/w that is the largest half float, as w the
+        # smallest that is not rounded. The sign is a mark, so that it is never taken alone.
         small = self._marks and self.configuration.storage.depth == "linear"
         poison = "-0.00006103515625" if small else f"-{MOST_OF_HALF}"
         return str(empty_depth(self.layout, self.configuration)), poison

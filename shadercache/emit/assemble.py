@@ -26,9 +26,7 @@ class Shader:
 def merge(module: n.Module, user: Iterable[n.Decl], *parts: Iterable[n.Decl]) -> n.Module:
     """One module: the runtime's variables, then the user's declarations, then the functions.
 
-    The runtime's variables come first because the user's (cloned) functions may use them. Where
-    several parts declare the same variable the first declaration stands. A variable of a struct
-    of the user's comes right behind that struct.
+    Of several declarations of a variable the first stands.
     """
     seen: set[str] = set()
     variables: list[n.Decl] = []
@@ -39,12 +37,13 @@ def merge(module: n.Module, user: Iterable[n.Decl], *parts: Iterable[n.Decl]) ->
             continue
         seen.update(names)
         (functions if isinstance(decl, n.FunctionDef) else variables).append(decl)
-    # Default precisions govern everything behind them.
+    # GLSL ES 3.00 section 4.5.4: a default precision governs what is declared behind it.
     precision = [d for d in user if isinstance(d, n.PrecisionDecl)]
     rest: list[n.Decl] = []
     for decl in user:
         if not isinstance(decl, n.PrecisionDecl):
             rest.append(decl)
+        # The user's functions may use the runtime's variables, and these the user's structs.
         if isinstance(decl, n.VarDecl) and decl.type.struct is not None:
             name = decl.type.struct.name
             rest += [one for one in variables if _is_of(one, name)]

@@ -129,10 +129,8 @@ class PassBuilder:
         return specialise(self.program.module, cuts, prefix + entry, names, prefix)
 
     def cut(self, kind: CutKind) -> Clones:
-        """The whole shader with the nodes cut out in one way, or (``goal``) the payloads alone.
-
-        For passes that have no other clones. They share them, and what is found out about them.
-        """
+        """The whole shader with the nodes cut out in one way, or (``goal``) the payloads alone."""
+        # Passes with the same clones share them, and what the memo knows of them.
         if kind not in self._cut:
             entry = "compute" if kind == "goal" else "shade"
             self._cut[kind] = self.clone(self.names(), entry, self.node_cuts(kind))
@@ -162,6 +160,7 @@ class PassBuilder:
         choice = Choice(layout, program.prefix, self.whole, program.located, self._configuration)
         part = program_part(FOLDER / f"passes/{template}.glsl", choice)
         user = insert_clones(program.module, *clones)
+        # Without a payload a loop that waits for it may never end, whatever is discarded later.
         if template in _LATE and self.decides_loops:
             user = guard_loops(user, self._decided(user), self.own("lacks"))
         module = merge(program.module, without_main(user), extra, part.decls)
@@ -204,8 +203,9 @@ def exact_original(program: FragmentProgram) -> Shader:
 
 
 def _shrink(module: n.Module, wanted: Sequence[str], clones: set[str], memo: Memo) -> n.Module:
-    """Remove what is dead; a parameter that nobody reads keeps its argument alive, and a result
-    that nobody uses what it is made of: so in turns."""
+    """Remove what is dead, until nothing is."""
+    # A parameter that nobody reads keeps its argument alive, and a result that nobody uses what it
+    # is made of.
     while True:
         module = remove_dead(module, wanted, memo)
         smaller = drop_parameters(drop_results(module, clones, memo), clones, memo)

@@ -32,11 +32,11 @@ def resolved_until(
 ) -> float:
     """The depth w up to which what is kept is rounded by less than ``epsilon``; at most ``far``.
 
-    What lies farther misses falsely, or hits what lies a little before or behind it. Rounding
-    grows with w, but for what is larger than the format holds, so the bound is sought by halving.
+    What lies farther misses falsely, or hits what lies a little before or behind it.
     """
     if rounding(depth, form, far, near, far) <= epsilon:
         return far
+    # Rounding grows with w, but for what is larger than the format holds.
     low, high = near, far
     for _ in range(60):
         middle = (low * high) ** 0.5

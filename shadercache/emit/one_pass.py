@@ -52,11 +52,14 @@ def _keeping(builder: PassBuilder, kept: tuple[Symbol, ...]) -> Shader:
     for use, name, form in builder.fetches:
         goal = Cut(use.instance.path, use.place.expr, name, "goal", form=form)
         clones.append(builder.clone(names, f"fetch_{len(clones)}_ahead", (*cuts, goal)))
+        # A later fetch may need an earlier one: it finds that in the variable.
         cuts.append(replace(goal, kind="use"))
     entries = [group.entry for group in clones]
     extra: list[n.Decl] = [_caller(builder, "fetch_ahead", entries, kept if entries else ())]
     compute = "compute_only" if kept else "compute"
     clones.append(builder.clone(names, compute, (*cuts, *builder.node_cuts("goal"))))
+    # An output counts as needed, a variable only where something reads it: so what only feeds the
+    # colour goes from the payload's code.
     if _only_main_colors(builder):
         precision = "highp" if builder.program.module.profile == "es" else None
         extra.append(_variable("vec4", builder.own("color"), precision))
@@ -79,8 +82,7 @@ def _only_main_colors(builder: PassBuilder) -> bool:
 
 
 def _with_own_color(builder: PassBuilder, group: Clones) -> Clones:
-    """The payload's code with a variable for the colour: it goes, with what only feeds it,
-    where the payload does not need it. The output itself would count as needed."""
+    """The payload's code with a variable for the colour."""
     names = {builder.program.color: builder.own("color")}
     return replace(group, pairs=tuple((old, rename(new, names)) for old, new in group.pairs))
 

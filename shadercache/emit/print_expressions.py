@@ -1,7 +1,6 @@
 """From an expression, an array size or a qualifier to GLSL text.
 
 Parentheses come from the precedence table, never from the tree, and literals keep their spelling.
-Everything is printed with an explicit stack, so the length of an operator chain has no limit.
 """
 
 from __future__ import annotations
@@ -22,6 +21,7 @@ from shadercache.lang.words import (
 
 def print_expression(node: n.Node, least: int = COMMA) -> str:
     """The text of an expression, in parentheses where it binds looser than ``least``."""
+    # An explicit stack: a chain of operators may be longer than Python's recursion goes.
     out: list[str] = []
     stack: list[str | tuple[n.Node, int]] = [(node, least)]
     while stack:
@@ -122,10 +122,8 @@ def print_layout_item(node: n.LayoutItem) -> str:
 
 
 def print_qualifiers(node: n.Qualifiers, block: bool = False) -> str:
-    """The qualifiers of a variable or ``block``, each with a blank after it: the layout, the words.
-
-    The words are put in the order that every version takes, whatever order a pass left them in.
-    """
+    """The qualifiers of a variable or ``block``, a blank behind each: the layout, the words."""
+    # Before GLSL 4.20 the order of qualifiers is fixed, and passes put words anywhere.
     ranked = [word for word in node.words if block or word not in MEMORY_QUALIFIERS]
     ranks = [QUALIFIER_ORDER[word] for word in ranked]
     ordered = ranks == sorted(ranks)

@@ -1,9 +1,8 @@
 """From a tree to GLSL text.
 
 ``print_module(parse(source))`` is the shader again, laid out afresh: four spaces of indent, one
-statement a line, blank lines around what takes several, the kept directives first. A comment stands
-on its own line before the declaration or statement that it belongs to, or at the end of the last
-line of it. Printing what was parsed from printed text changes nothing.
+statement a line, the kept directives first. A comment stands on a line of its own before what it
+belongs to, or at the end of its last line. Printed text, parsed, is printed the same.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""All programs of a node, or of a set of nodes: the passes of each algorithm, and their files.
-
-An engine, and the harness, learns from the manifest what to do.
-"""
+"""All programs of a node, or of a set of nodes: the passes of each algorithm, and their files."""
 
 from __future__ import annotations
 
@@ -126,7 +123,7 @@ def emit_programs(
 def _builder(
     program: FragmentProgram, nodes: Sequence[Candidate], configuration: Configuration
 ) -> PassBuilder:
-    """Whoever wants one mode of a variant often wants the other next: only its printing differs."""
+    # Whoever wants one mode of a variant often wants the other next: only its printing differs.
     kept: dict[object, PassBuilder] = program.memo.table("last builder")
     settings = tuple(written_settings(configuration).items())
     key = (tuple(nodes), configuration.fetches, settings)

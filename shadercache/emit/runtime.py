@@ -18,7 +18,7 @@ FOLDER = Path(__file__).with_name("glsl")
 _MADE = "sc_discrete sc_no_depth sc_poison_depth sc_pack sc_payload sc_valid"
 """Names of :mod:`shadercache.caching.payload_text`."""
 
-_MOST_PAYLOADS = 7
+_MOST_PAYLOADS = 7  # A scalar for each channel of two texels but the depth's.
 
 
 def vertex_part(prefix: str) -> tuple[n.Decl, ...]:
@@ -29,8 +29,7 @@ def vertex_part(prefix: str) -> tuple[n.Decl, ...]:
 def full_screen_vertex(fragment: n.Module) -> tuple[Source, n.Module]:
     """The vertex shader of a full-screen pass, in the version of a fragment shader.
 
-    It draws one triangle that covers the target, from ``gl_VertexID`` alone: the engine draws three
-    vertices and binds no attribute.
+    One triangle covers the target, from ``gl_VertexID`` alone: the engine binds no attribute.
     """
     version = f"#version {fragment.version} {fragment.profile or ''}".rstrip()
     text = (FOLDER / "full_screen.vert").read_text(encoding="utf-8")

@@ -7,9 +7,9 @@ from shadercache.emit.builder import PassBuilder
 
 
 def reuse(builder: PassBuilder) -> Shader:
-    """Carry payloads over. What the shader discards is discarded, and where it takes derivatives
-    for that, the misses are discarded behind them."""
+    """Carry payloads over; misses are discarded, and what the shader discards."""
     early = builder.build("reuse", [builder.cut("use")] if builder.whole else [], builder.stores)
+    # Behind the discard of misses its derivatives would be undefined.
     if not builder.takes_derivatives(early.module):
         return early
     return builder.build("reuse_late", [builder.cut("use")], builder.stores)

@@ -1,6 +1,6 @@
 """What of a vertex shader has a twin of its own for the position of the last frame.
 
-The list of all inputs, and what becomes of each, is :mod:`shadercache.analysis.vertex_inputs`.
+What becomes of each input is in :mod:`shadercache.analysis.vertex_inputs`.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ class Twins:
         names = {name: self._twin(name) for name in declared_names(decl)}
         if isinstance(decl, n.BlockDecl):
             names[decl.name] = self._twin(decl.name)
-        if "main" in names:
+        if "main" in names:  # The pass has a `main` of its own, which calls both.
             names["main"] = self._prefix + "vertex_previous"
         return names
 

@@ -10,12 +10,12 @@ from shadercache.transform.specialise import CutKind
 
 
 def hit(builder: PassBuilder) -> Shader:
-    """Shade hits. The discard comes last where the shading takes derivatives, where a loop writes
-    into an array, and where the payload decides on a loop: there it is certain that fragments
-    without a payload leave the loop, whatever a driver does behind a discard."""
+    """Shade hits; misses are discarded, where it matters at the end."""
     template = "here" if builder.whole else "hit"
     kind: CutKind = "need" if builder.whole else "use"
     early = builder.build(template, [builder.cut(kind)], builder.color_and_stores)
+    # Behind a discard derivatives are undefined (GLSL 4.60 section 8.14.1), and whether a loop that
+    # waits for a payload ends is the driver's affair.
     if (
         not builder.takes_derivatives(early.module)
         and not _loops_over_arrays(early.module)
@@ -33,7 +33,8 @@ def miss(builder: PassBuilder) -> Shader:
 
 
 def _loops_over_arrays(module: n.Module) -> bool:
-    """Does a loop use an element of something? Behind a discard llvmpipe writes it wrongly, and
-    what is written by a function or in part is not told from what is read."""
+    """Does a loop use an element of something?"""
+    # llvmpipe writes elements wrongly in a loop behind a discard. What a function writes, or a part
+    # of, is not told from what is read.
     loops = (node for node in walk(module) if isinstance(node, n.For | n.While | n.DoWhile))
     return any(isinstance(node, n.Index) for loop in loops for node in walk(loop))

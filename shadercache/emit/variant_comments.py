@@ -1,7 +1,6 @@
 """The comments of a module, handed out to the printer one by one.
 
-Each comes out once, however often the nodes that it is anchored to were cloned, and those that are
-anchored to nodes which are gone do not come out at all.
+Each comes out once, however often its nodes were cloned, and not at all where they are gone.
 """
 
 from __future__ import annotations

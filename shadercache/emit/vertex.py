@@ -1,7 +1,7 @@
 """The vertex shaders of the passes: only the varyings a pass needs, and the clip positions.
 
 The slice of the user's shader that computes ``gl_Position`` is duplicated with a ``previous`` twin
-of every uniform in it (DESIGN section 3)::
+of every uniform in it::
 
     uniform mat4 u_mvp;                         uniform mat4 u_mvp;
     in vec3 a_position;                         uniform mat4 sc_previous_u_mvp;
@@ -10,8 +10,8 @@ of every uniform in it (DESIGN section 3)::
     }                                               sc_previous = sc_previous_u_mvp * ...;
                                                 }
 
-Attributes, textures, storage buffers and the numbers of instances are taken as unchanging where
-they decide the position; the manifest says so (:mod:`shadercache.analysis.vertex_inputs`).
+Attributes, textures, storage buffers and the numbers of instances must not change where they decide
+the position; the manifest says so (:mod:`shadercache.analysis.vertex_inputs`).
 """
 
 from __future__ import annotations
@@ -148,10 +148,8 @@ def _inputs(module: n.Module) -> frozenset[str]:
 
 
 def _invariant(module: n.Module) -> n.Module:
-    """All passes must compute the very same position, whatever else they compute.
-
-    Behind a declaration of the position: it may not have been used before that.
-    """
+    """The module with its position declared invariant: passes compare depths bit by bit."""
+    # GLSL 4.60 section 4.8.1: before any use, so first, but behind what declares the position anew.
     at = 0
     for place, decl in enumerate(module.decls, 1):
         if isinstance(decl, n.QualifierDecl) and POSITION in decl.names:

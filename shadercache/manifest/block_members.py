@@ -104,7 +104,7 @@ def _count(struct: StructType) -> int:
 
 def _read(module: n.Module, decl: n.BlockDecl, facts: Facts) -> set[str]:
     """The members that something reads."""
-    if decl.instance is None:
+    if decl.instance is None:  # Its members are names of their own.
         return {s.name for s in facts.symbols.values() if s.block is decl and s.kind != "block"}
     own = facts.declared[decl]
     return {

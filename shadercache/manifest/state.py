@@ -1,8 +1,4 @@
-"""The state of the pipeline that the variants take for granted: the manifest's ``state``.
-
-``equal`` is: in every pass of a frame, in the debug program, and as where the shader is drawn
-without a cache.
-"""
+"""The state of the pipeline that the variants take for granted: the manifest's ``state``."""
 
 from __future__ import annotations
 
