@@ -67,31 +67,29 @@ def build_manifest(
 ) -> model.Manifest:
     """The manifest of a program set."""
     layout = Layout(tuple(node.type for node in nodes), extras=extras_of(configuration))
-    declared = _declared(programs)
+    uniforms = {name for emitted in programs.passes for name in emitted.uniforms}
     cache = _cache(layout, configuration)
     assert programs.debug is not None
     return model.Manifest(
-        schema_version=model.SCHEMA_VERSION,
         generator=f"shadercache {__version__}",
         nodes=tuple(
             _node(setting.fragment, node, place)
             for node, place in zip(nodes, layout.places, strict=True)
         ),
-        mode=configuration.mode,
         color=model.ColorEntry(output=programs.color, location=0),
         cache=cache,
         targets=_targets(cache),
         uniforms=tuple(
             uniform
             for uniform in added_uniforms(programs.prefix, layout, configuration)
-            if uniform.name in declared or uniform.role in _ALWAYS
+            if uniform.name in uniforms or uniform.role in _ALWAYS
         ),
         previous=programs.previous,
-        inputs=declared_inputs(setting.inputs, programs.previous, declared),
         debug=_debug(programs.debug, configuration, setting),
         frame=tuple(frame_sentences(layout.second, setting, programs)),
         reset=tuple(reset_sentences(configuration, setting, programs)),
         relies_on=tuple(relies_on(configuration, programs, setting)),
+        **_head(programs, configuration.mode, setting.inputs),
         **_of_passes(programs),
         **_of_setting(setting),
     )
@@ -133,12 +131,8 @@ def original_manifest(
 ) -> model.OriginalManifest:
     """How to draw the unchanged shader."""
     assert programs.original is not None
-    return model.OriginalManifest(
-        schema_version=model.SCHEMA_VERSION,
-        mode=mode,
-        inputs=declared_inputs(inputs, programs.previous, _declared(programs)),
-        original=_pass(programs.original),
-    )
+    original = _pass(programs.original)
+    return model.OriginalManifest(**_head(programs, mode, inputs), original=original)
 
 
 def needed_manifest(
@@ -146,17 +140,18 @@ def needed_manifest(
 ) -> model.NeededManifest:
     """How to draw which pixels have payloads."""
     assert programs.debug is not None
-    return model.NeededManifest(
-        schema_version=model.SCHEMA_VERSION,
-        mode=mode,
-        inputs=declared_inputs(inputs, programs.previous, _declared(programs)),
-        needed=pass_model.NeededEntry(**_about(programs.debug), by_some=programs.whole),
-    )
+    needed = pass_model.NeededEntry(**_about(programs.debug), by_some=programs.whole)
+    return model.NeededManifest(**_head(programs, mode, inputs), needed=needed)
 
 
-def _declared(programs: ProgramSet) -> set[str]:
-    """The uniforms and attributes that any program declares."""
-    return {name for one in programs.passes for name in (*one.uniforms, *one.attributes)}
+def _head(programs: ProgramSet, mode: Mode, inputs: Iterable[InputEntry]) -> dict[str, Any]:
+    """What all manifests begin with."""
+    declared = {name for one in programs.passes for name in (*one.uniforms, *one.attributes)}
+    return {
+        "schema_version": model.SCHEMA_VERSION,
+        "mode": mode,
+        "inputs": declared_inputs(inputs, programs.previous, declared),
+    }
 
 
 def _targets(cache: cache_model.CacheEntry) -> dict[TargetName, cache_model.TargetEntry]:
