@@ -78,11 +78,7 @@ _ORIGINAL = AlgorithmPass("original", "", (algorithms.COLOR,))
 _PAYLOAD = AlgorithmPass("payload-alone", "side_passes:payload_alone", (algorithms.COLOR,))
 _NEEDED = AlgorithmPass("needed", "side_passes:needed", (algorithms.MASK,), on_reset=False)
 _HIT_MASK = AlgorithmPass(
-    "hit-mask",
-    "side_passes:hit_mask",
-    (algorithms.MASK,),
-    (algorithms.PREVIOUS,),
-    on_reset=False,
+    "hit-mask", "side_passes:hit_mask", (algorithms.MASK,), (algorithms.PREVIOUS,), on_reset=False
 )
 
 

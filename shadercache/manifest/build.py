@@ -60,10 +60,7 @@ An application with ``equal`` has drawn depth first; the variants do without tha
 
 
 def build_manifest(
-    nodes: Sequence[Candidate],
-    configuration: Configuration,
-    programs: ProgramSet,
-    setting: Setting,
+    nodes: Sequence[Candidate], configuration: Configuration, programs: ProgramSet, setting: Setting
 ) -> model.Manifest:
     """The manifest of a program set."""
     layout = Layout(tuple(node.type for node in nodes), extras=extras_of(configuration))

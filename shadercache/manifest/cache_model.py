@@ -9,15 +9,7 @@ from msgspec import UNSET, Meta, UnsetType
 from shadercache.manifest import kinds
 
 TextureFormat: TypeAlias = Literal[
-    "r16f",
-    "rg16f",
-    "rgba16f",
-    "r32f",
-    "rg32f",
-    "rgba32f",
-    "r32ui",
-    "rg32ui",
-    "rgba32ui",
+    "r16f", "rg16f", "rgba16f", "r32f", "rg32f", "rgba32f", "r32ui", "rg32ui", "rgba32ui"
 ]
 
 Texel: TypeAlias = Annotated[
@@ -92,10 +84,7 @@ class CacheEntry(kinds.ManifestPart, frozen=True, kw_only=True):
 class TargetEntry(kinds.ManifestPart, frozen=True, kw_only=True):
     """What passes draw into."""
 
-    format: Annotated[
-        TextureFormat | None,
-        Meta(description="of a texel; null: the engine's own"),
-    ]
+    format: Annotated[TextureFormat | None, Meta(description="of a texel; null: the engine's own")]
 
 
 class PlacesEntry(kinds.ManifestPart, frozen=True, kw_only=True):

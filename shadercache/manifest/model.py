@@ -152,8 +152,7 @@ class Manifest(kinds.ManifestPart, frozen=True, kw_only=True):
     ]
     mapping: MappingEntry
     draw: Annotated[
-        pass_model.ObjectsEntry | pass_model.TriangleEntry,
-        Meta(description="what each pass draws"),
+        pass_model.ObjectsEntry | pass_model.TriangleEntry, Meta(description="what each pass draws")
     ]
     original: Annotated[pass_model.PassEntry, Meta(description="the unchanged shader")]
     geometry: Annotated[

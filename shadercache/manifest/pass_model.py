@@ -33,15 +33,7 @@ Role: TypeAlias = Literal[
 Outcomes: TypeAlias = Annotated[
     dict[
         Literal[
-            "hit",
-            "refresh",
-            "outside",
-            "depth",
-            "id",
-            "poison",
-            "magnified",
-            "opted-out",
-            "old",
+            "hit", "refresh", "outside", "depth", "id", "poison", "magnified", "opted-out", "old"
         ],
         Annotated[int, Meta(ge=1, le=255)],
     ],

@@ -149,12 +149,7 @@ def _variable(
 ) -> InputEntry:
     kind = facts.declared[node].type
     dims = tuple(size or 0 for size in kind.dims)
-    about: dict[str, Any] = {
-        "name": node.name,
-        "stages": (stage,),
-        "type": str(kind),
-        "dims": dims,
-    }
+    about: dict[str, Any] = {"name": node.name, "stages": (stage,), "type": str(kind), "dims": dims}
     location = number_of(qualifiers, "location", facts)
     binding = number_of(qualifiers, "binding", facts)
     if not qualifiers.has("uniform"):
