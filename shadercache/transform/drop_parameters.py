@@ -28,7 +28,7 @@ from shadercache.transform.move_arguments import (
     acting_arguments,
     move_arguments,
 )
-from shadercache.transform.reachable import kept_names
+from shadercache.transform.reachable import declared_names, kept_names
 from shadercache.transform.trees import change_declarations, replace_expressions
 
 _T = TypeVar("_T")
@@ -100,12 +100,8 @@ def _bound(
 ) -> dict[str, set[int]]:
     """For each function the places that must stay: of arguments that cannot be moved, and where it
     matters what is given back."""
-    shared = {
-        variable.name
-        for decl in module.decls
-        if isinstance(decl, n.VarDecl)
-        for variable in decl.declarators
-    }
+    globals_ = (decl for decl in module.decls if isinstance(decl, n.VarDecl))
+    shared = {name for decl in globals_ for name in declared_names(decl)}
     bound: dict[str, set[int]] = {name: set() for name in table.functions}
     for call, place, stmt in acting:
         if stmt is None or table.functions[call.name].proto.params[place].writes_back:

@@ -112,6 +112,7 @@ class _Contracter(_StatementRewriter):
 
 def _equal(one: n.Node, other: n.Node) -> bool:
     """Are these the same trees?"""
+    # Nodes are compared by identity, and the target is a copy.
     if type(one) is not type(other):
         return False
     if any(getattr(one, field, "") != getattr(other, field, "") for field in _FIELDS):

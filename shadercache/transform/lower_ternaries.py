@@ -105,6 +105,7 @@ class _Lowerer:
         yield from self._statement(
             declared(words, kind, n.Declarator(NOWHERE, name, (), choice.left))
         )
+        # The right side is evaluated only where the left one leaves the answer open.
         known: n.Expr = n.Name(NOWHERE, name)
         still_open = known if choice.op == "&&" else n.Unary(NOWHERE, "!", known)
         then = self._block(NOWHERE, assigned(name, choice.right))

@@ -69,6 +69,7 @@ def _kept(decl: n.Decl, needed: Set[str], wanted: frozenset[str]) -> n.Decl | tu
         case n.PrecisionDecl() | n.QualifierDecl(names=()):
             return decl
         case n.QualifierDecl(names=names):
+            # A built-in variable is declared nowhere: ``invariant gl_Position;``.
             kept = tuple(name for name in names if name in needed or name.startswith("gl_"))
             if not kept:
                 return ()

@@ -264,6 +264,7 @@ class _Pruner:
             return stmt, before
         if then is not None:
             return replace(stmt, then=then, other=other), before
+        # Something has to stand under an ``if``: what is left is its ``else``, negated.
         assert other is not None
         condition = n.Unary(stmt.condition.span, "!", stmt.condition)
         return replace(stmt, condition=condition, then=other, other=None), before
@@ -279,6 +280,7 @@ class _Pruner:
         header = [part for part in children(stmt) if part is not stmt.body]
         around = live.union(*(self.table.of(part).reads for part in header))
 
+        # Each trial may find more to be live at the head; what it notes of calls only grows.
         def round_(head: Live) -> Live:
             trial = _Pruner(self.table, self.at_exit, self.after_calls)
             trial.mentioned, trial.at_end = set(self.mentioned), False

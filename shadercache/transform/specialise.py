@@ -143,6 +143,7 @@ class _Maker:
         moved = [_Moved(call, None) for call in below if call in leading]
         moved += [_Moved(cut.expr, cut) for cut in own if cut.kind != "use"]
         body.place(function.body.body, moved)
+        # Names are given from the callees up: one for each call path.
         name = name or self.names.make(self.prefix + function.name)
         proto = replace(function.proto, name=name)
         if last is not None:
@@ -208,6 +209,7 @@ class _CloneBody(Rewriter):
                     self._ahead[stmt] = _operands_first(inside)
 
     def enter(self, node: n.Node) -> n.Node | None:
+        # The last goal stands in plain blocks alone, so what comes next are statements of these.
         return _GONE if self._ended else None
 
     def expression(self, node: n.Expr, original: n.Expr) -> n.Expr:

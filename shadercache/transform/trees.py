@@ -66,6 +66,7 @@ def change_declarations(
     for decl in module.decls:
         changed = change(decl)
         decls += (changed,) if isinstance(changed, n.Node) else changed
+    # Passes run in turns until one gives back the module that it was given.
     same = len(decls) == len(module.decls) and all(map(is_, decls, module.decls))
     return module if same else replace(module, decls=tuple(decls))
 
@@ -95,6 +96,7 @@ def evaluated_first(node: n.Node) -> Sequence[n.Node]:
             return (first,)
         case n.Binary(op="&&" | "||", left=first):
             return (first,)
+        # Where only a part of a variable is assigned, its index is evaluated as well.
         case n.Assign(op="=", target=n.Name(), value=value):
             return (value,)
     return children(node)

@@ -121,6 +121,7 @@ class TripCounter:
         one, two = (self._facts.types[operand] for operand in operands)
         if left is None or right is None or not (one.is_scalar and two.is_scalar):
             return None
+        # Of ``i < 3u`` both sides are unsigned, which decides what a negative counter is.
         base = self._conversions.common_base(one.base or "", two.base or "")
         kind = self._facts.types[whole]
         return _scalar(fold.fold_binary(op, (left, right), (one, two), base, kind))

@@ -54,6 +54,7 @@ def _functions(
     module: n.Module, facts: Facts, later: Set[str], fresh: FreshNames
 ) -> dict[n.Node, str]:
     """New names of all overloads of a function but the first, and of overloads of built-ins."""
+    # Overloads get names of their own, so that a name tells which function is called.
     seen = set(later)
     renamed: dict[object, str] = {}
     new: dict[n.Node, str] = {}

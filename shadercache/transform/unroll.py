@@ -109,6 +109,7 @@ class _Unroller:
         """The trips of a loop that stands in no other; ``None`` if it stays."""
         kept = dict(self.kept)
         reason = ""
+        # Where it is too much with the loops inside, they may stay as they are.
         for deep in (True, False):
             try:
                 return self.trips(loop, {}, deep)[0]
@@ -132,6 +133,7 @@ class _Unroller:
         for own in counted:
             inside = _LoopRewriter(self, {**around, **own}, deep)
             stmts, leaves = _up_to_jump(block_of(inside.rewrite(loop.body)).body)
+            # A block can be left early neither by ``break`` nor by ``continue``.
             if any(map(_jumps, stmts)):
                 raise UncountableError("there is a break or continue in it")
             # A comment before the loop stays there.

@@ -130,6 +130,7 @@ class _PreciseBody(Rewriter):
     def enter(self, node: n.Node) -> n.Node | None:
         match node:
             case n.If():
+                # The locals of the else branch have the lower numbers: texts must stay the same.
                 other = None if node.other is None else self._block(node.other)
                 return replace(node, then=self._block(node.then), other=other)
             case n.For(init=n.DeclStmt(decl=n.VarDecl() as decl) as init):
@@ -207,6 +208,7 @@ class _PreciseBody(Rewriter):
         """A new precise local that holds a value, unless that is exact as it stands."""
         if isinstance(value, n.Name | n.Literal):
             return value
+        # ``precise`` is about what is assigned (GLSL 4.60 section 4.9): so an argument must be.
         self._count += 1
         name = f"{self._prefix}exact_{self._count}"
         variable = n.Declarator(value.span, name, dims, value)

@@ -26,6 +26,7 @@ from shadercache.transform.remove_dead import remove_dead
 from shadercache.transform.rename import rename
 from shadercache.transform.trees import assigned, change_functions
 
+# The last two are what Vulkan calls them.
 _NUMBERS = frozenset(("gl_VertexID", "gl_InstanceID", "gl_VertexIndex", "gl_InstanceIndex"))
 
 

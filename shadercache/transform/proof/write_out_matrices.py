@@ -88,6 +88,7 @@ def write_out_matrices(module: n.Module, prefix: str, stage: Stage, memo: Memo) 
         return module
     function = n.FunctionDef | n.FunctionProto
     first = next(at for at, decl in enumerate(decls) if isinstance(decl, function))
+    # By name, whichever program wrote them first: they are kept for all programs.
     decls[first:first] = [helpers[name] for name in sorted(called)]
     return replace(module, decls=tuple(decls))
 
@@ -138,6 +139,7 @@ class _MatrixWriter(Rewriter):
 
 def _is_place(target: n.Expr) -> bool:
     """Can the target be evaluated twice?"""
+    # An index with a side effect, as in ``m[i++] *= n``, must not be repeated.
     while isinstance(target, n.Index | n.Member):
         if isinstance(target, n.Index) and not isinstance(target.index, n.Literal | n.Name):
             return False

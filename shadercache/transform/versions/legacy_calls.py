@@ -16,6 +16,7 @@ from shadercache.lang.builtins import Signature, functions
 Place: TypeAlias = tuple[int, str | None, str, frozenset[str]]
 """Version, profile, stage and extensions of a shader: where a name may or may not be built in."""
 
+# Extensions brought their functions under names of their own: ``texture2DGradARB``.
 _SHAPE = r"(?:1D|2D|3D|Cube|Buffer)(?:Rect)?(?:Array)?"
 _SAMPLED = re.compile(
     rf"(?:texture|shadow){_SHAPE}(Proj)?(Lod|Grad)?(Offset)?(?:ARB|EXT|NV|ATI|OES)?"

@@ -174,14 +174,12 @@ class _Raiser(Rewriter):
 
     def interface(self) -> dict[str, str]:
         """New names of what an engine sees."""
-        named = (
-            variable.name
-            for decl in self.tree.module.decls
-            if isinstance(decl, n.VarDecl) and decl.qualifiers.has("uniform", "attribute", "in")
-            for variable in decl.declarators
-        )
-        renamed = {name: self.variables[name] for name in named if name in self.variables}
-        return self.fixed.interface() | renamed
+        names = self.fixed.interface()
+        for decl in self.tree.module.decls:
+            if isinstance(decl, n.VarDecl) and decl.qualifiers.has("uniform", "attribute", "in"):
+                own = (variable.name for variable in decl.declarators)
+                names |= {name: self.variables[name] for name in own if name in self.variables}
+        return names
 
     def notes(self) -> Iterator[Diagnostic]:
         module, source = self.tree.module, self.tree.source

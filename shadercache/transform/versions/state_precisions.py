@@ -19,6 +19,7 @@ from shadercache.lang.words import PRECISIONS
 from shadercache.source import NOWHERE
 from shadercache.transform.trees import change_declarations, replace_nodes
 
+# Not every type has a default precision in fragment shaders (GLSL ES 3.20 section 4.7.4).
 _DEFAULTS = ("float", "int", "sampler2D", "samplerCube")
 
 
@@ -61,6 +62,7 @@ def _ours_precise(_: n.Node, node: n.Node) -> n.Node:
         return node
     kind = builtin_type(node.type.name)
     plain = kind is None or kind.is_void or kind.base == "bool"
+    # The user's own declarations have a place in the source.
     if node.span.start >= 0 or plain or node.qualifiers.has(*PRECISIONS):
         return node
     words = (*node.qualifiers.words, "highp")
