@@ -1,8 +1,4 @@
-"""The clock that tells the truth on the renderer at hand.
-
-On a software renderer ``GL_TIME_ELAPSED`` means nothing (measured: 80 times the work moved it
-without order), so the wall is read between two ``glFinish``; on a GPU the timer query is read.
-"""
+"""The clock that tells the truth on the renderer at hand."""
 
 from __future__ import annotations
 
@@ -61,6 +57,7 @@ class QueryClock:
 
 def pick_clock(gpu: Gpu) -> Clock:
     """The clock for this renderer; store its name with every result."""
+    # GL_TIME_ELAPSED means nothing in software: 80 times the work moved it without order.
     return WallClock(gpu.ctx) if gpu.is_software else QueryClock(gpu.ctx)
 
 

@@ -56,6 +56,7 @@ class Targets:
 
     def clear(self, texture: moderngl.Texture, keep_depth: bool = False) -> None:
         """Start drawing into colour or mask: all channels 0, depth empty."""
+        # GL clears depth only in a framebuffer that may write it.
         framebuffer = self.framebuffer((texture,), None if keep_depth else True)
         framebuffer.clear(0.0, 0.0, 0.0, 0.0, depth=self._empty_depth)
 

@@ -118,6 +118,7 @@ def made_pixels(what: str) -> tuple[NDArray[np.generic], str]:
     ``what`` and the shapes are those of :func:`load_pixels`.
     """
     shape = {"pixels": (64, 64), "faces": (6, 64, 64), "layers": (4, 64, 64)}[what]
+    # Noise tells texels apart, blobs tell places apart.
     noise = np.random.default_rng(2008).random((*shape, 4))
     across = np.sin(np.linspace(0.0, 4.0 * np.pi, 64, endpoint=False))
     blobs = 0.5 + 0.5 * across[:, None, None] * across[None, :, None]

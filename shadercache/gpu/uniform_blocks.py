@@ -65,6 +65,7 @@ class UniformBuffer:
         block.binding = binding
         self.size = int(block.size)
         self._binding = binding
+        # Rounded up to whole words.
         self._words = np.zeros(-(-block.size // _WORD), np.uint32)
         self._buffer = ctx.buffer(self._words.tobytes())
         self._changed = False
@@ -79,6 +80,7 @@ class UniformBuffer:
         if self._changed:
             self._buffer.write(self._words.tobytes())
             self._changed = False
+        # Binding points belong to the context, so each draw binds its own again.
         self._buffer.bind_to_uniform_block(self._binding)
 
     def release(self) -> None:

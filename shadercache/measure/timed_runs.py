@@ -18,8 +18,9 @@ from shadercache.measure.statistics import Ratio, Timing, paired_ratio, timing
 from shadercache.measure.subjects import Subject, VariantSubject
 from shadercache.render import pass_runners
 from shadercache.render.bundle import Bundle
+from shadercache.render.draw_items import OLDEST_IN_HALF
 from shadercache.render.render_scene import RenderScene
-from shadercache.render.variant_runner import NEVER, OLDEST_IN_HALF, VariantRunner
+from shadercache.render.variant_runner import NEVER, VariantRunner
 
 
 class TimedOriginal:

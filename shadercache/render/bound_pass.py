@@ -123,6 +123,7 @@ class BoundPass:
         shared = self._world.targets
         by_name = {"color": shared.color}
         if caches is not None:
+            # A cache has one texture or two.
             by_name |= dict(zip(CACHE_TARGETS, caches.current, strict=False))
         if "mask" in self._spec.targets:
             by_name["mask"] = shared.mask

@@ -8,12 +8,13 @@ test by chance is wrong.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Collection
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias, get_args
 
 import numpy as np
 
+from shadercache.render.draw_items import DrawItem
 from shadercache.scene.camera import Values
 from shadercache.scene.object_inputs import root_of
 
@@ -24,13 +25,13 @@ ResetReason: TypeAlias = Literal[
 
 REASONS: tuple[ResetReason, ...] = get_args(ResetReason)
 
+# From so many numbers on a uniform is a matrix, which leaps when the camera does. Frame counters
+# and clocks leap as well, in an innocent way.
 SMALLEST_MATRIX = 9
-"""Numbers in a uniform from which on it is a matrix: what moves by leaps when the camera does.
-Frame counters and clocks leap as well, in an innocent way."""
 
+# Relative to the size of a matrix: a turn by 5 degrees is 0.04, one by 90 degrees 0.7.
 LEAP = 0.1
-"""A change of a matrix, relative to its size, that is a leap if it is also unusual: a turn by
-5 degrees is 0.04, one by 90 degrees 0.7."""
+"""A change of a matrix that is a leap if it is also unusual."""
 
 UNUSUAL = 4.0
 """So many times what the frames before changed."""
@@ -63,6 +64,16 @@ class CutDetector:
         """A reset was told: what came before is no measure for what comes."""
         self._changes.clear()
         self._rates.clear()
+
+    def watch(self, frame: int, items: Iterable[DrawItem], shown: int) -> None:
+        """Does what a cached object is seen from leap, though no reset was told?
+
+        ``shown`` is the frame of the scene that this one shows.
+        """
+        for item in items:
+            if item.caches is not None and item.before is not None:
+                before, now = item.drawable.values(item.before), item.drawable.values(shown)
+                self.moved(frame, before, now, set(item.naming.twins.values()))
 
     def moved(self, frame: int, before: Values, now: Values, names: Collection[str]) -> None:
         """Compare the uniforms that decide where things are with those of the last frame.

@@ -3,17 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
 
 from shadercache.caching.configuration import Configuration
+from shadercache.diagnostics import usage_error
 from shadercache.gpu.cache_textures import CachePair
 from shadercache.render.bound_pass import BoundPass, FrameInputs, object_numbers
-from shadercache.render.bundle import Bundle, LinkedObject, Naming, PassSpec
+from shadercache.render.bundle import NO_NAMES, Bundle, CacheSpec, LinkedObject, Naming, PassSpec
 from shadercache.render.drawable import Drawable
+from shadercache.render.pass_runners import Runner
 from shadercache.render.render_scene import RenderScene
+
+OLDEST_IN_HALF = 1024
+"""Frames that ages in half floats count to: above it, one more frame may be rounded away."""
+
+ORIGINAL = "original"
+"""The pass of objects that are not cached."""
 
 
 @dataclass(eq=False)
@@ -45,6 +53,42 @@ class DrawItem:
     def due(self) -> tuple[BoundPass | None, ...]:
         """The passes of the coming frame, each at its place in the order."""
         return self.on_reset if self.before is None else self.passes
+
+
+def uncached_item(run: Runner, drawable: Drawable, linked: LinkedObject) -> DrawItem:
+    """An object that its original draws. Raises as ``BoundPass``."""
+    spec = replace(linked.bundle.original, name=ORIGINAL)
+    bound = (run.bind(drawable, spec, NO_NAMES),)
+    # Where others are asked for their hits, it hides what is behind it.
+    hides = replace(linked.bundle.coverage, targets=("mask",))
+    return DrawItem(drawable, linked, NO_NAMES, bound, bound, hides, None)
+
+
+def cached_item(
+    run: Runner, drawable: Drawable, linked: LinkedObject, caches: CachePair, short_reset: bool
+) -> DrawItem:
+    """An object that a variant draws; ``short_reset`` and what is raised: as ``VariantRunner``."""
+    bundle, naming = linked.bundle, linked.bundle.naming
+    assert linked.configuration is not None
+    _check_period(bundle.cache, linked.configuration.refresh.period)
+    specs = bundle.passes(linked.configuration.algorithm)
+    passes = tuple(run.bind(drawable, spec, naming) for spec in specs)
+    on_reset: tuple[BoundPass | None, ...] = tuple(
+        bound if spec.on_reset else None for bound, spec in zip(passes, specs, strict=True)
+    )
+    whole = bundle.reset_pass if short_reset else None
+    if whole is not None and whole.fragment.name not in {spec.fragment.name for spec in specs}:
+        on_reset = (run.bind(drawable, whole, naming),)
+    return DrawItem(drawable, linked, naming, passes, on_reset, bundle.debug, caches)
+
+
+def _check_period(cache: CacheSpec, period: int) -> None:
+    """Can the ages in the textures count to the period? Raises UsageError SC441 where not."""
+    if cache.age_channel is None or period <= OLDEST_IN_HALF:
+        return
+    if cache.formats[cache.age_channel // 4].endswith("16f"):
+        message = f"ages in half floats count to {OLDEST_IN_HALF}, and the period is {period}"
+        raise usage_error("SC441", message, "take --format rgba32f")
 
 
 class RunInputs:

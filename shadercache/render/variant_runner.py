@@ -6,30 +6,29 @@ Arrays that are read back have row 0 at the bottom, as in OpenGL.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.caching.configuration import Configuration
-from shadercache.diagnostics import DiagnosticError, usage_error
-from shadercache.render.bound_pass import BoundPass
-from shadercache.render.bundle import NO_NAMES, Bundle, LinkedObject
+from shadercache.diagnostics import DiagnosticError
+from shadercache.render.bundle import Bundle, LinkedObject
 from shadercache.render.cut_detector import CutDetector, ResetReason
-from shadercache.render.draw_items import DrawItem, RunInputs, Turn, turns
-from shadercache.render.drawable import Drawable
+from shadercache.render.draw_items import (
+    ORIGINAL,
+    DrawItem,
+    RunInputs,
+    Turn,
+    cached_item,
+    turns,
+    uncached_item,
+)
 from shadercache.render.empty_passes import EmptyPasses
 from shadercache.render.pass_runners import Runner
 from shadercache.render.render_scene import RenderScene
 
 NEVER = 65535
 """The longest refresh period that manifests allow: next to nothing is refreshed on purpose."""
-
-OLDEST_IN_HALF = 1024
-"""Frames that ages in half floats count to: above it, one more frame may be rounded away."""
-
-ORIGINAL = "original"
-"""The pass of objects that are not cached."""
 
 
 class VariantRunner(Runner):
@@ -78,7 +77,9 @@ class VariantRunner(Runner):
             self._caches.set_filter(self.bundle.cache.filter)
             self.bundle.passes(self.algorithm)
             roles = [
-                self._role(drawable, item, short_reset)
+                cached_item(self, drawable, item, self._caches, short_reset)
+                if item.configuration is not None and item.bundle.cache == self.bundle.cache
+                else uncached_item(self, drawable, item)
                 for drawable, item in zip(world.drawables, linked, strict=True)
             ]
         except DiagnosticError:
@@ -114,9 +115,9 @@ class VariantRunner(Runner):
         """
         if frame in self._cuts_told:
             self.reset("cut")
-        self._watch(frame)
-        drawn = self._drawn(frame)
         shown = self.inputs.shown(frame)
+        self.cuts.watch(frame, self.roles, shown)
+        drawn = self._drawn(frame)
         values = {role.drawable: role.drawable.values(shown, frame) for role in drawn}
         self.idle.begin(values, resets=any(role.before is None for role in drawn))
         for turn in self._begin(drawn, frame):
@@ -191,25 +192,6 @@ class VariantRunner(Runner):
             self.world.targets.take_back(self._caches)
             self._holds_caches = False
 
-    def _role(self, drawable: Drawable, linked: LinkedObject, short_reset: bool) -> DrawItem:
-        """How an object is drawn in this run."""
-        bundle, chosen = linked.bundle, linked.configuration
-        if chosen is None or bundle.cache != self.bundle.cache:
-            spec = replace(bundle.original, name=ORIGINAL)
-            bound = (self.bind(drawable, spec, NO_NAMES),)
-            hidden = replace(bundle.coverage, targets=("mask",))
-            return DrawItem(drawable, linked, NO_NAMES, bound, bound, hidden, None)
-        _check_period(bundle, chosen.refresh.period)
-        naming, specs = bundle.naming, bundle.passes(chosen.algorithm)
-        passes = tuple(self.bind(drawable, spec, naming) for spec in specs)
-        on_reset: tuple[BoundPass | None, ...] = tuple(
-            bound if spec.on_reset else None for bound, spec in zip(passes, specs, strict=True)
-        )
-        whole = bundle.reset_pass if short_reset else None
-        if whole is not None and whole.fragment.name not in {spec.fragment.name for spec in specs}:
-            on_reset = (self.bind(drawable, whole, naming),)
-        return DrawItem(drawable, linked, naming, passes, on_reset, bundle.debug, self._caches)
-
     def _drawn(self, frame: int) -> list[DrawItem]:
         drawn = set(self.world.drawn(self.inputs.shown(frame)))
         return [role for role in self.roles if role.drawable in drawn]
@@ -219,14 +201,6 @@ class VariantRunner(Runner):
         self.world.begin()
         self._caches.clear_current(self.bundle.cache.clear)
         return turns(drawn, self.inputs, frame)
-
-    def _watch(self, frame: int) -> None:
-        """Does what an object is seen from leap, though no reset was told?"""
-        shown = self.inputs.shown(frame)
-        for role in self.roles:
-            if role.caches is not None and role.before is not None:
-                before, now = role.drawable.values(role.before), role.drawable.values(shown)
-                self.cuts.moved(frame, before, now, set(role.naming.twins.values()))
 
     def _remember(self, frame: int) -> None:
         """What was not drawn has nothing in the cache: it begins anew when it is back."""
@@ -247,13 +221,3 @@ def _principal(world: RenderScene, objects: Sequence[LinkedObject]) -> tuple[Bun
         return objects[0].bundle, objects[0].bundle.configuration
     _, bundle, configuration = min(cached, key=lambda candidate: candidate[0])
     return bundle, configuration
-
-
-def _check_period(bundle: Bundle, period: int) -> None:
-    """Can the ages in the textures count to the period? Raises UsageError SC441 where not."""
-    cache = bundle.cache
-    if cache.age_channel is None or period <= OLDEST_IN_HALF:
-        return
-    if cache.formats[cache.age_channel // 4].endswith("16f"):
-        message = f"ages in half floats count to {OLDEST_IN_HALF}, and the period is {period}"
-        raise usage_error("SC441", message, "take --format rgba32f")

@@ -117,6 +117,7 @@ def _catmull_rom(points: Sequence[Matrix], part: float) -> Matrix:
     if part == 0.0:  # At a key the camera is where the file says, to the bit.
         return b
     slope_b, slope_c = (c - a) / 2.0, (d - b) / 2.0
+    # The cubic Hermite polynomials.
     t2, t3 = part * part, part * part * part
     curve: Matrix = (
         (2 * t3 - 3 * t2 + 1) * b
@@ -141,7 +142,8 @@ def turn_about(axis_of_turn: Sequence[float], degrees: float) -> Matrix:
     axis = np.asarray(axis_of_turn, np.float64)
     x, y, z = axis / np.linalg.norm(axis)
     cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    turn: Matrix = np.eye(3) + math.sin(angle) * cross + (1.0 - math.cos(angle)) * (cross @ cross)
+    bent = math.sin(angle) * cross + (1.0 - math.cos(angle)) * (cross @ cross)
+    turn: Matrix = np.eye(3) + bent
     return turn
 
 
@@ -165,6 +167,7 @@ def perspective(camera: Camera, aspect: float) -> Matrix:
     matrix = np.zeros((4, 4))
     matrix[0, 0] = scale / aspect
     matrix[1, 1] = scale
+    # Clip z from -w at the near plane to w at the far one; other clip spaces: GraphicsState.
     matrix[2, 2:] = (far + near) / (near - far), 2.0 * far * near / (near - far)
     matrix[3, 2] = -1.0
     return matrix
