@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import shutil
-import subprocess
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from manifests import plain
+
+from tests.glslang import objections
 
 if TYPE_CHECKING:
     from shadercache.compiler import Emission
@@ -32,27 +32,12 @@ def without_heading(text: str) -> str:
 
 def errors_of_reference(pairs: Iterable[Pair], folder: Path) -> list[str]:
     """What glslang says against the programs, shader by shader; nothing where it is missing."""
-    command = shutil.which("glslangValidator")
-    if command is None:
-        return []
-    files: dict[str, str] = {}
-    for vertex, fragment in pairs:
-        files.setdefault(without_heading(vertex), f"{len(files)}.vert")
-        files.setdefault(without_heading(fragment), f"{len(files)}.frag")
-    for text, name in files.items():
-        (folder / name).write_text(text, encoding="utf-8")
-    line = [command, "-C", *files.values()]
-    done = subprocess.run(line, cwd=folder, capture_output=True, text=True, check=False)
-    return list(_errors(done.stdout, {name: text for text, name in files.items()}))
-
-
-def _errors(said: str, texts: dict[str, str]) -> Iterator[str]:
-    name = ""
-    for line in said.splitlines():
-        if line in texts:
-            name = line
-        elif line.startswith("ERROR: 0:"):
-            yield f"{line}\n{texts.get(name, '')}"
+    texts = [
+        (name, without_heading(text))
+        for pair in pairs
+        for name, text in zip(("x.vert", "x.frag"), pair, strict=True)
+    ]
+    return [line for line in objections(texts, folder) if line.startswith("ERROR")]
 
 
 def errors_of_driver(gpu: Gpu, pairs: Iterable[Pair]) -> list[str]:

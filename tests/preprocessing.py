@@ -28,21 +28,20 @@ def rejected(
     return caught.value.diagnostics
 
 
+def placed(item: Diagnostic) -> str:
+    """``line:column code``."""
+    assert item.source is not None
+    assert item.span is not None
+    line, column = item.source.position(item.span.start)
+    return f"{line}:{column} {item.code}"
+
+
 def errors(text: str, options: ReadOptions = DEFAULTS) -> list[str]:
     """``line:column code`` of each error."""
-    found = []
-    for item in rejected(text, options):
-        assert item.source is not None
-        assert item.span is not None
-        line, column = item.source.position(item.span.start)
-        found.append(f"{line}:{column} {item.code}")
-    return found
+    return [placed(item) for item in rejected(text, options)]
 
 
 def problem(body: str, version: str = "330", options: ReadOptions = DEFAULTS) -> str:
     """``line:column code message`` of the one error below ``#version``."""
     (item,) = rejected(f"#version {version}\n{body}", options)
-    assert item.source is not None
-    assert item.span is not None
-    line, column = item.source.position(item.span.start)
-    return f"{line}:{column} {item.code} {item.message}"
+    return f"{placed(item)} {item.message}"

@@ -8,10 +8,12 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Iterator
+from contextlib import closing
 from pathlib import Path
 
 import numpy as np
 
+from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.ast import nodes as n
 from shadercache.compiler import Analysis, Emission, analyse
@@ -22,6 +24,7 @@ from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
 from shadercache.scene.description import Scene, load_scene
 from shadercache.source import Source
+from shadercache.verify.verifier import Verifier
 from tests.altered import altered
 from tests.cases.scenery import ring
 from tests.configured import configured, rewritten, variant
@@ -96,3 +99,11 @@ def hit_rate(gpu: Gpu, scene: Scene, analysis: Analysis, text: str) -> float:
         runner.draw(0)
         mask = runner.hit_mask(1)
     return float((mask == bundle.mask_values["hit"]).sum() / (mask > 0).sum())
+
+
+def check_laws(gpu: Gpu, scene: Scene, analysis: Analysis, node: Candidate) -> None:
+    """Laws 2 to 4 hold for a value of a scene, of which something is to be seen."""
+    with closing(Verifier(gpu, (scene, analysis), (40, 40))) as verifier:
+        verdict = verifier.check(node, plain=False)
+        assert verifier.references.covered[0].mean() > 0.1
+    assert not verdict.broken, verdict.failure

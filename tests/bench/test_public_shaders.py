@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shutil
 import signal
 import subprocess
 from pathlib import Path
@@ -23,10 +22,7 @@ from bench.public_shaders.shaders import (
 from bench.public_shaders.typing import shape_of, type_differences
 from shadercache.source import Source
 from shadercache.valid.read import read
-
-needs_judge = pytest.mark.skipif(
-    shutil.which("glslangValidator") is None, reason="glslangValidator is the judge"
-)
+from tests.glslang import needs_glslang
 
 MAIN = "void main() { }\n"
 FRAGMENT = """#version 330
@@ -144,7 +140,7 @@ def test_types_in_the_words_of_the_judge(words: str, name: str) -> None:
     assert shape_of(words) == name
 
 
-@needs_judge
+@needs_glslang
 def test_types_agree_or_not(tmp_path: Path) -> None:
     ours = read(Source("x", FRAGMENT))
     verdict, tree = judge(Shader("x", "fragment", FRAGMENT), tmp_path)
@@ -160,7 +156,7 @@ def test_types_agree_or_not(tmp_path: Path) -> None:
     assert "'vec2': 2" in difference
 
 
-@needs_judge
+@needs_glslang
 def test_what_is_found_of_a_shader(tmp_path: Path) -> None:
     good = "#version 330\nout vec4 o;\nvoid main() { o = vec4(1.0); }\n"
     row = examine(tmp_path, Shader("good", "fragment", good))

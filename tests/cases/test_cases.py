@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
-import subprocess
 from collections.abc import Iterable
 from contextlib import closing
 from pathlib import Path
@@ -22,6 +20,7 @@ from shadercache.verify.verifier import Verifier
 from tests.conditioning import all_too_far
 from tests.configured import configured, rewritten
 from tests.conftest import Golden
+from tests.glslang import needs_glslang, objections
 
 from .cases import FOLDER, NAMES, analysed, golden_text, sources, told
 from .scenery import scene_of
@@ -83,7 +82,7 @@ def test_laws_1_to_4(name: str, gpu: Gpu, scene_folder: Path) -> None:
     assert not far
 
 
-@pytest.mark.skipif(shutil.which("glslangValidator") is None, reason="glslang is not installed")
+@needs_glslang
 @pytest.mark.parametrize("name", CACHEABLE)
 def test_the_reference_compiler_says_no_more_than_of_the_original(
     name: str, tmp_path: Path
@@ -102,18 +101,5 @@ def test_the_reference_compiler_says_no_more_than_of_the_original(
 
 def _complaints(texts: Iterable[tuple[str, str]], folder: Path) -> set[str]:
     """What glslang says of the shaders, without file and line: each text is judged alone."""
-    files = {}
-    for name, text in texts:
-        files.setdefault((Path(name).suffix, text), f"{len(files)}-{name}")
-    for (_, text), name in files.items():
-        (folder / name).write_text(text, encoding="utf-8")
-    # -C: all errors of a file, not the first alone.
-    line = ["glslangValidator", "-C", *(str(folder / name) for name in files.values())]
-    done = subprocess.run(line, capture_output=True, text=True)
-    said = [line for line in done.stdout.splitlines() if not line.startswith(str(folder))]
-    return {_bare(line) for line in said if line.strip()}
-
-
-def _bare(line: str) -> str:
-    word, _, rest = line.partition(": ")
-    return f"{word}: {rest.partition(': ')[2]}" if word in ("ERROR", "WARNING") else line
+    heads = (line.partition("\n")[0].split(": ", 2) for line in objections(texts, folder))
+    return {f"{word}: {rest[-1]}" for word, *rest in heads}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from preprocessing import placed
 
 from shadercache.diagnostics import InputError
 from shadercache.front.parse import parse
@@ -14,11 +15,8 @@ def told(text: str) -> str:
     with pytest.raises(InputError) as caught:
         parse(Source("test.frag", text))
     (item,) = caught.value.diagnostics
-    assert item.source is not None
-    assert item.span is not None
-    line, column = item.source.position(item.span.start)
     hint = f" ({item.hint})" if item.hint else ""
-    return f"{line}:{column} {item.code} {item.message}{hint}"
+    return f"{placed(item)} {item.message}{hint}"
 
 
 IN_FUNCTION = [

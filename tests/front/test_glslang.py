@@ -3,20 +3,15 @@
 from __future__ import annotations
 
 import re
-import shutil
-import subprocess
 from pathlib import Path
-
-import pytest
 
 from shadercache.diagnostics import InputError
 from shadercache.emit.printer import print_module
 from shadercache.front.parse import parse
 from shadercache.source import Source
+from tests.glslang import errors_of, needs_glslang
 
-pytestmark = pytest.mark.skipif(
-    shutil.which("glslangValidator") is None, reason="glslangValidator is not installed"
-)
+pytestmark = needs_glslang
 
 SHADERS = Path(__file__).parent / "shaders"
 
@@ -97,25 +92,13 @@ NEITHER_TAKES = [
 
 def complaints(texts: list[str], folder: Path) -> list[list[str]]:
     """What glslang says against each of these shaders."""
-    found: dict[str, list[str]] = {}
+    files = {}
     for number, text in enumerate(texts):
         stage = "vert" if "gl_Position" in text else "frag"
-        (folder / f"{number}.{stage}").write_text(text)
-        found[f"{number}.{stage}"] = []
-    run = subprocess.run(
-        ["glslangValidator", *found],
-        cwd=folder,
-        capture_output=True,
-        encoding="latin-1",
-        check=False,
-    )
-    current = ""
-    for line in run.stdout.splitlines():
-        if line in found:
-            current = line
-        elif line.startswith("ERROR"):
-            found[current].append(line)
-    return list(found.values())
+        files[folder / f"{number}.{stage}"] = text
+    for file, text in files.items():
+        file.write_text(text)
+    return list(errors_of(files).values())
 
 
 def reference(texts: list[str], folder: Path) -> list[bool]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import shutil
 import subprocess
 from pathlib import Path
 
@@ -12,10 +11,9 @@ from preprocessing import run
 
 from shadercache.diagnostics import InputError
 from shadercache.front.preprocess import spellings
+from tests.glslang import needs_glslang
 
-pytestmark = pytest.mark.skipif(
-    shutil.which("glslangValidator") is None, reason="glslangValidator is not installed"
-)
+pytestmark = needs_glslang
 
 MACROS = [
     "#define A B\n#define B 1 + A\nA B",

@@ -6,7 +6,7 @@ import re
 import subprocess
 from pathlib import Path
 
-from sema.glslang import TOOL
+from tests.glslang import TOOL
 
 _ENTRY = re.compile(r"(\w+):  global (.*?) ?\b\1\((.*)\)( <[\w, ]*>)?$")
 _QUALIFIERS = re.compile(

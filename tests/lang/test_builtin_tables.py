@@ -7,12 +7,10 @@ from pathlib import Path
 
 import pytest
 from lang.glslang_tables import table
-from sema.glslang import TOOL
 
 from shadercache.lang.builtins import function_names, functions
 from shadercache.lang.words import ES_VERSIONS, VERSIONS, type_names
-
-needs_glslang = pytest.mark.skipif(TOOL is None, reason="glslangValidator is not installed")
+from tests.glslang import needs_glslang
 
 # glslang has them before the specification does, or has what no specification knows.
 LEFT_OUT = re.compile(

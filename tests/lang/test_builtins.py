@@ -7,7 +7,6 @@ import sys
 from pathlib import Path
 
 import pytest
-from sema.glslang import PROBES, TOOL, bad_lines, probe
 from sema.tools import checked
 
 from shadercache.ast.nodes import Call
@@ -22,8 +21,7 @@ from shadercache.lang.builtins import (
 from shadercache.lang.types import Type
 from shadercache.lang.words import type_names
 from shadercache.sema.facts import Stage
-
-needs_glslang = pytest.mark.skipif(TOOL is None, reason="glslangValidator is not installed")
+from tests.glslang import PROBES, bad_lines, needs_glslang, probe
 
 DERIVATIVES = {"dFdx", "dFdy", "fwidth"}
 # A name of an extension, and functions that take nothing but an input variable.

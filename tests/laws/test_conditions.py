@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
-import subprocess
 from contextlib import closing
 from pathlib import Path
 
@@ -21,6 +19,7 @@ from shadercache.verify.verdict import Verdict
 from shadercache.verify.verifier import Verifier
 from tests.altered import altered
 from tests.configured import PROOF, rewritten
+from tests.glslang import needs_glslang, objections
 
 FOLDER = Path(__file__).with_name("conditions")
 SHADERS = ("branch", "switch", "returns", "discards", "alpha", "textures", "choices")
@@ -68,7 +67,7 @@ def test_a_fetch_under_a_condition_takes_one_pass_away() -> None:
     assert not refused("textures", "noise(floor(p * 8.0)) * n")
 
 
-@pytest.mark.skipif(shutil.which("glslangValidator") is None, reason="glslang is not installed")
+@needs_glslang
 @pytest.mark.parametrize("name", SHADERS)
 def test_the_reference_compiler_takes_every_program(name: str, tmp_path: Path) -> None:
     analysis = load(name)[1]
@@ -76,11 +75,7 @@ def test_the_reference_compiler_takes_every_program(name: str, tmp_path: Path) -
         if not node.offered:
             continue
         files = rewritten(analysis, node, Configuration()).files
-        for file, text in files.items():
-            (tmp_path / file).write_text(text, encoding="utf-8")
-        line = ["glslangValidator", *(str(tmp_path / file) for file in files)]
-        done = subprocess.run(line, capture_output=True, text=True)
-        assert done.returncode == 0, f"{node.text}:\n{done.stdout}"
+        assert not objections(files.items(), tmp_path), node.text
 
 
 @pytest.mark.xdist_group("gl")

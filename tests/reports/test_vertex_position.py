@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from contextlib import closing
 from pathlib import Path
 
 import pytest
 from vertex_stages import (
     REPORTS,
     analysed,
+    check_laws,
     hit_rate,
     made_scene,
     names,
@@ -29,7 +29,6 @@ from shadercache.paths import data_path
 from shadercache.scene.description import load_scene
 from shadercache.source import Source
 from shadercache.valid.validate import validate
-from shadercache.verify.verifier import Verifier
 from tests.cases import cases
 from tests.configured import rewritten
 
@@ -89,10 +88,7 @@ def test_hits_in_a_turning_scene(name: str, gpu: Gpu, folder: Path, plain_rate: 
 @pytest.mark.parametrize("name", LEGAL)
 def test_laws_2_to_4(name: str, gpu: Gpu, folder: Path) -> None:
     analysis = analysed(FOLDER, name)
-    with closing(Verifier(gpu, (scene_of(folder, name, analysis), analysis), (40, 40))) as verifier:
-        verdict = verifier.check(payload(analysis), plain=False)
-        assert verifier.references.covered[0].mean() > 0.1
-    assert not verdict.broken, verdict.failure
+    check_laws(gpu, scene_of(folder, name, analysis), analysis, payload(analysis))
 
 
 def test_no_case_is_without_the_last_position() -> None:

@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from sema.glslang import TOOL, bad_lines
 from sema.tools import checked, initialisers
 
 from shadercache.sema.facts import Scalar
 from shadercache.sema.fold import convert, literal
+from tests.glslang import bad_lines, needs_glslang
 
 DECLARATIONS = """
 const int N = 3;
@@ -203,7 +203,7 @@ def holds(expression: str, value: Scalar) -> str:
     return f"({expression}) == ({text.replace('-2147483648', '-2147483647 - 1')})"
 
 
-@pytest.mark.skipif(TOOL is None, reason="glslangValidator is not installed")
+@needs_glslang
 def test_4_3_3_glslang_folds_to_the_same_values(tmp_path: Path) -> None:
     """An array of size -1 is an error: so a condition that does not hold is one."""
     conditions = [

@@ -10,7 +10,6 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from sema.glslang import PROBED, PROBES, TOOL, bad_lines
 
 from shadercache.ast.nodes import (
     Assign,
@@ -39,6 +38,7 @@ from shadercache.lang.builtins import Signature
 from shadercache.sema.facts import Facts, Stage
 from shadercache.source import NOWHERE, Source
 from shadercache.valid.validate import validate
+from tests.glslang import PROBED, PROBES, bad_lines, needs_glslang
 
 ROOT = Path(__file__).resolve().parents[2]
 SHADERS = sorted(p for end in ("frag", "vert") for p in (ROOT / "corpus").glob(f"*/*.{end}"))
@@ -106,7 +106,7 @@ def written(call: Call, facts: Facts) -> list[Expr]:
     return [arg for arg, flag in zip(call.args, flags, strict=True) if flag]
 
 
-@pytest.mark.skipif(TOOL is None, reason="glslangValidator is not installed")
+@needs_glslang
 @pytest.mark.parametrize("file", SHADERS, ids=lambda file: f"{file.parent.name}/{file.name}")
 def test_types_of_all_expressions(file: Path, tmp_path: Path) -> None:
     stage: Stage = "vertex" if file.suffix == ".vert" else "fragment"

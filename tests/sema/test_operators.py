@@ -6,14 +6,14 @@ from itertools import product
 from pathlib import Path
 
 import pytest
-from sema.glslang import PROBED, PROBES, TOOL, bad_lines, probe
 from sema.tools import checked
 
 from shadercache.lang.types import BOOL, Type, builtin_type
 from shadercache.sema.conversions import Conversions
 from shadercache.sema.operators import binary_type, construct_problem, unary_type
+from tests.glslang import PROBED, PROBES, bad_lines, needs_glslang, probe
 
-pytestmark = pytest.mark.skipif(TOOL is None, reason="glslangValidator is not installed")
+pytestmark = needs_glslang
 
 ASSIGNED = ("+", "-", "*", "/", "%", "<<", ">>", "&", "|", "^")
 BINARY = (*ASSIGNED, "&&", "||", "^^", "<", ">", "<=", ">=", "==", "!=")

@@ -12,10 +12,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from sema.glslang import TOOL, errors_of
 from sema.tools import codes
 
 from shadercache.sema.facts import Stage
+from tests.glslang import errors_of, needs_glslang
 
 RULES = Path(__file__).with_name("rules")
 PRELUDE = (RULES / "prelude.glsl").read_text()
@@ -85,7 +85,7 @@ def verdicts(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, list[str]
     return {files[file]: errors for file, errors in errors_of(files).items()}
 
 
-@pytest.mark.skipif(TOOL is None, reason="glslangValidator is not installed")
+@needs_glslang
 @EVERY
 def test_glslang_agrees(case: Case, verdicts: Mapping[str, list[str]]) -> None:
     errors = verdicts[case.title]
