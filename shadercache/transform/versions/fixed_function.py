@@ -105,8 +105,6 @@ class FixedFunction:
                 self._use(declared.name)
         self._elements = self._separate_outputs()
 
-    # --- what there is ----------------------------------------------------------------------------
-
     def _use(self, name: str) -> None:
         if name in self.names or name in _TODAY or self._stays(name):
             return
@@ -134,19 +132,16 @@ class FixedFunction:
     def _separate_outputs(self) -> dict[int, str]:
         """The elements of ``gl_FragData`` that are written, as outputs of their own: none where
         the index is not a constant."""
-        elements: dict[int, str] = {}
-        indexed: set[n.Node] = set()
-        for node in walk(self._module):
-            if isinstance(node, n.Index) and self._is_data(node.object):
-                indexed.add(node.object)
-                at = self._facts.constants.get(node.index)
-                if at is None:
-                    return {}
-                new = f"{self._stem}FragData_{int(at)}" if at else f"{self._stem}FragColor"
-                elements[int(at)] = new
-            elif self._is_data(node) and node not in indexed:
-                return {}
-        return dict(sorted(elements.items()))
+        nodes = list(walk(self._module))
+        indices = [
+            self._facts.constants.get(node.index)
+            for node in nodes
+            if isinstance(node, n.Index) and self._is_data(node.object)
+        ]
+        if None in indices or len(indices) < sum(map(self._is_data, nodes)):
+            return {}
+        numbers = sorted({int(index) for index in indices if index is not None})
+        return {at: self._stem + (f"FragData_{at}" if at else "FragColor") for at in numbers}
 
     def _is_data(self, node: n.Node) -> bool:
         return (
@@ -154,8 +149,6 @@ class FixedFunction:
             and node.name == _DATA
             and self._facts.symbols[node].kind == "builtin"
         )
-
-    # --- what becomes of it -----------------------------------------------------------------------
 
     def variable(self, node: n.Name) -> n.Expr:
         """What stands for a built-in variable; itself where it stays."""
@@ -189,8 +182,6 @@ class FixedFunction:
             if known.storage in storages and not (name == _DATA and self._elements)
         }
         return names | {f"{_DATA}[{at}]": name for at, name in self._elements.items()}
-
-    # --- declarations -----------------------------------------------------------------------------
 
     def declarations(self) -> Iterator[n.Decl]:
         """What declares the new names: the types first."""

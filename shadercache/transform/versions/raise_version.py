@@ -170,8 +170,6 @@ class _Raiser(Rewriter):
         decls = self.rewrite(self.tree.module).decls
         return replace(self.bare, decls=(*self.fixed.declarations(), *decls))
 
-    # --- what the user is told --------------------------------------------------------------------
-
     def interface(self) -> dict[str, str]:
         """New names of what an engine sees."""
         names = self.fixed.interface()
@@ -193,8 +191,6 @@ class _Raiser(Rewriter):
         for name, new in self.interface().items():
             message = f"{source.name}: '{name}' is called '{new}' in the variants"
             yield Diagnostic("SC411", message, severity=Severity.NOTE)
-
-    # --- names ------------------------------------------------------------------------------------
 
     def _clashes(self) -> tuple[dict[str, str], dict[str, str], dict[str, str]]:
         """New names of variables and types, of functions, and of everything that is a keyword now.
@@ -300,8 +296,6 @@ class _Raiser(Rewriter):
             if variable.name not in self.fixed.names
         )
         return replace(block, fields=tuple(parts))
-
-    # --- words ------------------------------------------------------------------------------------
 
     def _qualifiers(self, node: n.Qualifiers) -> n.Qualifiers:
         if not node.has("attribute", "varying"):
