@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import ast
 import subprocess
 import sys
-from collections.abc import Iterable
-from pathlib import Path
 
 import grimp
 import pytest
@@ -85,27 +82,3 @@ def test_no_modules_import_one_another() -> None:
 def test_cycles_would_be_found() -> None:
     imports = {"a": {"b"}, "b": {"c"}, "c": {"b"}, "d": {"a"}}
     assert cycles(imports) == [{"b", "c"}]
-
-
-COMPILER = ("lang", "ast", "front", "sema", "valid", "analysis", "transform", "emit", "manifest")
-
-
-def named_twice(names: Iterable[tuple[str, Path]]) -> dict[str, list[Path]]:
-    """What has the same name at several places."""
-    places: dict[str, list[Path]] = {}
-    for name, place in names:
-        places.setdefault(name, []).append(place)
-    return {name: found for name, found in places.items() if len(found) > 1}
-
-
-def test_files_and_classes_of_the_compiler_have_names_of_their_own() -> None:
-    root = Path(__file__).parents[1] / "shadercache"
-    files = [file for folder in COMPILER for file in sorted((root / folder).rglob("*.py"))]
-    classes = (
-        (node.name, file)
-        for file in files
-        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
-        if isinstance(node, ast.ClassDef)
-    )
-    assert named_twice((file.name, file) for file in files if file.name != "__init__.py") == {}
-    assert named_twice(classes) == {}

@@ -76,7 +76,7 @@ class Rewriter:
         return cast("N", result)
 
 
-class _Frame:
+class _OpenNode:
     """A node whose children are being rewritten."""
 
     __slots__ = ("left", "node", "results", "top")
@@ -92,14 +92,14 @@ def _rewrite(rewriter: Rewriter, root: Node) -> Result:
     replaced = rewriter.enter(root)
     if replaced is not None:
         return replaced
-    stack = [_Frame(root, False)]
+    stack = [_OpenNode(root, False)]
     while True:
         frame = stack[-1]
         node = next(frame.left, None)
         if node is not None:
             replaced = rewriter.enter(node)
             if replaced is None:
-                stack.append(_Frame(node, isinstance(frame.node, n.Module)))
+                stack.append(_OpenNode(node, isinstance(frame.node, n.Module)))
             else:
                 frame.results.append(replaced)
             continue
@@ -110,7 +110,7 @@ def _rewrite(rewriter: Rewriter, root: Node) -> Result:
         stack[-1].results.append(result)
 
 
-def _finish(rewriter: Rewriter, frame: _Frame) -> Result:
+def _finish(rewriter: Rewriter, frame: _OpenNode) -> Result:
     node: Any = frame.node
     rebuilt: Any = _rebuilt(node, frame.results)
     match _SORTS.get(type(node)):

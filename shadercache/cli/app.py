@@ -25,8 +25,18 @@ from shadercache import __version__
 from shadercache.cli.options import expanded
 from shadercache.diagnostics import Diagnostic, DiagnosticError, UsageError, usage_error
 
-COMMANDS = ("check", "nodes", "rewrite", "verify", "run", "bench", "demo", "assets", "doctor")
-"""The subcommands, in the order of the help text."""
+COMMANDS = {
+    "check": "check",
+    "nodes": "list_nodes",
+    "rewrite": "rewrite",
+    "verify": "verify",
+    "run": "run",
+    "bench": "bench",
+    "demo": "demo",
+    "assets": "assets",
+    "doctor": "doctor",
+}
+"""The subcommands, in the order of the help text, and their modules."""
 
 HIDDEN = frozenset({"demo"})
 """Subcommands that the help text leaves out."""
@@ -115,7 +125,7 @@ def _build(args: Sequence[str], reporter: Reporter) -> typer.Typer:
 
     # A file may have the name of a command; then one more module is imported, and nothing else.
     for name in [name for name in COMMANDS if name in args] or COMMANDS:
-        module = import_module(f"shadercache.cli.{name}")
+        module = import_module(f"shadercache.cli.{COMMANDS[name]}")
         app.command(name, hidden=name in HIDDEN)(expanded(module.command))
     return app
 

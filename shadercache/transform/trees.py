@@ -15,7 +15,7 @@ from shadercache.source import NOWHERE, Span
 N = TypeVar("N", bound=n.Node)
 
 
-class _Expressions(Rewriter):
+class _EveryExpression(Rewriter):
     def __init__(self, choose: Callable[[n.Expr, n.Expr], n.Expr]) -> None:
         self._choose = choose
 
@@ -38,7 +38,7 @@ def replace_expressions(root: N, choose: Callable[[n.Expr, n.Expr], n.Expr]) -> 
 
     Called from the bottom up; ``rebuilt`` has the replacements inside it made.
     """
-    return _Expressions(choose).rewrite(root)
+    return _EveryExpression(choose).rewrite(root)
 
 
 def replace_nodes(root: N, choose: Callable[[Any, Any], n.Node | Sequence[n.Node]]) -> N:

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from shadercache import __version__
-from shadercache.cli import nodes
+from shadercache.cli import list_nodes
 from shadercache.cli.app import COMMANDS
 
 from .conftest import Shell
@@ -94,7 +94,7 @@ def test_an_interrupt_ends_with_130(shell: Shell, monkeypatch: pytest.MonkeyPatc
     def interrupt(path: str) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(nodes, "read_source", interrupt)
+    monkeypatch.setattr(list_nodes, "read_source", interrupt)
     outcome = shell("nodes", "x.frag")
     assert (outcome.status, outcome.out, outcome.err) == (130, "", "")
 
@@ -105,7 +105,7 @@ def test_an_error_of_the_system_is_a_diagnostic(
     def refuse(path: str) -> None:
         raise OSError(24, "Too many open files", path)
 
-    monkeypatch.setattr(nodes, "read_source", refuse)
+    monkeypatch.setattr(list_nodes, "read_source", refuse)
     outcome = shell("nodes", "x.frag")
     assert outcome.status == 2
     assert outcome.err == "error: x.frag: Too many open files [SC004]\n"

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from shadercache.cli.nodes import HEADER
+from shadercache.cli.list_nodes import HEADER
 from shadercache.paths import data_path
 
 from .conftest import Shell
