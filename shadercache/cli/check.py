@@ -6,15 +6,17 @@ import json
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal, TypeAlias
 
 import typer
 
 from shadercache.cli.io import read_source
-from shadercache.cli.options import SourceOptions, StageName
+from shadercache.cli.options import SourceOptions
 from shadercache.diagnostics import Diagnostic, InputError, Severity
 from shadercache.front.read_options import ReadOptions
 from shadercache.source import Source
+
+StageName: TypeAlias = Literal["fragment", "vertex"]
 
 _AT_ONCE = 50
 """Files that the reference compiler is given together: it starts slowly, and may crash."""

@@ -12,7 +12,7 @@ from dataclasses import MISSING, dataclass, fields, is_dataclass, replace
 from functools import wraps
 from inspect import Parameter, Signature, signature
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias, TypeVar, get_type_hints
+from typing import TYPE_CHECKING, Annotated, Any, TypeAlias, TypeVar, get_type_hints
 
 import typer
 
@@ -37,8 +37,6 @@ PASSES = (*(algorithm.word for algorithm in ALGORITHMS), "all")
 
 _MACRO = re.compile(r"[A-Za-z_]\w*(\([^()]*\))?", re.ASCII)
 _FIXED_MACROS = frozenset(("defined", "__LINE__", "__FILE__", "__VERSION__"))
-
-StageName: TypeAlias = Literal["fragment", "vertex"]
 
 FragmentArgument: TypeAlias = Annotated[
     str, typer.Argument(metavar="FRAG", help="Fragment shader; - is stdin.")

@@ -68,14 +68,14 @@ def verify_in_parallel(
     """
     verdicts: dict[str, Verdict] = {}
 
-    def keep(verdict: Verdict) -> None:
-        verdicts[verdict.node] = verdict
+    def keep(node: str, verdict: Verdict) -> None:
+        verdicts[node] = verdict
         heard(verdict)
 
     if jobs == 1:
         with closing(scene.open()) as verifier:
             for node in nodes:
-                keep(verifier.check(verifier.analysis.nodes_of(node), plain))
+                keep(node, verifier.check(verifier.analysis.nodes_of(node), plain))
     spawn = get_context("spawn")  # a forked child would share the parent's driver state
     workers, lost = jobs, 0
     while left := [node for node in nodes if node not in verdicts]:
@@ -89,19 +89,22 @@ def verify_in_parallel(
             message = "the driver crashes, whatever it is given to draw"
             raise GraphicsError(Diagnostic("SC606", message))
         else:
-            keep(Verdict(left[0], "", "", True, failure=CRASHED))
+            keep(left[0], Verdict(left[0], "", "", True, failure=CRASHED))
             workers, lost = jobs, lost + 1
     return [verdicts[node] for node in nodes]
 
 
 def _drain(
-    pool: ProcessPoolExecutor, nodes: Sequence[str], plain: bool, keep: Callable[[Verdict], None]
+    pool: ProcessPoolExecutor,
+    nodes: Sequence[str],
+    plain: bool,
+    keep: Callable[[str, Verdict], None],
 ) -> None:
     """Keep verdicts as they come, until a process dies, which ends the pool."""
-    waiting = [pool.submit(_work, node, plain) for node in nodes]
+    waiting = {pool.submit(_work, node, plain): node for node in nodes}
     try:
         for future in as_completed(waiting):
-            keep(future.result())
+            keep(waiting[future], future.result())
     except BrokenProcessPool:
         return
     except BaseException:
