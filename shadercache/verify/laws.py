@@ -53,8 +53,9 @@ def refreshed(references: References, bundle: Bundle, name: str, mode: Mode) -> 
     never = refresh.schedule == "none" and not refresh.age
     with references.run(bundle, name, period=1) as runner:
         for frame in ALWAYS:
-            # A reset draws the passes that compute, and not those that would find nothing to reuse:
-            # compiling these takes a third of the time.
+            # Where no period refreshes anything, a reset does. It draws the passes that compute,
+            # not those that would find nothing to reuse: compiling these takes a third of plain
+            # mode.
             if mode == "plain" or never:
                 runner.reset("cut")
             images.append(runner.image(frame))
