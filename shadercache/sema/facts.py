@@ -6,19 +6,7 @@ from collections.abc import Mapping, Set
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
-from shadercache.ast.nodes import (
-    NO_QUALIFIERS,
-    BlockDecl,
-    Call,
-    Declarator,
-    Expr,
-    FunctionDef,
-    FunctionProto,
-    Name,
-    Param,
-    Qualifiers,
-    StructDef,
-)
+from shadercache.ast import nodes as n
 from shadercache.diagnostics import Diagnostic
 from shadercache.lang.builtins import Signature
 from shadercache.lang.types import StructType, Type
@@ -29,10 +17,10 @@ Kind: TypeAlias = Literal[
     "local", "param", "global", "const", "uniform", "buffer", "in", "out", "builtin", "block"
 ]
 
-Declares: TypeAlias = Declarator | Param | BlockDecl
+Declares: TypeAlias = n.Declarator | n.Param | n.BlockDecl
 """The nodes that declare a variable."""
 
-Callee: TypeAlias = FunctionDef | FunctionProto | Signature
+Callee: TypeAlias = n.FunctionDef | n.FunctionProto | Signature
 """What a call calls: a function, one that is only declared here, or a built-in overload."""
 
 Scalar: TypeAlias = int | float | bool
@@ -51,11 +39,11 @@ class Symbol:
     name: str
     type: Type
     kind: Kind
-    qualifiers: Qualifiers = NO_QUALIFIERS
+    qualifiers: n.Qualifiers = n.NO_QUALIFIERS
     node: Declares | None = None
     is_global: bool = True
     writable: bool = False
-    block: BlockDecl | None = None
+    block: n.BlockDecl | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -70,18 +58,18 @@ class Facts:
     prototype to the definition of its function, where the module has one.
     """
 
-    types: Mapping[Expr, Type]
-    symbols: Mapping[Name, Symbol]
+    types: Mapping[n.Expr, Type]
+    symbols: Mapping[n.Name, Symbol]
     declared: Mapping[Declares, Symbol]
-    calls: Mapping[Call, Callee]
-    constants: Mapping[Expr, Scalar]
-    constant_expressions: Set[Expr]
-    functions: tuple[FunctionDef, ...]
-    called: Mapping[FunctionDef, tuple[Call, ...]]
-    prototypes: Mapping[FunctionProto, FunctionDef]
-    structs: Mapping[StructType, StructDef]
+    calls: Mapping[n.Call, Callee]
+    constants: Mapping[n.Expr, Scalar]
+    constant_expressions: Set[n.Expr]
+    functions: tuple[n.FunctionDef, ...]
+    called: Mapping[n.FunctionDef, tuple[n.Call, ...]]
+    prototypes: Mapping[n.FunctionProto, n.FunctionDef]
+    structs: Mapping[StructType, n.StructDef]
     warnings: tuple[Diagnostic, ...] = ()
 
-    def is_constant(self, expr: Expr) -> bool:
+    def is_constant(self, expr: n.Expr) -> bool:
         """Is it a constant expression (GLSL 3.30 section 4.3.3), of whatever type?"""
         return expr in self.constant_expressions

@@ -35,14 +35,10 @@ def literal(text: str) -> tuple[Type, Scalar | None]:
     if text in ("true", "false"):
         return BOOL, text == "true"
     low = text.lower()
-    if low.startswith("0x") or not any(char in low for char in ".ef"):
-        return _integer(low)
-    if low.endswith("lf"):
+    if low.endswith("lf") and not low.startswith("0x"):
         return DOUBLE, float(low[:-2])
-    return FLOAT, convert(float(low.removesuffix("f")), "float")
-
-
-def _integer(low: str) -> tuple[Type, int | None]:
+    if not low.startswith("0x") and any(char in low for char in ".ef"):
+        return FLOAT, convert(float(low.removesuffix("f")), "float")
     digits = low.rstrip("ul")
     kind = _INTEGERS[low[len(digits) :]]
     octal = digits.startswith("0") and digits.isdigit()
@@ -71,22 +67,19 @@ def convert(value: Scalar, base: str | None) -> Scalar | None:
             return float(_FLOAT32.unpack(_FLOAT32.pack(value))[0])
         except OverflowError:
             return math.copysign(math.inf, value)
-    if isinstance(value, float):
-        return _truncated(value, base or "int")
-    return wrap(int(value), base or "int")
-
-
-def _truncated(value: float, base: str) -> int | None:
+    base = base or "int"
     limit = 1 << _BITS[base]
     low, high = (-limit // 2, limit // 2) if base in _SIGNED else (0, limit)
-    return int(value) if low <= value < high else None
+    if isinstance(value, float) and not low <= value < high:
+        return None
+    return wrap(int(value), base)
 
 
 def flattened(value: Value) -> Iterator[Scalar]:
     """The scalars of a value in order."""
     if isinstance(value, tuple):
-        for item in value:
-            yield from flattened(item)
+        for part in value:
+            yield from flattened(part)
     else:
         yield value
 
@@ -105,13 +98,10 @@ def _remainder(left: int, right: int) -> int:
     return left % right
 
 
-def _shift(apply: Callable[[int, int], int]) -> Callable[[int, int], int]:
-    def shifted(left: int, right: int) -> int:
-        if not 0 <= right < 32:
-            raise ArithmeticError
-        return apply(left, right)
-
-    return shifted
+def _shift(left: int, right: int, sign: int) -> int:
+    if not 0 <= right < 32:
+        raise ArithmeticError
+    return left << right if sign > 0 else left >> right
 
 
 _BINARY: Mapping[str, Callable[[Any, Any], Any]] = {
@@ -120,8 +110,8 @@ _BINARY: Mapping[str, Callable[[Any, Any], Any]] = {
     "*": operator.mul,
     "/": _quotient,
     "%": _remainder,
-    "<<": _shift(operator.lshift),
-    ">>": _shift(operator.rshift),
+    "<<": lambda left, right: _shift(left, right, 1),
+    ">>": lambda left, right: _shift(left, right, -1),
     "&": operator.and_,
     "|": operator.or_,
     "^": operator.xor,
@@ -193,13 +183,12 @@ def converted(value: Value, base: str | None) -> Value | None:
     """Every scalar of ``value`` as another scalar type."""
     if not isinstance(value, tuple):
         return convert(value, base)
-    items = [converted(item, base) for item in value]
-    return _all(items)
+    return _all([converted(part, base) for part in value])
 
 
-def _all(items: list[Value | None]) -> tuple[Value, ...] | None:
-    known = tuple(item for item in items if item is not None)
-    return known if len(known) == len(items) else None
+def _all(values: list[Value | None]) -> tuple[Value, ...] | None:
+    known = tuple(value for value in values if value is not None)
+    return known if len(known) == len(values) else None
 
 
 def mapped(apply: Callable[..., Any], values: tuple[Value, ...], base: str | None) -> Value | None:
@@ -222,14 +211,13 @@ def fold_construct(kind: Type, values: list[Value]) -> Value | None:
     if kind.dims:
         return _all([_part(kind.element, value) for value in values])
     if kind.struct is not None:
-        fields = zip(kind.struct.fields.values(), values, strict=True)
-        return _all([_part(field, value) for field, value in fields])
+        return _all(list(map(_part, kind.struct.fields.values(), values)))
     if kind.is_matrix:
         return _matrix(kind, values)
-    items = [convert(item, kind.base) for value in values for item in flattened(value)]
-    if len(items) == 1:
-        items *= kind.rows
-    known = _all([*items[: kind.rows]])
+    scalars = [convert(scalar, kind.base) for value in values for scalar in flattened(value)]
+    if len(scalars) == 1:
+        scalars *= kind.rows
+    known = _all([*scalars[: kind.rows]])
     if known is None or len(known) < kind.rows:
         return None
     return known if kind.rows > 1 else known[0]
@@ -247,7 +235,7 @@ def _matrix(kind: Type, values: list[Value]) -> Value | None:
     elif len(values) == 1 and isinstance(only, tuple) and isinstance(only[0], tuple):
         columns = [[_entry(only, c, r) for r in range(kind.rows)] for c in range(kind.cols)]
     else:
-        flat = [item for value in values for item in flattened(value)]
+        flat = [scalar for value in values for scalar in flattened(value)]
         columns = [flat[c * kind.rows : (c + 1) * kind.rows] for c in range(kind.cols)]
     return converted(tuple(tuple(column) for column in columns), kind.base)
 

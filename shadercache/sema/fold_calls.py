@@ -22,8 +22,8 @@ def _fraction(x: float) -> float:
     return x - math.floor(x)
 
 
-def _bits(made: str, given: str) -> Callable[[Any], Any]:
-    return lambda value: struct.unpack(made, struct.pack(given, value))[0]
+def _bits(target: str, given: str) -> Callable[[Any], Any]:
+    return lambda value: struct.unpack(target, struct.pack(given, value))[0]
 
 
 _COMPONENTWISE: Mapping[str, Callable[..., Any]] = {
@@ -110,8 +110,7 @@ def _refract(i: Any, n: Any, eta: float) -> Any:
 
 def _determinant(matrix: Any) -> float:
     if len(matrix) == 1:
-        only: float = matrix[0][0]
-        return only
+        return float(matrix[0][0])
     return math.fsum(
         (-1.0) ** i * column[0] * _determinant(_without(matrix, i, 0))
         for i, column in enumerate(matrix)
@@ -155,18 +154,16 @@ _WHOLE: Mapping[str, Callable[..., Any]] = {
 def fold_call(name: str, values: list[Value], params: list[Type], kind: Type) -> Value | None:
     """The value of a call; ``None`` where it is undefined or not known here."""
     arguments = [converted(v, p.base) for v, p in zip(values, params, strict=True)]
-    if None in arguments:
-        return None
     known = tuple(argument for argument in arguments if argument is not None)
-    apply = _COMPONENTWISE.get(name)
+    apply, whole = _COMPONENTWISE.get(name), _WHOLE.get(name)
+    if len(known) < len(arguments):
+        return None
     if apply is not None:
         return mapped(apply, known, kind.base)
-    whole = _WHOLE.get(name)
     if whole is None:
         return None
     try:
-        made = whole(*known)
+        value = whole(*known)
     except (ArithmeticError, ValueError):
         return None
-    parts = list(chain(*made)) if kind.is_matrix else [made]
-    return fold_construct(kind, parts)
+    return fold_construct(kind, list(chain(*value)) if kind.is_matrix else [value])

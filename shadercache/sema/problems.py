@@ -34,9 +34,8 @@ class Problems:
 
     def warn(self, code: str, message: str, node: Node, hint: str | None = None) -> None:
         """Report something legal but doubtful."""
-        self._diagnostics.append(
-            Diagnostic(code, message, self._source, node.span, hint, Severity.WARNING)
-        )
+        place = self._source, node.span
+        self._diagnostics.append(Diagnostic(code, message, *place, hint, Severity.WARNING))
 
     def undeclared(
         self, what: str, name: str, node: Node, known: Callable[[], Iterable[str]]
@@ -45,8 +44,7 @@ class Problems:
         if name in self._undeclared:
             return ERROR
         self._undeclared.add(name)
-        of_extension = unsupported.explained(name)
-        if of_extension is not None:
+        if of_extension := unsupported.explained(name):
             message, hint = of_extension
             return self.error("SC111", message, node, hint)
         # Looking for similar names is slow, and nobody reads the hundredth hint.
@@ -62,15 +60,13 @@ class Problems:
 
         Raises :class:`InputError` with every mistake, if there is one.
         """
-        told = sorted(self._diagnostics, key=_place)
-        errors = [item for item in told if item.severity is Severity.ERROR]
+        reports = sorted(
+            self._diagnostics, key=lambda one: (one.span[0] if one.span else 0, one.code)
+        )
+        errors = [one for one in reports if one.severity is Severity.ERROR]
         if errors:
-            raise InputError(told if len(told) <= MAX_TOLD else errors[:MAX_TOLD])
-        return tuple(told)
-
-
-def _place(item: Diagnostic) -> tuple[int, str]:
-    return item.span.start if item.span else 0, item.code
+            raise InputError(reports if len(reports) <= MAX_TOLD else errors[:MAX_TOLD])
+        return tuple(reports)
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str | None:
