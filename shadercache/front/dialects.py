@@ -52,9 +52,9 @@ class Host:
         own = _uniforms(user.texts)
         before = [text for decl in self.declarations if decl[2] not in own for text in decl]
         whole = Lexemes()
-        whole.texts = [*before, *user.texts, *self.main]
-        whole.starts = [*[0] * len(before), *user.starts, *[end] * len(self.main)]
-        whole.ends = [*[0] * len(before), *user.ends, *[end] * len(self.main)]
+        whole.repeat(before, 0, 0)
+        whole.add(user, 0, len(user.texts))
+        whole.repeat(self.main, end, end)
         return whole
 
 

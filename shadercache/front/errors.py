@@ -8,7 +8,6 @@ below each recognise one kind of mistake; the first that does words the diagnost
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import Any
 
 from lark.exceptions import UnexpectedToken
 
@@ -21,7 +20,6 @@ from shadercache.front.tokens import Edition, Token, TokenStream
 from shadercache.front.unexpected import CLOSERS, PAIRS, Unexpected, gather
 from shadercache.lang import unsupported
 from shadercache.lang.words import STATEMENT_WORDS, keyword_since, keywords, type_names
-from shadercache.source import Span
 
 _STATEMENT_ENDS = frozenset((";", "{", "}", ")", ":", ""))
 _JUMPS = {
@@ -54,8 +52,12 @@ def _reserved(mistake: Unexpected) -> Diagnostic | None:
         return mistake.here("subroutines are not supported", hint, "SC111")
     if mistake.kind != "RESERVED":
         return None
+    hint = "choose another name"
+    if "NAME" not in mistake.right or "BASIC_TYPE" in mistake.right:
+        instead = foreign.INSTEAD_OF_RESERVED.get(mistake.text)
+        hint = instead or _needs(mistake.text, mistake.language) or hint
     message = f"'{mistake.text}' is a reserved word of {mistake.language}"
-    return mistake.here(message, _reserved_hint(mistake), "SC106")
+    return mistake.here(message, hint, "SC106")
 
 
 def _of_extension(mistake: Unexpected) -> Diagnostic | None:
@@ -64,17 +66,9 @@ def _of_extension(mistake: Unexpected) -> Diagnostic | None:
         return None
     here, before = (mistake.text, mistake.span), (mistake.before, mistake.before_span)
     for text, span in (before, here):
-        found = unsupported.explained(text)
-        if found is not None:
-            return mistake.at(span, *found, "SC111")
+        if of_extension := unsupported.explained(text):
+            return mistake.at(span, *of_extension, "SC111")
     return None
-
-
-def _reserved_hint(mistake: Unexpected) -> str:
-    if "NAME" in mistake.right and "BASIC_TYPE" not in mistake.right:
-        return "choose another name"
-    instead = foreign.INSTEAD_OF_RESERVED.get(mistake.text)
-    return instead or _needs(mistake.text, mistake.language) or "choose another name"
 
 
 def _needs(word: str, language: Edition) -> str | None:
@@ -90,10 +84,8 @@ def _later_keyword(mistake: Unexpected) -> Diagnostic | None:
     language = mistake.language
     here, before = (mistake.text, mistake.span), (mistake.before, mistake.before_span)
     for text, span in (here, before, (mistake.callee, mistake.span)):
-        if is_word(text) and text not in keywords(*language):
-            hint = _needs(text, language)
-            if hint is not None:
-                return mistake.at(span, f"'{text}' has no meaning in {language}", hint, "SC106")
+        if is_word(text) and text not in keywords(*language) and (hint := _needs(text, language)):
+            return mistake.at(span, f"'{text}' has no meaning in {language}", hint, "SC106")
     return None
 
 
@@ -110,7 +102,7 @@ def _wrong_closer(mistake: Unexpected) -> Diagnostic | None:
     """A closing bracket that does not fit the innermost open one."""
     if mistake.text not in CLOSERS:
         return None
-    opening, _, _ = mistake.openings[-1] if mistake.openings else ("{", Span(0, 0), "")
+    opening, _, _ = mistake.innermost
     if not mistake.openings or (opening == "{" and mistake.text != "}"):
         return mistake.here(f"this '{mistake.text}' closes nothing")
     closer = PAIRS[opening]
@@ -123,14 +115,14 @@ def _never_closed(mistake: Unexpected) -> Diagnostic | None:
     """A bracket that is open at the end of the file."""
     if mistake.text or not mistake.openings:
         return None
-    opening, span, _ = mistake.openings[-1]
+    opening, span, _ = mistake.innermost
     complete = mistake.before in (";", "}", "{") or CLOSERS[PAIRS[opening]] in mistake.right
     return mistake.at(span, f"this '{opening}' is never closed") if complete else None
 
 
 def _opened(mistake: Unexpected) -> str:
-    opening, span, _ = mistake.openings[-1]
-    line, column = mistake.source.position(span.start)
+    opening, span, _ = mistake.innermost
+    line, column = mistake.stream.source.position(span.start)
     return f"the '{opening}' at {line}:{column} is open"
 
 
@@ -138,25 +130,18 @@ def _unknown_type(mistake: Unexpected) -> Diagnostic | None:
     """``Foo bar``, where nothing says that ``Foo`` is a type."""
     if mistake.kind != "NAME":
         return None
-    if "NAME" not in mistake.right and "TYPE_NAME" in mistake.right:
-        span, name = mistake.span, mistake.text
-        return mistake.at(span, _no_type(name), _type_hint(mistake, name))
-    starts = mistake.same_line and mistake.earlier in _STATEMENT_ENDS
-    if starts and is_word(mistake.before) and mistake.before not in keywords(*mistake.language):
+    span, name = mistake.span, mistake.text
+    if "NAME" in mistake.right or "TYPE_NAME" not in mistake.right:
         span, name = mistake.before_span, mistake.before
-        return mistake.at(span, _no_type(name), _type_hint(mistake, name))
-    return None
-
-
-def _no_type(name: str) -> str:
-    return f"'{name}' is not the name of a type"
-
-
-def _type_hint(mistake: Unexpected, name: str) -> str | None:
-    known = {*type_names(*mistake.language), *mistake.stream.scopes.types}
-    if mistake.before == "," and mistake.openings and mistake.openings[-1][0] == "(":
-        return "each parameter has a type of its own"
-    return foreign.type_hint(name, known) or _outside_hint(mistake)
+        starts = mistake.same_line and mistake.earlier in _STATEMENT_ENDS
+        if not starts or not is_word(name) or name in keywords(*mistake.language):
+            return None
+    if mistake.before == "," and mistake.innermost[0] == "(":
+        hint: str | None = "each parameter has a type of its own"
+    else:
+        known = {*type_names(*mistake.language), *mistake.stream.scopes.types}
+        hint = foreign.type_hint(name, known) or _outside_hint(mistake)
+    return mistake.at(span, f"'{name}' is not the name of a type", hint)
 
 
 def _outside_hint(mistake: Unexpected) -> str | None:
@@ -167,25 +152,25 @@ def _unfinished_block(mistake: Unexpected) -> Diagnostic | None:
     """``struct S { float a; } void main() { }``"""
     if mistake.before != "}" or not {"NAME", "SEMICOLON"} <= mistake.right:
         return None
-    is_keyword = mistake.text in keywords(*mistake.language)
-    return mistake.behind("expected ';' after the block") if is_keyword else None
+    return mistake.behind("expected ';' after the block") if mistake.is_keyword else None
 
 
 def _keyword_as_name(mistake: Unexpected) -> Diagnostic | None:
     """``float in = 1.0;``"""
     wanted = "NAME" in mistake.right and not mistake.operand_missing and mistake.same_line
-    if wanted and mistake.text in keywords(*mistake.language):
+    if wanted and mistake.is_keyword:
         return mistake.here(f"'{mistake.text}' is a keyword and cannot be a name", code="SC106")
     return None
 
 
 def _missing_type(mistake: Unexpected) -> Diagnostic | None:
     """``const x = 1.0;``, ``uniform Foo bar;``, ``uniform;``"""
-    if {"LBRACE", "COMMA"} <= mistake.right and mistake.kind in ("EQUAL", "LSQB", "LPAR"):
-        return mistake.at(mistake.before_span, f"expected a type before '{mistake.before}'")
-    if {"LBRACE", "COMMA"} <= mistake.right and mistake.kind == "NAME":
-        message = f"'{mistake.before}' is not the name of a type"
-        return mistake.at(mistake.before_span, message)
+    if {"LBRACE", "COMMA"} <= mistake.right:
+        if mistake.kind in ("EQUAL", "LSQB", "LPAR"):
+            return mistake.at(mistake.before_span, f"expected a type before '{mistake.before}'")
+        if mistake.kind == "NAME":
+            message = f"'{mistake.before}' is not the name of a type"
+            return mistake.at(mistake.before_span, message)
     if "BASIC_TYPE" in mistake.right and is_word(mistake.before) and not mistake.operand_missing:
         return mistake.behind(f"expected a type after '{mistake.before}'")
     return None
@@ -216,8 +201,7 @@ def _missing_semicolon(mistake: Unexpected) -> Diagnostic | None:
         return None
     if mistake.text == ")":
         return mistake.behind("expected ';' before ')'")
-    apart = not mistake.same_line or mistake.text in ("", "{", "}") or is_word(mistake.text)
-    if not apart:
+    if mistake.same_line and mistake.text not in ("", "{", "}") and not is_word(mistake.text):
         return None
     hint = _opened(mistake) if isinstance(mistake.values[-1], FunctionProto) else None
     return mistake.behind(f"expected ';' after {_construct(mistake)}", hint)
@@ -230,24 +214,19 @@ def _construct(mistake: Unexpected) -> str:
             return f"'{_JUMPS[value.type]}'"
         if isinstance(value, DeclaredHead) and value.type is None:
             return "the block"
-        if isinstance(value, FullType) or (isinstance(value, list) and _is_declaration(value)):
+        # A list of declarators begins with their type.
+        if isinstance(value[0] if isinstance(value, list) and value else value, FullType):
             return "declaration"
     if isinstance(mistake.values[-1], FunctionProto):
         return "the function; one cannot be defined in another"
     return "expression" if mistake.openings else "declaration"
 
 
-def _is_declaration(value: list[Any]) -> bool:
-    return bool(value) and isinstance(value[0], FullType)
-
-
 def _missing_closer(mistake: Unexpected) -> Diagnostic | None:
     """``f(a b)``, ``a[1;``: the innermost bracket could have been closed here."""
-    opening, _, before = mistake.openings[-1] if mistake.openings else ("{", Span(0, 0), "")
-    if opening == "{" or mistake.operand_missing:
-        return None
+    opening, _, before = mistake.innermost
     closer = PAIRS[opening]
-    if CLOSERS[closer] not in mistake.right:
+    if opening == "{" or mistake.operand_missing or CLOSERS[closer] not in mistake.right:
         return None
     listed = opening == "(" and is_word(before) and before not in STATEMENT_WORDS
     wanted = f"',' or '{closer}'" if listed and mistake.text != ";" else f"'{closer}'"
@@ -274,9 +253,8 @@ def _missing_declaration(mistake: Unexpected) -> Diagnostic | None:
     if "BASIC_TYPE" not in mistake.right:
         return None
     if mistake.before in ("", ";", "}") and not mistake.openings:
-        return mistake.here(
-            f"expected a declaration, found '{mistake.text}'", _outside_hint(mistake)
-        )
+        message = f"expected a declaration, found '{mistake.text}'"
+        return mistake.here(message, _outside_hint(mistake))
     return mistake.here(f"expected a type {mistake.place}")
 
 

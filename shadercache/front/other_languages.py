@@ -87,17 +87,16 @@ def operand_hint(mistake: Unexpected) -> str | None:
 
 def operator(mistake: Unexpected) -> Diagnostic | None:
     """``a === b``, ``a -> b``, ``a and b``"""
+    span, signs = mistake.span, mistake.before + mistake.text
     if mistake.text in _OPERATOR_WORDS and "BINARY" in mistake.right:
-        hint = f"write '{_OPERATOR_WORDS[mistake.text]}'"
-        return mistake.here(f"'{mistake.text}' is no operator of GLSL", hint)
-    signs = mistake.before + mistake.text
-    if signs in _OPERATORS and mistake.before_span.end == mistake.span.start:
-        span = mistake.before_span.to(mistake.span)
-        return mistake.at(span, f"'{signs}' is no operator of GLSL", _OPERATORS[signs])
-    signs = mistake.text + mistake.after
-    if signs == ":=":
-        return mistake.here(f"'{signs}' is no operator of GLSL", _OPERATORS[signs])
-    return None
+        signs, hint = mistake.text, f"write '{_OPERATOR_WORDS[mistake.text]}'"
+    elif signs in _OPERATORS and mistake.before_span.end == mistake.span.start:
+        span, hint = mistake.before_span.to(mistake.span), _OPERATORS[signs]
+    elif mistake.text + mistake.after == ":=":
+        signs, hint = ":=", _OPERATORS[":="]
+    else:
+        return None
+    return mistake.at(span, f"'{signs}' is no operator of GLSL", hint)
 
 
 def cast(mistake: Unexpected) -> Diagnostic | None:
@@ -138,7 +137,7 @@ def semantic(mistake: Unexpected) -> Diagnostic | None:
     declares = not mistake.operand_missing and not mistake.right.isdisjoint(("SEMICOLON", "RPAR"))
     if mistake.text != ":" or not is_word(mistake.after) or not declares:
         return None
-    if mistake.openings and mistake.openings[-1][0] != "{" and mistake.before == "]":
+    if mistake.innermost[0] != "{" and mistake.before == "]":
         return None
     hint = "GLSL has no semantics; variables meet by their names or by layout(location = ...)"
     return mistake.here("unexpected ':'", hint)

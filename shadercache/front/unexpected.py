@@ -9,7 +9,8 @@ from lark.exceptions import UnexpectedToken
 
 from shadercache.diagnostics import Diagnostic
 from shadercache.front.tokens import Edition, TokenStream
-from shadercache.source import Source, Span
+from shadercache.lang.words import keywords
+from shadercache.source import Span
 
 PAIRS = {"(": ")", "[": "]", "{": "}"}
 CLOSERS = {")": "RPAR", "]": "RSQB", "}": "RBRACE"}
@@ -41,19 +42,24 @@ class Unexpected:
     values: list[Any]
 
     @property
-    def source(self) -> Source:
-        """The file."""
-        return self.stream.source
+    def language(self) -> Edition:
+        """The GLSL of the file."""
+        return self.stream.language
 
     @property
-    def language(self) -> Edition:
-        """Its GLSL."""
-        return self.stream.language
+    def is_keyword(self) -> bool:
+        """Is the token a keyword of that GLSL?"""
+        return self.text in keywords(*self.language)
+
+    @property
+    def innermost(self) -> tuple[str, Span, str]:
+        """The innermost bracket that is open; outside of all it is as in a block."""
+        return self.openings[-1] if self.openings else ("{", Span(0, 0), "")
 
     def at(
         self, span: Span, message: str, hint: str | None = None, code: str = "SC103"
     ) -> Diagnostic:
-        return Diagnostic(code, message, self.source, span, hint)
+        return Diagnostic(code, message, self.stream.source, span, hint)
 
     def here(self, message: str, hint: str | None = None, code: str = "SC103") -> Diagnostic:
         return self.at(self.span, message, hint, code)
@@ -73,7 +79,8 @@ class Unexpected:
 
     @property
     def same_line(self) -> bool:
-        return "\n" not in self.source.excerpt(Span(self.before_span.end, self.span.start))
+        between = Span(self.before_span.end, self.span.start)
+        return "\n" not in self.stream.source.excerpt(between)
 
 
 def gather(error: UnexpectedToken, stream: TokenStream) -> Unexpected:

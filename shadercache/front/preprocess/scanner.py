@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from shadercache.diagnostics import Diagnostic
@@ -101,7 +102,7 @@ class Lexemes:
         self.starts += other.starts[first:behind]
         self.ends += other.ends[first:behind]
 
-    def repeat(self, texts: list[str], start: int, end: int) -> None:
+    def repeat(self, texts: Sequence[str], start: int, end: int) -> None:
         """Append lexemes that all have one place."""
         self.texts += texts
         self.starts += [start] * len(texts)
