@@ -49,11 +49,11 @@ _Value = int | DirectiveError  # A mistake counts only if the whole depends on i
 
 def replace_defined(words: tuple[str, ...], macros: Container[str]) -> list[str]:
     """The words of an expression with ``1`` or ``0`` for ``defined X`` and ``defined(X)``."""
-    made: list[str] = []
+    replaced: list[str] = []
     at = 0
     while at < len(words):
         if words[at] != "defined":
-            made.append(words[at])
+            replaced.append(words[at])
             at += 1
             continue
         bracket = words[at + 1 : at + 2] == ("(",)
@@ -65,8 +65,8 @@ def replace_defined(words: tuple[str, ...], macros: Container[str]) -> list[str]
             if words[at : at + 1] != (")",):
                 raise DirectiveError("SC122", f"expected ')' after 'defined({name}'")
             at += 1
-        made.append("1" if name in macros else "0")
-    return made
+        replaced.append("1" if name in macros else "0")
+    return replaced
 
 
 def evaluate(words: Sequence[str], es: bool) -> int:
@@ -78,16 +78,18 @@ def evaluate(words: Sequence[str], es: bool) -> int:
     waiting: list[tuple[str, int]] = []  # Operators and brackets with their precedence.
     operand = True
     for word in words:
-        if operand:
-            if word == "(":
-                waiting.append(("(", 0))
-            elif word in _UNARY:
-                waiting.append((word, _TIGHTEST))
-            else:
-                values.append(_operand(word, es))
-                operand = False
+        if operand and word == "(":
+            waiting.append(("(", 0))
+        elif operand and word in _UNARY:
+            waiting.append((word, _TIGHTEST))
+        elif operand:
+            values.append(_operand(word, es))
+            operand = False
         elif word == ")":
-            _close_bracket(values, waiting)
+            _apply(values, waiting, 1)
+            if not waiting:
+                raise DirectiveError("SC122", "this expression has a ')' without a '('")
+            waiting.pop()
         elif word in _BINARY:
             precedence = _BINARY[word][0]
             _apply(values, waiting, precedence)
@@ -114,27 +116,15 @@ def _operand(word: str, es: bool) -> _Value:
         hint = "ask with 'defined' first"
         mistake = DirectiveError("SC122", f"'{word}' is not defined, which GLSL ES forbids", hint)
         return mistake if es else 0
-    if _INTEGER.fullmatch(word):
-        return _wrapped(_integer(word))
-    if word[0].isdigit():
+    if not word[0].isdigit():
+        raise DirectiveError("SC122", f"expected a value before '{word}'")
+    if not _INTEGER.fullmatch(word):
         raise DirectiveError("SC122", f"'{word}' is not an integer")
-    raise DirectiveError("SC122", f"expected a value before '{word}'")
-
-
-def _integer(word: str) -> int:
-    """The value of a decimal, octal or hexadecimal literal."""
     base = 16 if word[1:2] in ("x", "X") else 8 if word[0] == "0" else 10
     # Decimal digits beyond a few thousand would take their time, and Python refuses them.
     if (base == 10 and len(word) > 10) or (value := int(word, base)) >= 1 << 32:
         raise DirectiveError("SC122", f"'{word}' needs more than 32 bits")
-    return value
-
-
-def _close_bracket(values: list[_Value], waiting: list[tuple[str, int]]) -> None:
-    _apply(values, waiting, 1)
-    if not waiting:
-        raise DirectiveError("SC122", "this expression has a ')' without a '('")
-    waiting.pop()
+    return _wrapped(value)
 
 
 def _apply(values: list[_Value], waiting: list[tuple[str, int]], precedence: int) -> None:
@@ -142,12 +132,11 @@ def _apply(values: list[_Value], waiting: list[tuple[str, int]], precedence: int
     while waiting and waiting[-1][1] >= precedence:
         word, binding = waiting.pop()
         right = values.pop()
-        if binding == _TIGHTEST:
-            values.append(
-                right if isinstance(right, DirectiveError) else _wrapped(_UNARY[word](right))
-            )
-        else:
-            values.append(_combined(values.pop(), word, right))
+        if binding < _TIGHTEST:
+            right = _combined(values.pop(), word, right)
+        elif not isinstance(right, DirectiveError):
+            right = _wrapped(_UNARY[word](right))
+        values.append(right)
 
 
 def _combined(left: _Value, word: str, right: _Value) -> _Value:

@@ -6,13 +6,18 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from shadercache.ast.nodes import Directive
+from shadercache.diagnostics import Diagnostic
 from shadercache.front.preprocess.conditions import evaluate, replace_defined
-from shadercache.front.preprocess.directive_errors import DirectiveError
-from shadercache.front.preprocess.macros import Expander, Macro
-from shadercache.front.preprocess.scanner import CleanText, spellings
-from shadercache.front.preprocess.version import Version
+from shadercache.front.preprocess.directive_errors import DirectiveError, RunawayError, StopReading
+from shadercache.front.preprocess.include import MAX_TEXT
+from shadercache.front.preprocess.macros import Expander, Macro, define
+from shadercache.front.preprocess.scanner import CleanText, Lexemes, clean, spellings
+from shadercache.front.preprocess.version import Version, joins_comments
 from shadercache.front.read_options import ReadOptions
 from shadercache.source import Source, Span
+
+MAX_ERRORS = 100
+"""Mistakes that are told; after that many no one reads on."""
 
 
 @dataclass(slots=True)
@@ -88,11 +93,27 @@ class ReadingState:
         self.files: list[OpenFile] = []
         self.once: set[Source] = set()
         self.place = Span(0, 0)  # Of the directive or macro that is being read.
+        self.lexemes = Lexemes()
+        self.errors: list[Diagnostic] = []
+        self.room = MAX_TEXT  # Characters that included files may still have.
+        self._joined = joins_comments(source.text)
 
     @property
     def file(self) -> OpenFile:
         """The innermost open file."""
         return self.files[-1]
+
+    def open(self, part: Source, folder: Path | None) -> None:
+        """Begin a file, which may include others of its folder."""
+        text = clean(part, self._joined, self.errors, self.source)
+        self.files.append(OpenFile(part, text, folder))
+
+    def tell(self, mistake: DirectiveError, span: Span) -> None:
+        """Note a mistake, and go on if that makes sense."""
+        error = Diagnostic(mistake.code, mistake.message, self.source, span, mistake.hint)
+        self.errors.append(error)
+        if isinstance(mistake, RunawayError) or len(self.errors) >= MAX_ERRORS:
+            raise StopReading
 
     def _line_number(self) -> str:
         """What ``__LINE__`` stands for here."""
@@ -104,7 +125,7 @@ class ReadingState:
         self.macros["__FILE__"] = Macro("__FILE__", None, (number,))
 
     def define_first_macros(self) -> None:
-        """Define what is a macro before the first line, the user's options aside."""
+        """Define what is a macro before the first line."""
         for name in self.version.macros:
             self.macros[name] = Macro(name, None, ("1",), "1")
         version = str(self.version.number)
@@ -113,6 +134,13 @@ class ReadingState:
         self.set_file_number("0")
         for name in self.options.undefined:
             self.macros.pop(name, None)
+        for name, value in self.options.defines:
+            try:
+                macro = define(f"{name} {value}")
+                self.macros[macro.name] = macro
+            except DirectiveError as mistake:
+                message = f"cannot define '{name}': {mistake.message}"
+                self.errors.append(Diagnostic(mistake.code, message, hint=mistake.hint))
 
     def value(self, rest: str) -> int:
         """The value of an expression in a directive."""
