@@ -20,7 +20,7 @@ _EXTENSIONS = (
 
 def without_attributes(lexemes: Lexemes, directives: Iterable[Directive]) -> Lexemes:
     """The lexemes without attributes, where a directive brings in an extension that has them."""
-    if not any(name in item.text for item in directives for name in _EXTENSIONS):
+    if not any(name in line.text for line in directives for name in _EXTENSIONS):
         return lexemes
     kept = Lexemes()
     at = begin = 0

@@ -53,14 +53,12 @@ def find_comments(source: Source, lexemes: Lexemes) -> tuple[Comment, ...]:
     file = _read(text, lexemes)
     matches = [match for match in _COMMENT.finditer(text) if _counts(file, match.start())]
     header = _header(file, matches)
-    return tuple(
-        Comment(_span(match), _tidy(match[0]), *_anchor(file, match, match.end() <= header))
-        for match in matches
-    )
-
-
-def _span(match: re.Match[str]) -> Span:
-    return Span(match.start(), match.start() + len(match[0].rstrip()))
+    comments = []
+    for match in matches:
+        span = Span(match.start(), match.start() + len(match[0].rstrip()))
+        anchor = _anchor(file, match, match.end() <= header)
+        comments.append(Comment(span, _tidy(match[0]), *anchor))
+    return tuple(comments)
 
 
 def _read(text: str, lexemes: Lexemes) -> _File:

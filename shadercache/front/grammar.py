@@ -1,8 +1,7 @@
 """The parser: made from the grammar once per process, and saved for the next.
 
 Making it takes some 200 ms, loading it some 20. The saved one is a pickle, so it is read only
-from the user's private cache folder (:func:`shadercache.paths.user_cache_folder`); without one
-the parser is made anew.
+from the user's private cache folder (:func:`shadercache.paths.user_cache_folder`).
 """
 
 from __future__ import annotations
@@ -40,13 +39,12 @@ def load_parser() -> Parser:
     text = data_path("grammars", "glsl.lark").read_text(encoding="utf-8")
     builder = TreeBuilder()
     folder = user_cache_folder()
-    if folder is None:
-        return Parser(_make(text, builder), builder)
-    path = folder / f"glsl-{_key(text)}.grammar"
-    lark = _load(path, builder)
+    path = folder and folder / f"glsl-{_key(text)}.grammar"
+    lark = None if path is None else _load(path, builder)
     if lark is None:
         lark = _make(text, builder)
-        _save(path, lark)
+        if path is not None:
+            _save(path, lark)
     return Parser(lark, builder)
 
 

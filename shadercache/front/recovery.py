@@ -26,22 +26,16 @@ def recoverable_beginnings(lexemes: Lexemes, offset: int) -> Iterator[tuple[Lexe
     The first ends behind the last ``;``, ``{`` or ``}`` of a block, and behind that length has as
     many ``}`` added as blocks are open. The second ends behind a declaration.
     """
-    inner, blocks, outer = _ends(lexemes.texts[: _index(lexemes, offset)])
+    # Included files have offsets of their own, behind those of the user's file.
+    places = enumerate(lexemes.starts)
+    if offset in lexemes.starts:
+        first = lexemes.starts.index(offset)
+    else:
+        first = next((at for at, start in places if start >= offset), len(lexemes.starts))
+    inner, blocks, outer = _ends(lexemes.texts[:first])
     if inner > outer:
         yield _beginning(lexemes, inner, blocks), inner
     yield _beginning(lexemes, outer, 0), outer
-
-
-def _index(lexemes: Lexemes, offset: int) -> int:
-    """The index of the first lexeme that is not in front of an offset into the source.
-
-    Included files have offsets of their own, behind those of the user's file.
-    """
-    try:
-        return lexemes.starts.index(offset)
-    except ValueError:
-        behind = (at for at, start in enumerate(lexemes.starts) if start >= offset)
-        return next(behind, len(lexemes.starts))
 
 
 def _ends(texts: list[str]) -> tuple[int, int, int]:
@@ -62,7 +56,8 @@ def _ends(texts: list[str]) -> tuple[int, int, int]:
 
 
 def _beginning(lexemes: Lexemes, end: int, blocks: int) -> Lexemes:
-    begun = Lexemes(lexemes.texts[:end], lexemes.starts[:end], lexemes.ends[:end])
+    begun = Lexemes()
+    begun.add(lexemes, 0, end)
     if blocks:
         begun.repeat(["}"] * blocks, begun.ends[-1], begun.ends[-1])
     return begun

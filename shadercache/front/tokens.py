@@ -89,7 +89,7 @@ class TypeScopes:
         return len(self._frames)
 
     def close(self) -> None:
-        """Close the innermost scope and judge the token anew that the parser has in hand."""
+        """Close the innermost scope and judge the pending token anew."""
         self._frames.pop()
         token = self.pending
         if token is not None and token.text in self.types:
@@ -107,11 +107,7 @@ class TypeScopes:
 
     def is_type(self, name: str) -> bool:
         """Does the name mean a struct here?"""
-        if name in self.types:
-            for frame in reversed(self._frames):
-                if name in frame:
-                    return frame[name]
-        return False
+        return next((frame[name] for frame in reversed(self._frames) if name in frame), False)
 
 
 class TokenStream:
@@ -172,13 +168,14 @@ class TokenLexer(Lexer):
         """The terminals of all words and signs that a language has."""
         kinds = self._kinds.get(language)
         if kinds is None:
-            keywords = words.keywords(*language)
-            spelled_out = {
+            known = words.keywords(*language)
+            kinds = self._kinds[language] = _word_kinds(language)
+            # What the grammar spells out is a word of this version, or a sign.
+            kinds |= {
                 text: kind
                 for text, kind in self._fixed.items()
-                if text in keywords or not is_word(text)
+                if text in known or not is_word(text)
             }
-            kinds = self._kinds[language] = {**_word_kinds(language), **spelled_out}
         return kinds
 
 
@@ -235,11 +232,10 @@ def _kind_of(text: str, stream: TokenStream) -> str:
     raise stream.error("SC101", f"unexpected character {shown}{kind}", hint)
 
 
-_FP64 = ("GL_ARB_gpu_shader_fp64",)
 _SUFFIXES: dict[str, tuple[int | None, int | None, tuple[str, ...]]] = {
     "u": (130, 300, ("GL_EXT_gpu_shader4",)),
     "f": (120, 300, ()),
-    "lf": (400, None, _FP64),
+    "lf": (400, None, ("GL_ARB_gpu_shader_fp64",)),
 }
 """Since when a number may end in this: desktop, ES (``None``: never), or with which extensions."""
 

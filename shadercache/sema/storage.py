@@ -6,9 +6,7 @@ from shadercache.ast.nodes import Qualifiers
 from shadercache.lang.types import Type
 from shadercache.sema.facts import Kind, Stage
 
-_STORAGE: dict[str, Kind] = {
-    **{"const": "const", "uniform": "uniform", "in": "in", "out": "out", "buffer": "buffer"}
-}
+_STORAGE: tuple[Kind, ...] = ("const", "uniform", "in", "out", "buffer")
 PER_VERTEX = ("pervertexEXT", "pervertexNV")
 """Qualifiers of arrays with an element for each vertex of the triangle."""
 
@@ -16,8 +14,9 @@ PER_VERTEX = ("pervertexEXT", "pervertexNV")
 def storage_of(qualifiers: Qualifiers, stage: Stage, *, local: bool) -> Kind:
     """The storage of a variable, or of the members of a block, with these qualifiers."""
     for word in qualifiers.words:
-        if word in _STORAGE:
-            return _STORAGE[word]
+        for storage in _STORAGE:
+            if word == storage:
+                return storage
     if qualifiers.has("attribute"):
         return "in"
     if qualifiers.has("varying"):
