@@ -18,11 +18,9 @@ def allow_deep_trees() -> None:
 
 @contextmanager
 def without_collector() -> Iterator[None]:
-    """Make a tree or its tables without the garbage collector.
-
-    It looks for cycles, which trees do not have, in all that there is, again and again as a tree
-    grows: at 1 MB of source that takes as long as the work itself.
-    """
+    """Make a tree or its tables without the garbage collector."""
+    # It looks for cycles, which trees do not have, again and again as a tree grows: at 1 MB of
+    # source that takes as long as the work itself.
     collecting = gc.isenabled()
     gc.disable()
     try:

@@ -25,10 +25,8 @@ class Memo:
         return self._tables.setdefault(name, {})
 
     def trim(self) -> None:
-        """Forget everything if there is too much; to be called between variants.
-
-        What was kept for functions that only one variant has is never asked for again, and to tell
-        it from the rest would cost more than to begin anew from time to time.
-        """
+        """Forget everything if there is too much; to be called between variants."""
+        # What only one variant had is never asked for again. To tell it from the rest would cost
+        # more than to begin anew from time to time.
         if sum(map(len, self._tables.values())) > MOST_ENTRIES:
             self._tables = {}

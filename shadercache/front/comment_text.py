@@ -118,10 +118,8 @@ def _anchor(file: _File, match: re.Match[str], in_header: bool) -> tuple[int, bo
 
 
 def _tidy(comment: str) -> str:
-    """The text of a comment as it is printed.
-
-    Backslashes at its end would continue it on the next line, for some compilers.
-    """
+    """The text of a comment as it is printed."""
     if comment.startswith("//"):
+        # For some compilers a backslash at the end continues the comment on the next line.
         return comment.rstrip("\\ \t\r\v\f")
     return "\n".join(line.rstrip() for line in comment.split("\n"))

@@ -79,10 +79,7 @@ def host_of(source: Source, dialect: Dialect) -> Host | None:
 
 
 def surrounded(source: Source, dialect: Dialect) -> str:
-    """The user's text with what its host adds as text, for a driver.
-
-    Raises as :func:`host_of`.
-    """
+    """The user's text with what its host adds, for a driver; raises as :func:`host_of`."""
     host = host_of(source, dialect)
     if host is None:
         return source.text

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from threading import Lock
 from typing import Any
 
 from shadercache.ast.large import without_collector
-from shadercache.ast.nodes import Module
+from shadercache.ast.nodes import Directive, Module
 from shadercache.diagnostics import Diagnostic, InputError
-from shadercache.front.attributes import without_attributes
 from shadercache.front.comment_text import find_comments
 from shadercache.front.dialects import Host, check_version, host_of
 from shadercache.front.preprocess import (
@@ -30,6 +30,10 @@ from shadercache.source import Source, Span
 MAX_BRACKETS = 1000
 """Brackets that may be open at one place."""
 
+_WITH_ATTRIBUTES = (
+    "GL_EXT_control_flow_attributes",  # The beginning of ..._attributes2, too.
+    "GL_EXT_subgroup_uniform_control_flow",
+)
 _OPENING = frozenset("([{")
 _CLOSING = frozenset(")]}")
 _one_at_a_time = Lock()
@@ -38,8 +42,7 @@ _one_at_a_time = Lock()
 def parse(source: Source, options: ReadOptions = DEFAULTS) -> Module:
     """The syntax tree of a shader, with spans into ``source``.
 
-    Raises :class:`InputError`: with all errors of the preprocessor, or with the first error of
-    syntax.
+    Raises :class:`InputError` with all errors of the preprocessor, or the first one of syntax.
     """
     return _build(source, *_prepared(source, options))
 
@@ -57,7 +60,7 @@ def _prepared(source: Source, options: ReadOptions) -> tuple[Preprocessed, Lexem
     """The user's own lexemes, by which comments are placed, and all that the parser reads."""
     host = host_of(source, options.dialect)
     prepared = preprocess(source, options, _default(source, options, host))
-    lexemes = without_attributes(prepared.lexemes, prepared.directives)
+    lexemes = _without_attributes(prepared.lexemes, prepared.directives)
     if host is not None:
         check_version(Version(prepared.version, prepared.profile), source)
         lexemes = host.surround(lexemes, len(source.text))
@@ -73,7 +76,7 @@ def parse_before(source: Source, options: ReadOptions, offset: int) -> Module | 
     """
     host = host_of(source, options.dialect)
     prepared = preprocess_broken(source, options, _default(source, options, host))[0]
-    whole = without_attributes(prepared.lexemes, prepared.directives)
+    whole = _without_attributes(prepared.lexemes, prepared.directives)
     for lexemes, own in recoverable_beginnings(whole, offset):
         if host is not None:
             own -= len(lexemes.texts) + len(host.main)
@@ -140,3 +143,36 @@ def _check_depth(source: Source, lexemes: Lexemes) -> None:
                 raise InputError(Diagnostic("SC105", message, source, span))
         elif text in _CLOSING:
             depth -= 1
+
+
+def _without_attributes(lexemes: Lexemes, directives: Iterable[Directive]) -> Lexemes:
+    """The lexemes without ``[[unroll]]`` and the like, where an extension that has them is on."""
+    # They tell a compiler how to run loops and branches, never what these mean; translators of
+    # shaders write them.
+    if not any(name in line.text for line in directives for name in _WITH_ATTRIBUTES):
+        return lexemes
+    kept = Lexemes()
+    at = begin = 0
+    texts = lexemes.texts
+    while at < len(texts):
+        behind = _behind_attribute(texts, at)
+        if behind > at:
+            kept.add(lexemes, begin, at)
+            begin = behind
+        at = max(behind, at + 1)
+    kept.add(lexemes, begin, len(texts))
+    return kept
+
+
+def _behind_attribute(texts: Sequence[str], at: int) -> int:
+    """The index behind the attribute that begins at an index, or that index if none does."""
+    if texts[at] != "[" or texts[at + 1 : at + 2] != ["["]:
+        return at
+    depth = 0
+    for index in range(at, len(texts)):
+        depth += (texts[index] in "([") - (texts[index] in ")]")
+        if texts[index] in ";{}":
+            break
+        if depth == 0:
+            return index + 1
+    return at

@@ -187,10 +187,8 @@ def _name_kind(text: str, scopes: TypeScopes, acceptable: Container[str]) -> str
 
 
 def _check_operators(values: list[Any], stream: TokenStream) -> None:
-    """Refuse what nests too deeply without brackets, for the tree would be as deep.
-
-    Only a stack that grew long is looked through, so the limit is not kept to the last one.
-    """
+    """Refuse what nests too deeply without brackets, for the tree would be as deep."""
+    # Only a stack that grew long is looked through: the limit is not kept to the last one.
     waiting = sum(isinstance(value, Token) and value.type in _OPERATORS for value in values)
     if waiting > MAX_OPERATORS:
         raise stream.error("SC105", f"more than {MAX_OPERATORS} operators nest here")

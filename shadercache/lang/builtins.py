@@ -30,10 +30,7 @@ MOST_ELEMENTS = {"gl_ClipDistance": 8, "gl_CullDistance": 8}
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Parameter:
-    """A parameter of a built-in function.
-
-    ``direction`` is ``in``, ``out`` or ``inout``; ``constant``: only constant expressions go in.
-    """
+    """A parameter of a built-in function; into a ``constant`` only constant expressions go."""
 
     type: Type
     direction: str = "in"
@@ -98,8 +95,7 @@ def functions(
 ) -> tuple[Signature, ...]:
     """All overloads of the built-in function ``name``; none if there is no such function.
 
-    ``profile`` is ``"es"`` for GLSL ES (1.00 too); ``extensions`` are the names of those that
-    ``#extension`` turned on.
+    ``profile`` is ``"es"`` for GLSL ES, 1.00 too; ``extensions`` are those that are turned on.
     """
     kinds = type_names(version, profile == "es", extensions)
     return _distinct(

@@ -147,9 +147,6 @@ def keyword_since(word: str, es: bool = False) -> int | None:
     return next((v for v in (ES_VERSIONS if es else VERSIONS) if word in keywords(v, es)), None)
 
 
-ALL_WORDS: frozenset[str] = TRUTH_WORDS.union(("packed",), *(row.words for row in _ROWS))
-"""Every word that is a keyword or reserved in some version. A fresh name keeps clear of them."""
-
 # --- operators ------------------------------------------------------------------------------------
 
 COMMA = 1

@@ -32,9 +32,8 @@ class CallChecker:
         own = entry if isinstance(entry, FunctionSet) else None
         if entry is not None and own is None:
             what = "a type" if isinstance(entry, Type) else "a variable"
-            return self._context.problems.error(
-                "SC204", f"'{node.name}' is {what}, not a function", node
-            )
+            message = f"'{node.name}' is {what}, not a function"
+            return self._context.problems.error("SC204", message, node)
         # More overloads may have been declared since the same call was resolved last.
         count = len(own.overloads) if own else 0
         key = (node.name, args)
@@ -126,11 +125,9 @@ def _exact_match(candidates: Sequence[Signature], args: tuple[Type, ...]) -> Sig
 def _convertible(
     candidates: Sequence[Candidate], args: tuple[Type, ...], conversions: Conversions
 ) -> list[Candidate]:
-    """The best of the overloads that the arguments convert to; several: the call is ambiguous.
-
-    Before 4.00 no conversion is better than another.
-    """
+    """The best of the overloads that the arguments convert to; several: the call is ambiguous."""
     viable = [one for one in candidates if _accepts(one, args, conversions)]
+    # Before 4.00 no conversion is better than another.
     if len(viable) < 2 or not conversions.ranked:
         return viable
     for one in viable:
@@ -154,12 +151,11 @@ def _accepts(candidate: Candidate, args: tuple[Type, ...], conversions: Conversi
 
 def _better(one: Candidate, two: Candidate, args: tuple[Type, ...]) -> bool:
     """Is some conversion to ``one`` better, and none worse?"""
-    some = False
-    for arg, (first, _), (second, _) in zip(args, parameters(one), parameters(two), strict=True):
-        if _rank(arg, first) > _rank(arg, second):
-            return False
-        some = some or _rank(arg, first) < _rank(arg, second)
-    return some
+    ranks = [
+        (_rank(arg, first), _rank(arg, second))
+        for arg, (first, _), (second, _) in zip(args, parameters(one), parameters(two), strict=True)
+    ]
+    return all(a <= b for a, b in ranks) and any(a < b for a, b in ranks)
 
 
 def _rank(arg: Type, param: Type) -> int:

@@ -7,10 +7,9 @@ from dataclasses import replace
 from typing import Any
 
 from shadercache.ast import nodes as n
-from shadercache.lang.types import VOID, Type, struct_type
+from shadercache.lang.types import VOID, Type, array_of, struct_type
 from shadercache.sema.facts import Kind, Symbol
 from shadercache.sema.inference_context import InferenceContext
-from shadercache.sema.initialisers import initialiser_type
 from shadercache.sema.language import NEVER
 from shadercache.sema.problems import ERROR
 from shadercache.sema.scopes import FunctionSet, Overload
@@ -36,7 +35,7 @@ def _declare_variables(context: InferenceContext, decl: n.VarDecl) -> None:
         of_type = with_dims(context, base, declarator.dims, declarator)
         init = declarator.init
         if init is not None:
-            given = initialiser_type(context, init, of_type)
+            given = _initialiser_type(context, init, of_type)
             if given is not ERROR and of_type is not ERROR:
                 of_type = _initialised(context, declarator, of_type, given, kind)
         writable = kind in ("local", "global", "out")
@@ -119,6 +118,65 @@ def _qualify(context: InferenceContext, decl: n.QualifierDecl) -> None:
                 continue
             symbol = Symbol(name, known.type, "builtin", writable=known.storage == "out")
         context.tables.qualified.setdefault(decl, []).append(symbol)
+
+
+# --- initialisers ---------------------------------------------------------------------------------
+
+
+def _initialiser_type(context: InferenceContext, init: n.Expr, wanted: Type) -> Type:
+    """The type of an initialiser of something that is declared as ``wanted``.
+
+    A list in braces (GLSL 4.20 section 4.1.11) has no type of its own: it gets that of what it
+    initialises, and each item that of the part it stands for.
+    """
+    if not isinstance(init, n.InitList):
+        return context.check(init)
+    # Lists nest only as deep as brackets may, so this may recurse.
+    kind, count = wanted, len(init.items)
+    if wanted.dims and wanted.dims[0] is None:
+        kind = array_of(wanted.element, count)
+    room = _room(kind, count)
+    if room != count:
+        takes = "no list of items" if room is None else f"{room} items"
+        kind = context.problems.error("SC219", f"{kind} takes {takes} here", init)
+    if kind.is_struct and kind.struct is not None:
+        parts = list(kind.struct.fields.values())
+    else:
+        parts = [ERROR if kind is ERROR else kind.element] * count
+    given = [_initialiser_type(context, *pair) for pair in zip(init.items, parts, strict=True)]
+    if kind is not ERROR:
+        kind = _settled(context, init, kind, parts, given)
+    context.tables.types[init] = kind
+    if kind is not ERROR and context.constants.expressions.issuperset(init.items):
+        context.constants.fold(init, init.items)
+    return kind
+
+
+def _room(kind: Type, count: int) -> int | None:
+    """How many items a list for ``kind`` has; ``None`` where there can be no list."""
+    if kind is ERROR:
+        return count
+    if kind.dims:
+        return kind.dims[0] or count
+    if kind.struct is not None:
+        return len(kind.struct.fields)
+    size = kind.cols if kind.is_matrix else kind.rows
+    return size if size > 1 else None
+
+
+def _settled(
+    context: InferenceContext, node: n.InitList, kind: Type, parts: list[Type], given: list[Type]
+) -> Type:
+    """The type of the list, where every item converts to its part."""
+    if ERROR in given:
+        return ERROR
+    if kind.dims and kind.element.is_unsized and len(set(given)) == 1:
+        return array_of(given[0], len(given))
+    for item, part, item_type in zip(node.items, parts, given, strict=True):
+        if item_type is VOID or not context.language.conversions.converts(item_type, part):
+            message = f"cannot initialise a part of type {part} with {item_type}"
+            return context.problems.error("SC210", message, item)
+    return kind
 
 
 # --- blocks ---------------------------------------------------------------------------------------

@@ -8,8 +8,6 @@ on stand in :mod:`shadercache.valid`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from shadercache.ast import nodes as n
 from shadercache.ast.large import without_collector
 from shadercache.lang.builtins import Signature
@@ -19,47 +17,11 @@ from shadercache.sema.declarations import declare
 from shadercache.sema.expression_types import ExpressionChecker
 from shadercache.sema.facts import Callee, Facts, Stage
 from shadercache.sema.inference_context import InferenceContext, Tables
-from shadercache.sema.language import Language, language_of
+from shadercache.sema.language import language_of
 from shadercache.sema.problems import Problems
 from shadercache.sema.scopes import Overload, Scopes
 from shadercache.sema.statements import StatementChecker
 from shadercache.source import Source
-
-
-@dataclass(frozen=True, slots=True)
-class Inferred:
-    """A module with its tables, and what was found wrong on the way."""
-
-    module: n.Module
-    language: Language
-    tables: Tables
-    constants: Constants
-    problems: Problems
-
-    def facts(self) -> Facts:
-        """What the compiler reads.
-
-        Raises :class:`InputError` with every mistake that was found.
-        """
-        warnings, tables = self.problems.warnings(), self.tables
-        definitions = {proto: item.definition for proto, item in tables.functions.items()}
-        return Facts(
-            types=tables.types,
-            symbols=tables.symbols,
-            declared=tables.declared,
-            calls={call: _callee(target) for call, target in tables.calls.items()},
-            constants=self.constants.scalars(),
-            constant_expressions=self.constants.expressions,
-            functions=tuple(d for d in self.module.decls if isinstance(d, n.FunctionDef)),
-            called={function: tuple(calls) for function, calls in tables.called.items()},
-            prototypes={
-                proto: function
-                for proto, function in definitions.items()
-                if function is not None and function.proto is not proto
-            },
-            structs=tables.structs,
-            warnings=warnings,
-        )
 
 
 def infer(module: n.Module, source: Source, stage: Stage = "fragment") -> Facts:
@@ -67,24 +29,23 @@ def infer(module: n.Module, source: Source, stage: Stage = "fragment") -> Facts:
 
     Raises :class:`InputError` with every mistake found (SC2xx), in source order.
     """
-    return infer_tables(module, source, stage).facts()
+    return facts_of(module, infer_tables(module, source, stage))
 
 
 def infer_tables(
     module: n.Module, source: Source, stage: Stage, tables: Tables | None = None
-) -> Inferred:
-    """:func:`infer` that keeps the mistakes, and fills the given tables."""
+) -> InferenceContext:
+    """All that is found out about a module, mistakes kept; the given tables are filled."""
     language = language_of(module, stage)
     # 1.10 keeps the names of functions and of variables apart, and so do its compilers.
     scopes = Scopes(separate=language.version == 110)
     tables = Tables() if tables is None else tables
     constants = Constants(tables.types, language.conversions)
-    problems = Problems(source)
 
     def check(expr: n.Expr) -> Type:
         return expressions.check(expr)
 
-    context = InferenceContext(language, problems, tables, scopes, constants, check)
+    context = InferenceContext(language, Problems(source), tables, scopes, constants, check)
     expressions = ExpressionChecker(context)
     statements = StatementChecker(context)
     with without_collector():
@@ -93,7 +54,30 @@ def infer_tables(
                 statements.check_function(decl)
             else:
                 declare(context, decl)
-    return Inferred(module, language, tables, constants, problems)
+    return context
+
+
+def facts_of(module: n.Module, context: InferenceContext) -> Facts:
+    """What the compiler reads; raises :class:`InputError` with every mistake."""
+    warnings, tables = context.problems.warnings(), context.tables
+    definitions = {proto: one.definition for proto, one in tables.functions.items()}
+    return Facts(
+        types=tables.types,
+        symbols=tables.symbols,
+        declared=tables.declared,
+        calls={call: _callee(target) for call, target in tables.calls.items()},
+        constants=context.constants.scalars(),
+        constant_expressions=context.constants.expressions,
+        functions=tuple(d for d in module.decls if isinstance(d, n.FunctionDef)),
+        called={function: tuple(calls) for function, calls in tables.called.items()},
+        prototypes={
+            proto: function
+            for proto, function in definitions.items()
+            if function is not None and function.proto is not proto
+        },
+        structs=tables.structs,
+        warnings=warnings,
+    )
 
 
 def _callee(target: Overload | Signature) -> Callee:

@@ -56,9 +56,9 @@ class Problems:
         return self.error("SC213", message, node, did_you_mean(node.name, fields))
 
     def warnings(self) -> tuple[Diagnostic, ...]:
-        """All that was reported, in source order, where there is no error among it.
+        """All that was reported, in source order.
 
-        Raises :class:`InputError` with every mistake, if there is one.
+        Raises :class:`InputError` with all of it if there is an error among it.
         """
         reports = sorted(
             self._diagnostics, key=lambda one: (one.span[0] if one.span else 0, one.code)

@@ -54,16 +54,14 @@ class StatementChecker:
         self._scopes.pop()
 
     def _run(self, body: tuple[Stmt, ...]) -> None:
-        stack = self._stack
-        stack.extend(reversed(body))
-        rules = self._rules
-        while stack:
-            item = stack.pop()
-            rule = rules.get(type(item))
+        self._stack.extend(reversed(body))
+        while self._stack:
+            work = self._stack.pop()
+            rule = self._rules.get(type(work))
             if rule is not None:
-                rule(item)
-            elif callable(item):
-                item()
+                rule(work)
+            elif callable(work):
+                work()
 
     def _optional(self, expr: Expr | None) -> None:
         if expr is not None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from shadercache.ast import nodes as n
 from shadercache.ast.large import without_collector
 from shadercache.sema.facts import Facts, Stage
-from shadercache.sema.infer import infer_tables
+from shadercache.sema.infer import facts_of, infer_tables
 from shadercache.sema.inference_context import Tables
 from shadercache.source import Source
 from shadercache.valid import declaration_rules as declarations
@@ -70,4 +70,4 @@ def validate(
         ):
             report = inferred.problems.warn if doubtful else inferred.problems.error
             report(code, message, node, hint)
-        return inferred.facts()
+        return facts_of(module, inferred)

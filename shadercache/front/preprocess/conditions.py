@@ -70,10 +70,7 @@ def replace_defined(words: tuple[str, ...], macros: Container[str]) -> list[str]
 
 
 def evaluate(words: Sequence[str], es: bool) -> int:
-    """The value of an expression whose macros are expanded.
-
-    A name that is no macro counts as 0, but GLSL ES forbids it (GLSL ES 3.00, section 3.4).
-    """
+    """The value of an expression whose macros are expanded."""
     values: list[_Value] = []
     waiting: list[tuple[str, int]] = []  # Operators and brackets with their precedence.
     operand = True
@@ -113,6 +110,7 @@ def _operand(word: str, es: bool) -> _Value:
         message = "'defined' comes out of a macro, which compilers do not take"
         raise DirectiveError("SC122", message, "write it into the #if itself")
     if is_word(word):
+        # It counts as 0 but in GLSL ES (GLSL ES 3.00, section 3.4).
         hint = "ask with 'defined' first"
         mistake = DirectiveError("SC122", f"'{word}' is not defined, which GLSL ES forbids", hint)
         return mistake if es else 0

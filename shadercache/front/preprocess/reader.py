@@ -66,8 +66,8 @@ def preprocess(
 ) -> Preprocessed:
     """Read the directives of a file, take the groups that hold, and expand the macros.
 
-    ``default`` is the version of a file that names none. Raises :class:`InputError` with every
-    error it finds.
+    ``default`` is the version of a file that names none. Raises :class:`InputError` with all
+    errors.
     """
     prepared, errors = preprocess_broken(source, options, default)
     if errors:

@@ -189,10 +189,8 @@ def _blank_comments(clean: CleanText, errors: list[Diagnostic], root: Source) ->
 def _check_comment_end(
     clean: CleanText, match: re.Match[str], errors: list[Diagnostic], root: Source
 ) -> None:
-    """Refuse a ``//`` comment that ends in a backslash where that could swallow code.
-
-    Before version 4.20 some compilers continue such a comment on the next line and some do not.
-    """
+    """Refuse a ``//`` comment that ends in a backslash where that could swallow code."""
+    # Before 4.20 some compilers continue such a comment on the next line and some do not.
     following = _NEXT_LINE.match(clean.text, match.end())
     if following and following[1] not in ("", "//"):
         message = "a comment ends in '\\', so compilers disagree on whether the next line is code"
@@ -201,10 +199,7 @@ def _check_comment_end(
 
 
 def _join_lines(text: str, base: int) -> CleanText:
-    """Join each line that ends in a backslash with the next.
-
-    What stands in the way becomes blanks, if a blank is beside it; else it is cut out.
-    """
+    """Join each line that ends in a backslash with the next."""
     if "\\" not in text:
         return CleanText(text, base)
     pieces: list[str] = []
@@ -214,6 +209,7 @@ def _join_lines(text: str, base: int) -> CleanText:
     for match in _CONTINUATION.finditer(text):
         pieces.append(text[at : match.start()])
         at = match.end()
+        # Beside a blank it becomes blanks, which keep the offsets; in a word it is cut out.
         around = text[match.start() - 1 : match.start()] + text[at : at + 1]
         if len(around) == 2 and not any(char.isspace() for char in around):
             lost += at - match.start()

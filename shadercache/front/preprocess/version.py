@@ -82,10 +82,8 @@ def read_version(rest: str) -> Version:
 
 
 def check_place(version: Version, before: str) -> None:
-    """Refuse text before a ``#version`` where it has to begin the file (GLSL ES 3.00, section 3.3).
-
-    Desktop versions and GLSL ES 1.00 let comments and empty lines stand before it.
-    """
+    """Refuse text before a ``#version`` where it has to begin the file."""
+    # Other versions let comments and empty lines stand before it (GLSL ES 3.00, section 3.3).
     if version.es and version.number >= 300 and before.strip(" \t\ufeff"):
         hint = "move it up: there may be no empty line and no comment before it"
         raise DirectiveError("SC100", "#version with 'es' must stand on the first line", hint)
@@ -98,11 +96,9 @@ def version_line(text: str) -> tuple[int, int] | None:
 
 
 def joins_comments(text: str) -> bool:
-    """Does the version of a shader continue ``//`` comments behind a backslash?
-
-    GLSL 4.20 and GLSL ES 3.00 join lines before they look for comments (section 3.1); the versions
-    before know no line continuation, though compilers take them outside of comments.
-    """
+    """Does the version of a shader continue ``//`` comments behind a backslash?"""
+    # GLSL 4.20 and ES 3.00 join lines before they look for comments (section 3.1). The versions
+    # before know no line continuation, though compilers take them outside of comments.
     line = version_line(text)
     match = _NUMBER.match(text, line[0]) if line else None
     return match is not None and int(match[1]) >= (300 if match[2] else 420)
