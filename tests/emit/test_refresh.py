@@ -32,27 +32,10 @@ def emitted(analysis: Analysis, settings: str) -> Emission:
     return rewritten(analysis, find(analysis, NODE), cache, unprofitable=True)
 
 
-def test_only_what_is_chosen_is_there(analysis: Analysis) -> None:
-    names = {
-        "refresh=stratified": {"sc_swap", "sc_clock", "sc_period", "sc_block"},
-        "refresh=random": {"sc_clock", "sc_period", "sc_block"},
-        "refresh=tiled": {"sc_number", "sc_clock", "sc_period", "sc_block"},
-        "refresh=surface": {"gl_PrimitiveID", "sc_clock", "sc_period"},
-        "refresh=none": set(),
-        "refresh=none,age=on": {"sc_period", "sc_age"},
-    }
-    every = set().union(*names.values(), {"sc_reset"})
-    for settings, wanted in names.items():
-        text = emitted(analysis, settings).files["2-pass.hit.frag"]
-        assert {name for name in every if name in text} == wanted, settings
-
-
 def test_ages_lie_behind_the_payload(analysis: Analysis) -> None:
     emission = emitted(analysis, "age=on")
     manifest = plain(emission.manifest)
     assert manifest["cache"]["second"]["channels"] == {"extras": {"age": "x"}}
-    assert "sc_age" not in emission.files["3-pass.shade.frag"]
-    assert "sc_reset" in emission.files["3-pass.payload.frag"]
     Draft202012Validator(json.loads(SCHEMA.read_text(encoding="utf-8"))).validate(manifest)
     roles = {entry["role"]: entry for entry in manifest["uniforms"]}
     assert roles["period"]["range"] == "[1, 1024], with rgba32f [1, 65536)"
