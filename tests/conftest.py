@@ -133,6 +133,14 @@ def scene_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="session")
+def cases_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A copy of ``tests/cases`` with the mesh and the textures made."""
+    from tests.cases.scenery import make_scene
+
+    return make_scene(tmp_path_factory.mktemp("cases") / "scene")
+
+
+@pytest.fixture(scope="session")
 def scene(scene_folder: Path) -> Scene:
     """The torus."""
     from shadercache.scene.description import load_scene

@@ -65,8 +65,8 @@ def test_golden_nodes(name: str, golden: Golden) -> None:
 
 @pytest.mark.xdist_group("gl")
 @pytest.mark.parametrize("name", CACHEABLE)
-def test_laws_1_to_4(name: str, gpu: Gpu, scene_folder: Path) -> None:
-    scene = scene_of(name, scene_folder)
+def test_laws_1_to_4(name: str, gpu: Gpu, cases_folder: Path) -> None:
+    scene = scene_of(name, cases_folder)
     with closing(Verifier(gpu, (scene, analysed(name)), SIZE)) as verifier:
         found = verifier.round_trip()
         chosen = tried(name)

@@ -52,8 +52,8 @@ def payloads(name: str, gpu: Gpu, folder: Path) -> dict[ValueGroup, list[np.ndar
 
 @pytest.mark.xdist_group("gl")
 @pytest.mark.parametrize("name", CASES)
-def test_payloads_of_a_group_are_equal(name: str, gpu: Gpu, scene_folder: Path) -> None:
-    found = payloads(name, gpu, scene_folder)
+def test_payloads_of_a_group_are_equal(name: str, gpu: Gpu, cases_folder: Path) -> None:
+    found = payloads(name, gpu, cases_folder)
     assert found
     for group, images in found.items():
         texts = [node.text for node in group.nodes]

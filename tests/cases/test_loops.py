@@ -34,25 +34,25 @@ def verdicts(gpu: Gpu, folder: Path, *begins: str) -> list[Verdict]:
 
 
 def test_what_decides_on_loops_is_exact_and_not_cached_in_three_passes(
-    gpu: Gpu, scene_folder: Path
+    gpu: Gpu, cases_folder: Path
 ) -> None:
-    for verdict in verdicts(gpu, scene_folder, *DECIDING):
+    for verdict in verdicts(gpu, cases_folder, *DECIDING):
         assert not verdict.broken, verdict.text
         assert "how long a loop runs" in verdict.refused["3-pass"]
         assert verdict.algorithms == {"1-pass", "2-pass"}
 
 
-def test_what_decides_on_no_loop_is_cached_by_all(gpu: Gpu, scene_folder: Path) -> None:
-    (verdict,) = verdicts(gpu, scene_folder, "march(pace)")
+def test_what_decides_on_no_loop_is_cached_by_all(gpu: Gpu, cases_folder: Path) -> None:
+    (verdict,) = verdicts(gpu, cases_folder, "march(pace)")
     assert not verdict.broken
     assert not verdict.refused
 
 
 def test_without_the_guard_the_laws_break(
-    gpu: Gpu, scene_folder: Path, monkeypatch: pytest.MonkeyPatch
+    gpu: Gpu, cases_folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(builder, "decided_loops", lambda *_: frozenset())
-    (verdict,) = verdicts(gpu, scene_folder, "pace")
+    (verdict,) = verdicts(gpu, cases_folder, "pace")
     if not verdict.broken and "Mesa 22" not in gpu.version:
         pytest.skip("here what is discarded leaves a loop by itself (Mesa 25 does, 22 does not)")
     assert {"law 3 (2-pass)", "law 2 (3-pass)"} <= set(verdict.broken)

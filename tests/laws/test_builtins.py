@@ -17,23 +17,17 @@ from shadercache.source import Source
 from shadercache.verify.verifier import Verifier
 from tests.altered import altered
 from tests.cases.cases import FOLDER as CASES
-from tests.cases.scenery import make_scene
 
 VERTEX = CASES / "shader.vert"
 SHADERS = shaders()
 
 
-@pytest.fixture(scope="module")
-def scene_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return make_scene(tmp_path_factory.mktemp("builtins") / "scene")
-
-
 @pytest.mark.xdist_group("gl")
 @pytest.mark.parametrize("shader", SHADERS, ids=lambda shader: shader.name)
-def test_laws_2_to_4(shader: Shader, gpu: Gpu, scene_folder: Path) -> None:
-    path = scene_folder / shader.source.name
+def test_laws_2_to_4(shader: Shader, gpu: Gpu, cases_folder: Path, tmp_path: Path) -> None:
+    path = tmp_path / shader.source.name
     path.write_text(shader.source.text, encoding="utf-8")
-    scene = altered(load_scene(scene_folder), fragment=path, vertex=scene_folder / VERTEX.name)
+    scene = altered(load_scene(cases_folder), fragment=path, vertex=cases_folder / VERTEX.name)
     analysis = analyse(shader.source, Source(VERTEX.name, VERTEX.read_text(encoding="utf-8")))
     by_text = {node.text: node for node in reversed(analysis.nodes)}
     with closing(Verifier(gpu, (scene, analysis), (32, 32))) as verifier:

@@ -6,7 +6,6 @@ be cached holds the laws.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
 
@@ -20,7 +19,6 @@ from shadercache.source import Source
 from shadercache.verify.verifier import Verifier
 from tests.altered import altered
 from tests.cases.cases import FOLDER as CASES
-from tests.cases.scenery import make_scene
 
 FOLDER = Path(__file__).with_name("flows")
 REPORTED = sorted(path.stem for path in FOLDER.glob("o*.frag"))
@@ -41,11 +39,6 @@ def verdicts(analysis: Analysis, *texts: str) -> set[str]:
     found = [node for node in analysis.nodes if node.text in texts]
     assert found
     return {node.refusal.code.code if node.refusal else "offered" for node in found}
-
-
-@pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    yield make_scene(tmp_path_factory.mktemp("flows") / "scene")
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -71,10 +64,12 @@ def test_initialisers_that_do_something_are_refused(name: str) -> None:
 
 @pytest.mark.xdist_group("gl")
 @pytest.mark.parametrize("name", NAMES)
-def test_what_else_may_be_cached_holds_the_laws(name: str, gpu: Gpu, folder: Path) -> None:
+def test_what_else_may_be_cached_holds_the_laws(name: str, gpu: Gpu, cases_folder: Path) -> None:
     analysis = load(name)
     scene = altered(
-        load_scene(folder), fragment=FOLDER / f"{name}.frag", vertex=folder / "shader.vert"
+        load_scene(cases_folder),
+        fragment=FOLDER / f"{name}.frag",
+        vertex=cases_folder / "shader.vert",
     )
     nodes = [node for node in analysis.nodes if node.offered]
     with closing(Verifier(gpu, (scene, analysis), (40, 40))) as verifier:

@@ -15,7 +15,6 @@ from reports.in_scene import analysed, scene_of
 from shadercache.gpu.context import Gpu
 from shadercache.verify.verifier import Verifier
 from tests.cases.cases import analysed as analysed_case
-from tests.cases.scenery import make_scene
 
 FOLDER = Path(__file__).with_name("idle_work")
 PATHS = [pytest.param(path, id=path.stem) for path in sorted(FOLDER.glob("*.frag"))]
@@ -46,17 +45,12 @@ def test_pairs_cost_what_is_told(path: Path) -> None:
             compare(analysis, *pair)
 
 
-@pytest.fixture(scope="module")
-def scene_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return make_scene(tmp_path_factory.mktemp("idle") / "scene")
-
-
 @pytest.mark.xdist_group("gl")
 @pytest.mark.parametrize("path", PATHS)
-def test_laws_2_to_4(path: Path, gpu: Gpu, scene_folder: Path) -> None:
+def test_laws_2_to_4(path: Path, gpu: Gpu, cases_folder: Path) -> None:
     analysis = analysed(path)
     legal = [node for node in analysis.nodes if node.legal]
     sets, _ = random_sets(analysis, legal, Random(path.stem), 2)
-    with closing(Verifier(gpu, (scene_of(path, scene_folder), analysis), (40, 40))) as verifier:
+    with closing(Verifier(gpu, (scene_of(path, cases_folder), analysis), (40, 40))) as verifier:
         verdicts = [verifier.check(nodes, plain=False) for nodes in sets]
     assert not {item.text: item.failure or item.broken for item in verdicts if item.broken}

@@ -10,7 +10,6 @@ from reports.in_scene import analysed, scene_of
 
 from shadercache.gpu.context import Gpu
 from shadercache.verify.verifier import Verifier
-from tests.cases.scenery import make_scene
 
 FOLDER = Path(__file__).with_name("matrix_functions")
 PATHS = [pytest.param(path, id=path.stem) for path in sorted(FOLDER.glob("*.frag"))]
@@ -19,18 +18,13 @@ NODES = 16
 """At most of each shader: those of ``main`` come first."""
 
 
-@pytest.fixture(scope="module")
-def scene_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return make_scene(tmp_path_factory.mktemp("matrices") / "scene")
-
-
 @pytest.mark.xdist_group("gl")
 @pytest.mark.parametrize("path", PATHS)
-def test_laws_2_to_4(path: Path, gpu: Gpu, scene_folder: Path) -> None:
+def test_laws_2_to_4(path: Path, gpu: Gpu, cases_folder: Path) -> None:
     legal = [node for node in analysed(path).nodes if node.legal]
     chosen = sorted(legal, key=lambda node: node.path != "main")[:NODES]
     with closing(
-        Verifier(gpu, (scene_of(path, scene_folder), analysed(path)), (40, 40))
+        Verifier(gpu, (scene_of(path, cases_folder), analysed(path)), (40, 40))
     ) as verifier:
         verdicts = [verifier.check(node, plain=False) for node in chosen]
     assert not {item.text: item.failure or item.broken for item in verdicts if item.broken}
