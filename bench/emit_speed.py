@@ -82,8 +82,8 @@ def _emit(analysis: Analysis, mode: Mode, count: int) -> list[float]:
     times = []
     for node in chosen:
         begin = time.process_time()
-        made = rewrite(analysis, by_every_algorithm(Configuration((node.id,), mode=mode)))
-        times.append((time.process_time() - begin) * 2 / len(made.files))
+        emission = rewrite(analysis, by_every_algorithm(Configuration((node.id,), mode=mode)))
+        times.append((time.process_time() - begin) * 2 / len(emission.files))
     return times
 
 

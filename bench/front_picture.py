@@ -51,8 +51,8 @@ def _pictures(scene: str) -> list[Image.Image]:
         command += ["--node", node, "--passes", str(passes), "--period", str(period)]
         command += ["--frame", "33", "--size", str(DRAWN), "-o", folder]
         subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
-        found = [next(Path(folder).glob(f"*-{kind}.png")) for kind in COLUMNS]
-        return [_cell(Image.open(path)) for path in found]
+        paths = [next(Path(folder).glob(f"*-{kind}.png")) for kind in COLUMNS]
+        return [_cell(Image.open(path)) for path in paths]
 
 
 def _cell(picture: Image.Image) -> Image.Image:

@@ -154,7 +154,7 @@ def figures(rows: Sequence[Row]) -> dict[str, tuple[int, int]]:
 def to_json(rows: Sequence[Row]) -> dict[str, Any]:
     """All figures, why shaders were not drawn, and the failures with their places and words."""
     pictures = [row.picture for row in rows if row.picture is not None]
-    reasons = Counter(_NAME.sub("…", item.why) for item in pictures if item.same is None)
+    reasons = Counter(_NAME.sub("…", picture.why) for picture in pictures if picture.same is None)
     return {
         "shaders": len(rows),
         "right, of": figures(rows),

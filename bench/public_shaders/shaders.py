@@ -84,13 +84,13 @@ def _expanded(path: Path, folders: Sequence[Path], seen: set[Path]) -> str:
     """A file with the files it includes, each once; what is not found stays as it is written."""
     seen.add(path.resolve())
 
-    def insert(found: re.Match[str]) -> str:
+    def insert(include: re.Match[str]) -> str:
         for folder in (path.parent, *folders):
-            target = folder / found[1]
+            target = folder / include[1]
             if isfile(target):  # Unlike Path.is_file it lets a name be too long.
                 fresh = target.resolve() not in seen
                 return _expanded(target, folders, seen) if fresh else ""
-        return found[0]
+        return include[0]
 
     return _INCLUDE.sub(insert, path.read_text(encoding="utf-8", errors="replace"))
 
