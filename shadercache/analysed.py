@@ -39,6 +39,7 @@ from shadercache.transform.versions.raise_version import Raised
 
 _UNROLLED = re.compile(r"\.\d+u-")
 _INCLUDE = re.compile(r"#[ \t]*include\b")
+# The two outputs are GLSL ES 1.00's as well.
 _FIXED_FUNCTION = re.compile(r"gl_(?!Frag(Color|Data))")
 
 _MUCH = 0.1
@@ -164,6 +165,7 @@ class Analysis:
         hint = f"'shadercache nodes {self.fragment.name}{unroll}' lists the nodes"
         if not unroll and _UNROLLED.search(node_id):
             hint = "it is of the shader with its loops unrolled: add --unroll"
+        # Behind the last dash stands a hash of the functions on the call path.
         stem = node_id.rpartition("-")[0]
         if any(node.id.rpartition("-")[0] == stem for node in self.nodes):
             message = (

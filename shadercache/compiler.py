@@ -183,6 +183,7 @@ def _vertex_stage(
     side = StageSide(*_named(raised.module, raised.facts, source, "vertex"), source)
     check_vertex(side.module, source)
     pairs = match_stages(fragment, side)
+    # Whatever else it computes, only what decides the position is evaluated twice.
     if mapping == "surface":
         check_position(remove_dead(side.module, (POSITION,)), source)
     screen = screen_varyings(side.module, side.facts)
@@ -284,6 +285,7 @@ def _check_names(analysis: Analysis, mode: Mode, queries: bool = False) -> None:
     problems: list[Diagnostic] = []
     for module, source in stages:
         later = later_keywords(module)
+        # An engine knows variables and blocks by their names, so these cannot be renamed.
         for node in walk(module) if later else ():
             name = getattr(node, "name", "")
             if name in later and isinstance(node, n.Declarator | n.BlockDecl | n.StructDef):

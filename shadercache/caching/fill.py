@@ -80,6 +80,7 @@ class Filler(Rewriter):
         match node:
             case n.Name(name=name) if word := self.word(name):
                 return n.Literal(NOWHERE, self._numbers[word])
+            # One that is a statement becomes statements, above.
             case n.Call(name=name, args=args) if original not in self._alone:
                 word = self.word(name)
                 if word and word not in LATE:

@@ -155,6 +155,7 @@ class _Text:
             text = leaf.path
             if len(inside) < len(leaf.channels):
                 text += "." + "".join(XYZW[i] for i in inside)
+            # In GLSL ES a `mediump int` may have 16 bits, and its sign in another place.
             if self.layout.es and leaf.type.base == "int":
                 text = f"{self.prefix}wide_{len(inside)}({text})"
             text = self._to_channel(text, leaf.type.base, len(inside))

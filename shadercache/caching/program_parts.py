@@ -22,6 +22,7 @@ from shadercache.transform.reachable import declared_names, names_in
 def program_part(main: Path, choice: Choice) -> Template:
     """The declarations of a pass with the ``main`` of a file, callees first, and their comments."""
     template = read_template(main, choice.prefix)
+    # Only what was looked up can come from a part of a filter, and be marked.
     library = _library(choice, f"{choice.prefix}look_up" in _called(template.decls))
     decls = [filled for decl in template.decls for filled in library.filled(decl)]
     functions = library.with_callees(d for d in decls if isinstance(d, n.FunctionDef))

@@ -25,7 +25,7 @@ TYPE_WORDS = ("TEXEL", "TEXELS", "SAMPLERS", "SUMS", "CHANNEL")
 """Types that the layout of the payloads decides (:mod:`shadercache.caching.per_target`)."""
 
 _HEAD = re.compile(r"\A(?://.*\n)+(?=\n)")
-_LONGEST = 1_000_000
+_LONGEST = 1_000_000  # Places of one file lie before those of the next.
 _numbers = count(1)
 
 

@@ -37,7 +37,7 @@ def merge(module: n.Module, user: Iterable[n.Decl], *parts: Iterable[n.Decl]) ->
             continue
         seen.update(names)
         (functions if isinstance(decl, n.FunctionDef) else variables).append(decl)
-    # GLSL ES 3.00 section 4.5.4: a default precision governs what is declared behind it.
+    # A default precision governs what is declared behind it.
     precision = [d for d in user if isinstance(d, n.PrecisionDecl)]
     rest: list[n.Decl] = []
     for decl in user:

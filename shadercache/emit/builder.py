@@ -103,6 +103,7 @@ class PassBuilder:
         self._cut: dict[CutKind, Clones] = {}
         self._made: dict[Maker, Shader] = {}
         types = program.facts.types
+        # In order of evaluation: a later one may need an earlier one.
         self.fetches = [
             (use, self.own(f"fetch_{i}"), form_of(use.place.expr, chosen.fetches, types))
             for i, use in enumerate(_fetches(program.candidates, self.nodes))

@@ -9,7 +9,7 @@ from shadercache.diagnostics import Diagnostic, Severity
 SCALE = 16.0
 """What 1/w is multiplied by where it is kept (``caching/glsl/depth``)."""
 
-_SMALLEST = {"rgba16f": 2.0**-25, "rgba32f": 2.0**-150}
+_SMALLEST = {"rgba16f": 2.0**-25, "rgba32f": 2.0**-150}  # Half of what is next to zero.
 """What a number near zero is rounded by at most."""
 
 

@@ -41,6 +41,7 @@ def is_default(decl: n.Decl, storage: str) -> bool:
 
 def with_layouts(decls: Sequence[n.Decl]) -> Iterable[n.Decl]:
     """The declarations, where uniform blocks say themselves what a later default would change."""
+    # The twin of a block stands behind all of the user's, and there another default may hold.
     last = len(decls) - 1
     late = max((at for at in range(last + 1) if is_default(decls[at], "uniform")), default=-1)
     default = Packing()

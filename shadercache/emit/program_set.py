@@ -180,6 +180,7 @@ class _ProgramWriter:
     def _write(self, record: AlgorithmPass, file: str, fragment: Shader, vertex: Shader) -> Pass:
         self.programs.files[f"{file}.frag"] = self._text(file, fragment, "fragment")
         self.programs.files[f"{file}.vert"] = self._text(file, vertex, "vertex")
+        # Both stages may declare a uniform.
         uniforms = tuple(dict.fromkeys((*vertex.uniforms, *fragment.uniforms)))
         caches = {algorithms.PREVIOUS: "cache", algorithms.CURRENT: "payloads"}
         return Pass(

@@ -115,7 +115,7 @@ def _is_twinned(decl: n.Decl) -> bool:
         case n.FunctionDef() | n.FunctionProto():
             return True
         case _ if is_builtin_output(decl):
-            return False
+            return False  # `_output` makes the twin of what is read back of it.
         case n.VarDecl():
             shared = decl.qualifiers.has("in", "const") or is_opaque_uniform(decl)
             return bool(decl.declarators) and not shared

@@ -58,9 +58,11 @@ class VertexEmitter:
         return kept[inputs]
 
     def _for_inputs(self, inputs: frozenset[str]) -> Shader:
+        # Only a pass that looks up needs the position of the last frame.
         own = {self.prefix + "current", self.prefix + "previous"} & inputs
         module = self._extended() if own else self.module
         written = EffectTable(self.module, self.memo).summary("main").writes
+        # What is drawn depends on other built-in outputs too: point sizes, clip distances.
         wanted = self._outputs(inputs)
         wanted |= {POSITION} | {name for name in written if name.startswith("gl_")}
         needed = remove_dead(module, wanted, self.memo)

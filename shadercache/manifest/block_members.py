@@ -33,6 +33,7 @@ def block_members(
 ) -> tuple[tuple[MemberEntry, ...], int]:
     """The members of a block of a module, and where the last of them ends."""
     kinds, read = block_fields(decl, facts), _read(module, decl, facts)
+    # GLSL 4.60 section 4.4.5: the alignment of a block is that of members that have none.
     every = number_of(decl.qualifiers, "align", facts)
     members: list[MemberEntry] = []
     end = last = 0

@@ -206,6 +206,7 @@ def _default(init: n.Expr | None, facts: Facts) -> tuple[float, ...] | str | Uns
         return UNSET
     value = _value(init, facts)
     numbers = () if value is None else tuple(map(float, flattened(value)))
+    # JSON has no infinities.
     return numbers if numbers and all(map(isfinite, numbers)) else print_node(init)
 
 

@@ -22,6 +22,7 @@ from shadercache.manifest.pass_model import PassEntry
 Problem: TypeAlias = tuple[str, str]
 """A path in the manifest, and what is wrong there."""
 
+# JSON Schema can say which keys a map needs; the types cannot.
 _OUTCOMES = ("hit", "refresh", "outside", "depth")
 
 

@@ -16,6 +16,7 @@ _ROLES = {
 }
 """Of names that are not their roles."""
 
+# No depth is off by less than nothing: a pass that looks up all the same finds nothing.
 _ON_RESET = {"epsilon": -1, "reset": 1}
 
 _OF_FORMAT = "; depends on cache.format"
