@@ -30,6 +30,7 @@ from shadercache.source import NOWHERE
 from shadercache.transform.rename import rename
 
 N = TypeVar("N", bound=n.Node)
+D = TypeVar("D", bound=n.Decl)
 
 _EACH = ("TEXELS", "SAMPLERS", "SUMS")
 _TYPES = {
@@ -66,8 +67,8 @@ class PerTarget:
         """Of each function the parameters that are there for each texture."""
         self._typer = _Typer(self, filler)
 
-    def __call__(self, decl: n.Decl) -> list[n.Decl]:
-        return [self._typer.rewrite(one) for one in _Doubler(self, decl).doubled()]
+    def __call__(self, decl: D) -> list[D]:
+        return [self._typer.rewrite(one) for one in _Doubler(self, decl).doubled(decl)]
 
     def is_each(self, decl: n.VarDecl | n.Param) -> bool:
         return decl.type.name in self._each
@@ -87,14 +88,14 @@ class _Doubler(Rewriter):
     """Has twice what is there of each of two textures."""
 
     def __init__(self, target: PerTarget, decl: n.Decl) -> None:
-        self._target, self._decl = target, decl
+        self._target = target
         self._two = target.layout.second
         self._names = target.names(decl)
         self._second = {name: f"{name}_2" for name in self._names}
         self._floats, self._integers = target.prefix + "ANY_FLOATS", target.prefix + "IF_INTEGERS"
 
-    def doubled(self) -> Sequence[n.Decl]:
-        decl = self.rewrite(self._decl)
+    def doubled(self, decl: D) -> list[D]:
+        decl = self.rewrite(decl)
         again = isinstance(decl, n.VarDecl) and self._target.is_each(decl) and self._two
         return self._both(decl) if again else [decl]
 

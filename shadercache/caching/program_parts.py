@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from pathlib import Path
+from typing import TypeVar
 
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
@@ -16,6 +17,8 @@ from shadercache.caching.per_target import PerTarget
 from shadercache.caching.read_template import FOLDER, Template, parse_template, read_template
 from shadercache.caching.slots import NUMBERS, Choice
 from shadercache.transform.reachable import declared_names, names_in
+
+D = TypeVar("D", bound=n.Decl)
 
 
 @lru_cache(maxsize=512)  # each struct of each shader is a type of its own
@@ -58,11 +61,10 @@ class _Library:
         self._known = {decl.name: decl for decl in kept if isinstance(decl, n.FunctionDef)}
         self._filled: dict[str, n.FunctionDef] = {}
         variables = (decl for decl in kept if isinstance(decl, n.VarDecl))
-        filled = (one for decl in variables for one in self.filled(decl))
-        self.variables = [decl for decl in filled if isinstance(decl, n.VarDecl)]
+        self.variables = [one for decl in variables for one in self.filled(decl)]
         self.comments = [comment for file in files for comment in file.comments]
 
-    def filled(self, decl: n.Decl) -> list[n.Decl]:
+    def filled(self, decl: D) -> list[D]:
         """A declaration, filled in: of a variable, for each texture."""
         return self._targets(self._filler.rewrite(decl))
 
@@ -73,19 +75,14 @@ class _Library:
         def add(function: n.FunctionDef) -> None:
             for name in _called([function]):
                 if name in self._known and name not in ordered:
-                    add(self._function(name))
+                    if name not in self._filled:
+                        (self._filled[name],) = self.filled(self._known[name])
+                    add(self._filled[name])
             ordered[function.name] = function
 
         for function in functions:
             add(function)
         return list(ordered.values())
-
-    def _function(self, name: str) -> n.FunctionDef:
-        if name not in self._filled:
-            (function,) = self.filled(self._known[name])
-            assert isinstance(function, n.FunctionDef)
-            self._filled[name] = function
-        return self._filled[name]
 
 
 def _rank(decl: n.VarDecl) -> int:

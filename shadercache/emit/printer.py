@@ -157,12 +157,6 @@ def _proto(node: n.FunctionProto, indent: str) -> str:
     return f"{print_qualifiers(node.qualifiers)}{type_text} {node.name}({params})"
 
 
-def _block(node: n.BlockDecl, indent: str, comments: Comments) -> str:
-    instance = f" {node.instance}{print_dims(node.dims)}" if node.instance else ""
-    fields = _fields(node.fields, node.span.end, indent, comments)
-    return f"{print_qualifiers(node.qualifiers, block=True)}{node.name} {fields}{instance};"
-
-
 def _print_lines(node: n.Node, indent: str, out: _Output) -> None:
     """Append the lines of a statement or declaration, with its comments."""
     if not out.comments:
@@ -191,8 +185,6 @@ def _print_plain(node: n.Node, indent: str, out: _Output) -> None:
             lines.append(f"{indent}{'' if node.expr is None else print_expression(node.expr)};")
         case n.DeclStmt():
             _print_plain(node.decl, indent, out)
-        case n.VarDecl():
-            lines += f"{indent}{_variables(node, indent, out.comments)};".split("\n")
         case n.Block():
             lines.append(indent + "{")
             _print_inside(node, indent, out)
@@ -218,22 +210,33 @@ def _print_plain(node: n.Node, indent: str, out: _Output) -> None:
             lines.append(f"{line}while ({print_expression(node.condition)});")
         case n.Switch():
             _print_switch(node, indent, out)
+        case n.Case():
+            value = "default" if node.value is None else f"case {print_expression(node.value)}"
+            lines.append(f"{indent}{value}:")
+        case _:
+            _print_declaration(node, indent, out)
+
+
+def _print_declaration(node: n.Node, indent: str, out: _Output) -> None:
+    match node:
+        case n.VarDecl():
+            out.lines += f"{indent}{_variables(node, indent, out.comments)};".split("\n")
         case n.FunctionDef():
             line = indent + _proto(node.proto, indent)
             _print_body(line, node.span.start, node.body, indent, out)
         case n.FunctionProto():
-            lines.append(f"{indent}{_proto(node, indent)};")
+            out.lines.append(f"{indent}{_proto(node, indent)};")
         case n.BlockDecl():
-            lines += f"{indent}{_block(node, indent, out.comments)}".split("\n")
+            instance = f" {node.instance}{print_dims(node.dims)}" if node.instance else ""
+            fields = _fields(node.fields, node.span.end, indent, out.comments)
+            words = print_qualifiers(node.qualifiers, block=True)
+            out.lines += f"{indent}{words}{node.name} {fields}{instance};".split("\n")
         case n.PrecisionDecl():
             type_text = _type(node.type, indent, out.comments)
-            lines.append(f"{indent}precision {node.precision} {type_text};")
+            out.lines.append(f"{indent}precision {node.precision} {type_text};")
         case n.QualifierDecl():
             names = ", ".join(node.names)
-            lines.append(f"{indent}{print_qualifiers(node.qualifiers)}{names}".rstrip() + ";")
-        case n.Case():
-            value = "default" if node.value is None else f"case {print_expression(node.value)}"
-            lines.append(f"{indent}{value}:")
+            out.lines.append(f"{indent}{print_qualifiers(node.qualifiers)}{names}".rstrip() + ";")
         case _:
             raise TypeError(f"{type(node).__name__} cannot be printed")
 
