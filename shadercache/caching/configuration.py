@@ -152,14 +152,7 @@ class Configuration:
     @property
     def look_up(self) -> Configuration:
         """The configuration with all at its default that no text of the runtime depends on."""
-        plain = Configuration()
-        return replace(
-            self.compiled,
-            nodes=plain.nodes,
-            algorithm=plain.algorithm,
-            fetches=plain.fetches,
-            mode=plain.mode,
-        )
+        return replace(self.compiled, nodes=(), algorithm=DEFAULT, fetches="whole", mode="plain")
 
     @property
     def canonical(self) -> str:

@@ -15,7 +15,6 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from shadercache.analysis.call_paths import Use
-from shadercache.analysis.derivative_uses import SharedUse
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.effects import Does
 from shadercache.ast import nodes as n
@@ -23,7 +22,7 @@ from shadercache.emit.assemble import Shader
 from shadercache.emit.builder import PassBuilder
 from shadercache.sema.facts import Symbol
 from shadercache.source import NOWHERE
-from shadercache.transform.hoist_fetches import FetchForm, type_ahead
+from shadercache.transform.hoist_fetches import type_ahead
 from shadercache.transform.reachable import names_in
 from shadercache.transform.rename import rename
 from shadercache.transform.specialise import Clones, Cut
@@ -67,7 +66,10 @@ def _keeping(builder: PassBuilder, kept: tuple[Symbol, ...]) -> Shader:
     if kept:
         extra.append(_caller(builder, "compute", [builder.own(compute)], kept))
     clones.append(builder.clone(names, "shade", builder.node_cuts("use")))
-    extra += [_fetched(builder, *fetch) for fetch in builder.fetches]
+    for use, name, form in builder.fetches:
+        fetch = use.place.expr
+        kind = type_ahead(fetch, form, builder.program.facts.types)
+        extra.append(_variable(kind, name, builder.precisions.of(fetch)))
     shader = builder.build("one", clones, builder.color_and_stores, extra)
     if any(form == "level" for *_, form in builder.fetches):
         version = max(shader.module.version, _QUERIES)
@@ -144,13 +146,6 @@ def _unfit_as_made(builder: PassBuilder) -> str | None:
         "the payload's code takes derivatives that it does not need and that cannot be told apart "
         "from it"
     )
-
-
-def _fetched(builder: PassBuilder, use: SharedUse, name: str, form: FetchForm) -> n.VarDecl:
-    """The variable that holds what was done ahead, as precise as the fetch."""
-    fetch = use.place.expr
-    kind = type_ahead(fetch, form, builder.program.facts.types)
-    return _variable(kind, name, builder.precisions.of(fetch))
 
 
 def _variable(kind: str, name: str, precision: str | None) -> n.VarDecl:
