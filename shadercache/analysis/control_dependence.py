@@ -11,18 +11,17 @@ operands has a side effect.
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import cast
 
+from shadercache.analysis.dataflow import LOOPS, reached
 from shadercache.analysis.effect_table import EffectTable, direct_writes
-from shadercache.analysis.effects import Does, Effects, union
+from shadercache.analysis.effects import EXITS, Does, Effects, union
 from shadercache.analysis.reaching_definitions import order_matters
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import STATEMENTS, children, walk
-
-_EXITS = Does.RETURN | Does.DISCARD | Does.JUMP
-_LOOPS = (n.For, n.While, n.DoWhile)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -58,40 +57,44 @@ class ControlDependence:
         self._table = table
         self.parts = tuple(self._collect(stmt, ()))
         self._of = {item: part for part in self.parts for item in walk(part.node)}
+        self._writers: defaultdict[str, list[Part]] = defaultdict(list)
+        for part in self.parts:
+            for name in part.effects.writes:
+                self._writers[name].append(part)
 
     def into_value(self, expr: n.Expr) -> Flow:
         """What decides the value of an expression, where it is evaluated."""
         own = self._of[expr]
-        return self._closure(self._table.of(expr).reads, self._later(own), (), own.above, Does.JUMP)
+        reads = self._table.of(expr).reads
+        return self._closure(reads, self._later(own), given=own.above, exits=Does.JUMP)
 
     def into_global(self, call: n.Call, name: str) -> Flow:
         """What gives a global the value that the function called finds in it."""
         own = self._of[call]
         later = None if name in self._written_beside(own, call) else own
-        return self._closure({name}, later, (), own.above, Does.JUMP)
+        return self._closure({name}, later, given=own.above, exits=Does.JUMP)
 
     def into_use(self, expr: n.Expr, whole: bool) -> Flow:
         """What decides whether an expression is evaluated, and on what; ``whole``: its statement
         may skip it."""
-        own = self._of[expr]
-        reads, first = self._table.of(expr).reads, self._deciding(own, whole)
-        return self._closure(reads, self._later(own), first, (), _EXITS)
+        own, reads = self._of[expr], self._table.of(expr).reads
+        return self._closure(reads, self._later(own), self._deciding(own, whole))
 
     def into_reach(self, expr: n.Expr, whole: bool) -> Flow:
         """What decides whether an expression is reached, without what it works on."""
         own = self._of[expr]
-        return self._closure((), self._later(own), self._deciding(own, whole), (), _EXITS)
+        return self._closure((), self._later(own), self._deciding(own, whole))
 
     def into_exits(self) -> Flow:
         """What decides whether a ``return`` or ``discard`` is reached."""
-        return self._closure((), None, (), (), _EXITS)
+        return self._closure((), None)
 
     def _deciding(self, own: Part, whole: bool) -> tuple[Part, ...]:
-        return (*own.above, own) if whole or isinstance(own.node, _LOOPS) else own.above
+        return (*own.above, own) if whole or isinstance(own.node, LOOPS) else own.above
 
     def _later(self, own: Part) -> Part | None:
         """The part itself where nothing that it writes can be read in it afterwards."""
-        if isinstance(own.node, _LOOPS):
+        if isinstance(own.node, LOOPS):
             return None
         if isinstance(own.node, STATEMENTS):
             back = order_matters(cast("n.Stmt", own.node), self._table)
@@ -101,7 +104,7 @@ class ControlDependence:
 
     def _written_beside(self, own: Part, call: n.Call) -> frozenset[str]:
         """What is written in a part before the call, or may be: all that others than it write."""
-        if isinstance(own.node, _LOOPS):
+        if isinstance(own.node, LOOPS):
             return own.effects.writes
         others = (item for item in walk(own.node) if item is not call)
         return frozenset[str]().union(*(direct_writes(item, self._table) for item in others))
@@ -110,39 +113,34 @@ class ControlDependence:
         self,
         reads: Iterable[str],
         later: Part | None,
-        first: Iterable[Part],
-        given: Iterable[Part],
-        exits: Does,
+        first: Iterable[Part] = (),
+        given: Iterable[Part] = (),
+        exits: Does = EXITS,
     ) -> Flow:
         """What flows into ``reads``; what ``later`` writes does not, as it comes too late.
 
         ``first`` are relevant from the start, ``given`` hold anyway, and conditions above what
         does any of ``exits`` decide on everything.
         """
-        names = set(reads)
-        given = frozenset(given)
-        relevant: dict[Part, None] = {}
-        todo = [*first, *self._above_of(exits)]
-        while True:
-            for part in todo:
-                if part not in given:
-                    relevant[part] = None
-                    names |= part.effects.reads
-            todo = [
-                item
-                for part in self.parts
-                if part not in relevant and part is not later and part.effects.writes & names
-                for item in (part, *part.above)
-                if item not in relevant and item not in given
-            ]
-            if not todo:
-                return Flow(frozenset(names), tuple(relevant))
+        holds = frozenset(given)
+
+        def onward(item: str | Part) -> Iterable[str | Part]:
+            if isinstance(item, Part):
+                return item.effects.reads
+            writers = (part for part in self._writers[item] if part is not later)
+            return (one for part in writers for one in (part, *part.above) if one not in holds)
+
+        start: list[str | Part] = [*reads]
+        start += [part for part in (*first, *self._above_of(exits)) if part not in holds]
+        flowing = reached(start, onward)
+        names = frozenset(item for item in flowing if isinstance(item, str))
+        return Flow(names, tuple(item for item in flowing if isinstance(item, Part)))
 
     def _above_of(self, exits: Does) -> Iterator[Part]:
         for part in self.parts:
             if part.effects.does & exits:
                 yield from part.above
-                if isinstance(part.node, _LOOPS) or self._may_skip_discard(part.node):
+                if isinstance(part.node, LOOPS) or self._may_skip_discard(part.node):
                     yield part
 
     def _may_skip_discard(self, node: n.Node) -> bool:
@@ -157,19 +155,14 @@ class ControlDependence:
     def _collect(self, node: n.Node, above: tuple[Part, ...]) -> Iterator[Part]:
         match node:
             case n.If(condition=first) | n.Switch(selector=first):
-                condition = self._part(first, above)
+                condition = Part(first, self._table.of(first), above)
                 yield condition
                 for child in children(node):
                     if child is not first:
                         yield from self._collect(child, (*above, condition))
-            case n.For() | n.While() | n.DoWhile():
-                # A loop is one part: whatever is in it comes before whatever else.
-                yield self._part(node, above)
             case n.Block():
                 for child in node.body:
                     yield from self._collect(child, above)
             case _:
-                yield self._part(node, above)
-
-    def _part(self, node: n.Node, above: tuple[Part, ...]) -> Part:
-        return Part(node, self._table.of(node), above)
+                # A loop is one part, too: whatever is in it comes before whatever else.
+                yield Part(node, self._table.of(node), above)

@@ -1,21 +1,25 @@
 """The equations of data flow over structured programs, solved for any lattice.
 
 GLSL has no ``goto``, so a walk over the statements meets all of the control flow. Facts go backward
-through blocks and conditionals in one pass; only a loop has an equation that needs a fixed point,
+through blocks and conditionals in one pass. Only a loop has an equation that needs a fixed point,
 and only a ``switch`` has paths that fall through. Facts that go forward along a relation ("what
 does this flow into?") are a closure.
 """
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Generic, TypeVar
+from typing import Generic, TypeAlias, TypeVar
 
 from shadercache.ast import nodes as n
 
 F = TypeVar("F")
 H = TypeVar("H", bound=Hashable)
+
+Loop: TypeAlias = n.For | n.While | n.DoWhile
+LOOPS = (n.For, n.While, n.DoWhile)
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,6 +32,46 @@ class Lattice(Generic[F]):
 
 NAMES: Lattice[frozenset[str]] = Lattice(frozenset.union, frozenset.issubset)
 """Sets of variables that may be live."""
+
+
+class Backward(ABC, Generic[F]):
+    """A walk backward through statements: from the fact behind each to the one before it."""
+
+    def block(self, stmts: Sequence[n.Stmt], fact: F) -> F:
+        """Through statements in a row."""
+        for stmt in reversed(stmts):
+            fact = self.statement(stmt, fact)
+        return fact
+
+    def statement(self, stmt: n.Stmt, fact: F) -> F:
+        """Through one statement of whatever kind."""
+        match stmt:
+            case n.Block():
+                return self.block(stmt.body, fact)
+            case n.If():
+                return self.branch(stmt, fact)
+            case n.For() | n.While() | n.DoWhile():
+                return self.loop(stmt, fact)
+            case n.Switch():
+                return self.switch(stmt, fact)
+            case n.Return() | n.Jump():
+                return self.jump(stmt, fact)
+        return self.plain(stmt, fact)
+
+    @abstractmethod
+    def branch(self, stmt: n.If, fact: F) -> F: ...
+
+    @abstractmethod
+    def loop(self, stmt: Loop, fact: F) -> F: ...
+
+    @abstractmethod
+    def switch(self, stmt: n.Switch, fact: F) -> F: ...
+
+    @abstractmethod
+    def jump(self, stmt: n.Return | n.Jump, fact: F) -> F: ...
+
+    @abstractmethod
+    def plain(self, stmt: n.Stmt, fact: F) -> F: ...
 
 
 def before_loop(lattice: Lattice[F], at_head: F, round_: Callable[[F], F]) -> F:
@@ -58,11 +102,11 @@ def before_cases(
 
 def reached(start: Iterable[H], onward: Callable[[H], Iterable[H]]) -> dict[H, None]:
     """Everything that ``start`` leads to, itself included; an ordered set."""
-    found: dict[H, None] = {}
+    seen: dict[H, None] = {}
     todo = list(start)
     while todo:
         item = todo.pop()
-        if item not in found:
-            found[item] = None
+        if item not in seen:
+            seen[item] = None
             todo += onward(item)
-    return found
+    return seen

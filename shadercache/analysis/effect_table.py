@@ -6,12 +6,21 @@ again after any rewrite.
 
 A call counts with everything that the called function, and what that calls, does to global
 variables; its locals and parameters stay its own.
+
+The effects of a function say what it may read or write, in whatever order. In its summary the order
+counts, too::
+
+    void shade() {               // reads u_light and v_a; o_color is overwritten before
+        o_color = vec4(v_a, 1.0);
+        o_color.rgb *= u_light;
+    }
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
+from shadercache.analysis.dataflow import Backward, Loop
 from shadercache.analysis.effects import (
     NO_EFFECTS,
     Does,
@@ -22,11 +31,12 @@ from shadercache.analysis.effects import (
     root_variable,
     union,
 )
-from shadercache.analysis.liveness import live_at_entry, overwritten_in
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.walk import children, postorder, walk
 from shadercache.lang.builtins import Signature, overloads
+
+_NO_NAMES: frozenset[str] = frozenset()
 
 
 class EffectTable:
@@ -47,15 +57,15 @@ class EffectTable:
 
     def of(self, node: n.Node) -> Effects:
         """The effects of evaluating an expression or executing a statement."""
-        found = self._table.get(node)
-        if found is None:
-            for item in postorder(node, self._table):
-                effects = self._own(item)
-                if item in self._marks:
-                    effects = effects | Effects(frozenset((self._marks[item],)))
-                self._table[item] = effects
-            found = self._table[node]
-        return found
+        known = self._table.get(node)
+        if known is not None:
+            return known
+        for item in postorder(node, self._table):
+            effects = self._own(item)
+            if item in self._marks:
+                effects = effects | Effects(frozenset((self._marks[item],)))
+            self._table[item] = effects
+        return self._table[node]
 
     def summary(self, name: str) -> Effects:
         """What a call of the user's function ``name`` does outside of the function."""
@@ -63,19 +73,17 @@ class EffectTable:
 
     def linked(self, name: str) -> Linked:
         """The user's function ``name`` with what it has to know of those it calls."""
-        found = self._by_name.get(name)
-        if found is None:
+        if name not in self._by_name:
             function = self.functions[name]
             heads = tuple(
                 self.linked(callee).head if callee in self.functions else None
                 for callee in self._called(function)
             )
-            table: dict[object, Linked] = self._memo.table("linked functions")
-            found = table.get((function, heads))
-            if found is None:
-                found = table[function, heads] = self._link(function)
-            self._by_name[name] = found
-        return found
+            kept: dict[object, Linked] = self._memo.table("linked functions")
+            if (function, heads) not in kept:
+                kept[function, heads] = self._link(function)
+            self._by_name[name] = kept[function, heads]
+        return self._by_name[name]
 
     def _link(self, function: n.FunctionDef) -> Linked:
         inside = self.of(function.body)
@@ -83,21 +91,12 @@ class EffectTable:
         does = inside.does & ~(Does.RETURN | Does.JUMP)
         effects = Effects(inside.reads - own, inside.writes - own, does)
         params = tuple((item.writes_back, item.type, item.dims) for item in function.proto.params)
-        head = FunctionSummary(
-            effects,
-            live_at_entry(function, self) - own,
-            overwritten_in(function, self) - own,
-            params,
-        )
+        live = _Liveness(self).block(function.body.body, _NO_NAMES) - own
+        overwritten = _overwritten_in(function, self) - own
+        head = FunctionSummary(effects, live, overwritten, params)
         heads: dict[object, FunctionSummary] = self._memo.table("heads of functions")
-        key = (
-            effects.reads,
-            effects.writes,
-            head.live_at_entry,
-            head.overwritten,
-            does.value,
-            params,
-        )
+        # Of the flags the bits: flags themselves hash slowly.
+        key = (effects.reads, effects.writes, live, overwritten, does.value, params)
         return Linked(function, own | inside.writes, heads.setdefault(key, head))
 
     def callees(self, name: str) -> list[str]:
@@ -106,23 +105,24 @@ class EffectTable:
 
     def _called(self, function: n.FunctionDef) -> tuple[str, ...]:
         """The names of all functions that a function calls, built-in ones too."""
-        table: dict[n.FunctionDef, tuple[str, ...]] = self._memo.table("callees")
-        found = table.get(function)
-        if found is None:
+        kept: dict[n.FunctionDef, tuple[str, ...]] = self._memo.table("callees")
+        if function not in kept:
             calls = (item.name for item in walk(function.body) if isinstance(item, n.Call))
-            found = table[function] = tuple(dict.fromkeys(calls))
-        return found
+            kept[function] = tuple(dict.fromkeys(calls))
+        return kept[function]
 
     def _own(self, node: n.Node) -> Effects:
         """Combine the (known) effects of the children with what the node itself does."""
         match node:
             case n.Name():
                 return Effects(reads=frozenset((node.name,)))
-            case n.Assign():
-                return self._assign(node)
+            case n.Assign(target=target, value=value):
+                inside = self._table[value]
+                if node.op != "=" or not isinstance(target, n.Name):  # else no old value is read
+                    inside |= self._table[target]
+                return inside | _written(target)
             case n.Unary(op="++" | "--") | n.Postfix():
-                inside = self._table[node.operand]
-                return inside | _written(node.operand)
+                return self._table[node.operand] | _written(node.operand)
             case n.Call():
                 return self._call(node)
             case n.Declarator():
@@ -137,29 +137,85 @@ class EffectTable:
             case _:
                 return union(self._table[child] for child in children(node))
 
-    def _assign(self, node: n.Assign) -> Effects:
-        inside = self._table[node.target] | self._table[node.value]
-        if node.op == "=" and isinstance(node.target, n.Name):
-            # The old value is not read.
-            inside = self._table[node.value]
-        return inside | _written(node.target)
-
     def _call(self, node: n.Call) -> Effects:
-        total = union(self._table[arg] for arg in node.args)
+        outs = zip(node.args, out_arguments(node, self), strict=True)
         if node.name in self.functions:
-            total = total | self.summary(node.name)
+            own = self.summary(node.name)
         else:
-            total = total | Effects(does=_builtin_does(node))
-        for arg, out in zip(node.args, out_arguments(node, self), strict=True):
-            if out:
-                total = total | _written(arg)
-        return total
+            own = Effects(does=_builtin_does(node))
+        written = (_written(arg) for arg, out in outs if out)
+        return union((*(self._table[arg] for arg in node.args), own, *written))
+
+
+class _Liveness(Backward[frozenset[str]]):
+    """Variables that may be read before they are overwritten; a loop or a ``switch`` is taken as a
+    whole."""
+
+    def __init__(self, table: EffectTable) -> None:
+        self._table = table
+
+    def branch(self, stmt: n.If, fact: frozenset[str]) -> frozenset[str]:
+        other = fact if stmt.other is None else self.statement(stmt.other, fact)
+        return self.statement(stmt.then, fact) | other | reads_of(stmt.condition, self._table)
+
+    def loop(self, stmt: Loop | n.Switch, fact: frozenset[str]) -> frozenset[str]:
+        return fact | reads_of(stmt, self._table)
+
+    switch = loop
+
+    def jump(self, stmt: n.Return | n.Jump, fact: frozenset[str]) -> frozenset[str]:
+        if isinstance(stmt, n.Jump) and stmt.word != "discard":
+            return fact
+        return reads_of(stmt, self._table)
+
+    def plain(self, stmt: n.Stmt, fact: frozenset[str]) -> frozenset[str]:
+        return (fact - overwritten_by(stmt, self._table)) | reads_of(stmt, self._table)
+
+
+def reads_of(node: n.Node, table: EffectTable) -> frozenset[str]:
+    """What evaluating an expression or a statement reads, before it is overwritten by a call."""
+    if not any(isinstance(item, n.Call) and item.name in table.functions for item in walk(node)):
+        return table.of(node).reads
+    match node:
+        case n.Call(name=name, args=args) if name in table.functions:
+            return table.linked(name).head.live_at_entry.union(
+                *(reads_of(arg, table) for arg in args)
+            )
+        case n.Assign(op="=", target=n.Name(), value=value):
+            return reads_of(value, table)
+    return _NO_NAMES.union(*(reads_of(part, table) for part in children(node)))
+
+
+def overwritten_by(node: n.Node, table: EffectTable) -> frozenset[str]:
+    """Variables whose old value is gone behind a plain statement, whatever they held."""
+    match node:
+        case n.ExprStmt(expr=n.Assign(op="=", target=n.Name(name=name))):
+            return frozenset((name,))
+        case n.ExprStmt(expr=n.Call(name=name)) if name in table.functions:
+            return table.linked(name).head.overwritten
+        case n.DeclStmt(decl=n.VarDecl(declarators=items)):
+            return frozenset(item.name for item in items)
+    return _NO_NAMES
+
+
+def _overwritten_in(function: n.FunctionDef, table: EffectTable) -> frozenset[str]:
+    """Variables that a function overwrites wholly, wherever it returns."""
+    names, todo = _NO_NAMES, [*function.body.body[::-1]]
+    while todo:
+        stmt = todo.pop()
+        if isinstance(stmt, n.Block):
+            todo += stmt.body[::-1]
+        elif table.of(stmt).does & Does.RETURN:
+            break
+        else:
+            names |= overwritten_by(stmt, table)
+    return names
 
 
 def direct_writes(node: n.Node, table: EffectTable) -> frozenset[str]:
     """What a node writes itself: not its operands, but the functions that it calls."""
     targets: tuple[n.Expr, ...] = ()
-    found: frozenset[str] = frozenset()
+    names: frozenset[str] = frozenset()
     match node:
         case n.Assign(target=target):
             targets = (target,)
@@ -169,8 +225,8 @@ def direct_writes(node: n.Node, table: EffectTable) -> frozenset[str]:
             outs = out_arguments(node, table)
             targets = tuple(arg for arg, out in zip(args, outs, strict=True) if out)
             if node.name in table.functions:
-                found = table.summary(node.name).writes
-    return found.union(root for item in targets if (root := root_variable(item)))
+                names = table.summary(node.name).writes
+    return names.union(root for item in targets if (root := root_variable(item)))
 
 
 def out_arguments(call: n.Call, table: EffectTable) -> tuple[bool, ...]:

@@ -24,6 +24,10 @@ class Does(Flag):
     """A texture fetch whose level of detail comes from derivatives."""
 
 
+EXITS = Does.RETURN | Does.DISCARD | Does.JUMP
+"""What may skip statements that follow."""
+
+
 @dataclass(frozen=True, slots=True)
 class Effects:
     """Variables read and written (by name), and what else is done."""
@@ -93,3 +97,11 @@ def local_names(function: n.FunctionDef) -> frozenset[str]:
     names = {param.name for param in function.proto.params if param.name}
     names.update(item.name for item in walk(function.body) if isinstance(item, n.Declarator))
     return frozenset(names)
+
+
+def global_names(decl: n.VarDecl | n.BlockDecl) -> list[str]:
+    """The global names that a declaration declares: of a block its instance, or its members."""
+    if isinstance(decl, n.BlockDecl) and decl.instance is not None:
+        return [decl.instance]
+    decls = decl.fields if isinstance(decl, n.BlockDecl) else (decl,)
+    return [item.name for part in decls for item in part.declarators]

@@ -14,21 +14,18 @@ takes no account of order.
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Set
 from dataclasses import dataclass, field
 
-from shadercache.analysis.dataflow import reached
+from shadercache.analysis.dataflow import LOOPS, Loop, reached
 from shadercache.analysis.effect_table import EffectTable, out_arguments
-from shadercache.analysis.effects import Does, local_names, root_variable
+from shadercache.analysis.effects import EXITS, Does, local_names, root_variable
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.walk import children, walk
 
-LOOPS = (n.For, n.While, n.DoWhile)
-Loop = n.For | n.While | n.DoWhile
-
 _SHARED = Does.DERIVATIVE | Does.IMPLICIT_LOD
-_EXITS = Does.RETURN | Does.DISCARD | Does.JUMP
 _NOTHING: frozenset[str] = frozenset()
 
 
@@ -44,22 +41,22 @@ def decided_loops(
     every = _all_flows(table, memo)
     if not any(flows.loops for flows in every):
         return frozenset()
-    hanging = _reached(every, names)
+    dependent = _reached(every, names)
     return frozenset(
         loop
         for flows in every
         for loop, readings in flows.loops
-        if not hanging.isdisjoint(readings) and not table.of(loop).does & _SHARED
+        if not dependent.isdisjoint(readings) and not table.of(loop).does & _SHARED
     )
 
 
 def hanging_names(module: n.Module, names: Iterable[str]) -> frozenset[str]:
-    """The variables whose values, and the functions whose results, hang on the named globals.
+    """The variables whose values, and the functions whose results, depend on the named globals.
 
     Of locals the bare name is given: it may be one of another function.
     """
-    found = _reached(_all_flows(EffectTable(module), None), names)
-    return frozenset(name.rpartition(".")[2].removesuffix("()") for name in found)
+    dependent = _reached(_all_flows(EffectTable(module), None), names)
+    return frozenset(name.rpartition(".")[2].removesuffix("()") for name in dependent)
 
 
 @dataclass(slots=True)
@@ -68,20 +65,18 @@ class _Flows:
     ``f``, ``f()`` for its result, ``f#0`` for what is given to its first parameter and ``f#0>`` for
     what comes back from there."""
 
-    targets: dict[str, set[str]] = field(default_factory=dict)
+    targets: defaultdict[str, set[str]] = field(default_factory=lambda: defaultdict(set))
     loops: list[tuple[n.Node, frozenset[str]]] = field(default_factory=list)
 
 
 def _all_flows(table: EffectTable, memo: Memo | None) -> list[_Flows]:
     kept: dict[object, _Flows] = {} if memo is None else memo.table("flows of functions")
-    found: list[_Flows] = []
-    for name in table.functions:
-        linked = table.linked(name)
-        flows = kept.get(linked)
-        if flows is None:
-            flows = kept[linked] = _FlowWalker(linked.function, table).flows
-        found.append(flows)
-    return found
+    every: list[_Flows] = []
+    for linked in map(table.linked, table.functions):
+        if linked not in kept:
+            kept[linked] = _FlowWalker(linked.function, table).flows
+        every.append(kept[linked])
+    return every
 
 
 def _reached(every: list[_Flows], names: Iterable[str]) -> Set[str]:
@@ -98,7 +93,7 @@ class _FlowWalker:
         self.flows = _Flows()
         self._table, self._function = table, function.name
         self._locals = local_names(function)
-        self._under: list[frozenset[str]] = []
+        self._under: tuple[frozenset[str], ...] = ()
         """What the conditions read under which the statement at hand is executed."""
         self._depths: dict[str, int] = {}
         """Under how many of them a local is declared; parameters under none."""
@@ -107,24 +102,24 @@ class _FlowWalker:
                 self._flow((f"{function.name}#{i}",), self._key(param.name))
                 if param.writes_back:
                     self._flow((self._key(param.name),), f"{function.name}#{i}>")
-        self._statement(function.body)
+        self._statement(function.body, ())
 
     def _key(self, name: str) -> str:
         return f"{self._function}.{name}" if name in self._locals else name
 
     def _readings(self, *parts: n.Node) -> frozenset[str]:
         """What decides on the values of these expressions."""
-        found: set[str] = set()
+        readings: set[str] = set()
         for item in (item for part in parts for item in walk(part)):
             if isinstance(item, n.Name):
-                found.add(self._key(item.name))
+                readings.add(self._key(item.name))
             elif isinstance(item, n.Call) and item.name in self._table.functions:
-                found.add(f"{item.name}()")
-        return frozenset(found)
+                readings.add(f"{item.name}()")
+        return frozenset(readings)
 
     def _flow(self, readings: Iterable[str], key: str) -> None:
         for name in readings:
-            self.flows.targets.setdefault(name, set()).add(key)
+            self.flows.targets[name].add(key)
 
     def _write(self, name: str, readings: Iterable[str], *under: frozenset[str]) -> None:
         """A variable is written, under what the walk is under and these conditions."""
@@ -133,33 +128,31 @@ class _FlowWalker:
         for condition in (*self._under[self._depths.get(name, 0) :], *under):
             self._flow(condition, key)
 
-    def _statement(self, stmt: n.Node) -> None:
+    def _statement(self, stmt: n.Node, under: tuple[frozenset[str], ...]) -> None:
         match stmt:
             case n.Block(body=body):
-                self._sequence(body)
+                self._sequence(body, under)
             case n.If(condition=first):
-                self._plain(first)
-                self._inside(stmt, self._readings(first), first)
+                self._plain(first, under)
+                for part in children(stmt)[1:]:
+                    self._statement(part, (*under, self._readings(first)))
             case n.Switch(selector=first, body=body):
-                self._plain(first)
-                self._under.append(self._readings(first))
-                self._sequence(body)
-                self._under.pop()
+                self._plain(first, under)
+                self._sequence(body, (*under, self._readings(first)))
             case n.For() | n.While() | n.DoWhile():
                 readings = self._decision(stmt)
                 self.flows.loops.append((stmt, readings))
-                self._inside(stmt, readings, None)
+                for part in children(stmt):
+                    self._statement(part, (*under, readings))
             case _:
-                self._plain(stmt)
+                self._plain(stmt, under)
 
-    def _sequence(self, stmts: tuple[n.Stmt, ...]) -> None:
-        size = len(self._under)
+    def _sequence(self, stmts: tuple[n.Stmt, ...], under: tuple[frozenset[str], ...]) -> None:
         for stmt in stmts:
-            self._statement(stmt)
+            self._statement(stmt, under)
             # Behind a jump that some fragments take, the others are alone.
             if not isinstance(stmt, n.Return | n.Jump) and self._jumps_out(stmt):
-                self._under.append(frozenset[str]().union(*self._decisions(stmt)))
-        del self._under[size:]
+                under = (*under, _NOTHING.union(*self._decisions(stmt)))
 
     def _jumps_out(self, stmt: n.Node) -> bool:
         """Can a statement end with a jump to elsewhere than what follows it?"""
@@ -179,35 +172,28 @@ class _FlowWalker:
                 case n.For() | n.While() | n.DoWhile() if self._jumps_out(item):
                     yield self._decision(item)
 
-    def _inside(self, stmt: n.Node, readings: frozenset[str], done: n.Node | None) -> None:
-        self._under.append(readings)
-        for part in children(stmt):
-            if part is not done:
-                self._statement(part)
-        self._under.pop()
-
     def _decision(self, loop: Loop) -> frozenset[str]:
         """What decides how long a loop runs: its condition, and those of jumps out of its body."""
-        found = self._readings(loop.condition) if loop.condition is not None else _NOTHING
+        readings = self._readings(loop.condition) if loop.condition is not None else _NOTHING
         for item in walk(loop.body):
-            if isinstance(item, n.If | n.Switch) and self._table.of(item).does & _EXITS:
-                first = item.condition if isinstance(item, n.If) else item.selector
-                found |= self._readings(first)
-        return found
+            if isinstance(item, n.If | n.Switch) and self._table.of(item).does & EXITS:
+                readings |= self._readings(children(item)[0])
+        return readings
 
-    def _plain(self, node: n.Node) -> None:
+    def _plain(self, node: n.Node, under: tuple[frozenset[str], ...]) -> None:
+        self._under = under
         for item in walk(node):
             match item:
                 case n.Return(value=value):
                     result = f"{self._function}()"
-                    for readings in (*self._under, self._readings(value) if value else _NOTHING):
+                    for readings in (*under, self._readings(value) if value else _NOTHING):
                         self._flow(readings, result)
                 case n.Assign(target=target, value=value):
                     self._target(target, self._readings(*children(target), value))
                 case n.Unary(op="++" | "--", operand=target) | n.Postfix(operand=target):
                     self._target(target, _NOTHING)
                 case n.Declarator(name=name, init=init):
-                    self._depths[name] = len(self._under)
+                    self._depths[name] = len(under)
                     self._write(name, self._readings(init) if init is not None else _NOTHING)
                 case n.Conditional(condition=first):
                     self._under_operand(first, item)
@@ -218,11 +204,8 @@ class _FlowWalker:
 
     def _under_operand(self, first: n.Expr, other: n.Node) -> None:
         """What ``other`` writes is written where ``first`` says so."""
-        writes = self._table.of(other).writes
-        if writes:
-            readings = self._readings(first)
-            for name in writes:
-                self._write(name, _NOTHING, readings)
+        for name in self._table.of(other).writes:
+            self._write(name, _NOTHING, self._readings(first))
 
     def _target(self, target: n.Expr, readings: frozenset[str]) -> None:
         root = root_variable(target)
@@ -239,5 +222,6 @@ class _FlowWalker:
             if out:
                 self._target(arg, frozenset((f"{call.name}#{i}>",)) if user else every)
         if user:
+            # What is written into globals is the called function's matter, but not under what.
             for name in self._table.summary(call.name).writes:
                 self._write(name, _NOTHING)

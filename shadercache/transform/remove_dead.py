@@ -24,9 +24,8 @@ from operator import is_
 from typing import TypeAlias, TypeVar, cast
 
 from shadercache.analysis.dataflow import NAMES, before_cases, before_loop
-from shadercache.analysis.effect_table import EffectTable, out_arguments
+from shadercache.analysis.effect_table import EffectTable, out_arguments, overwritten_by, reads_of
 from shadercache.analysis.effects import Does, Linked, root_variable
-from shadercache.analysis.liveness import overwritten_by, reads_of
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.walk import EXPRESSIONS, children, walk

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from shadercache.analysis.loops import LOOPS, decided_loops
+from shadercache.analysis.dataflow import LOOPS
+from shadercache.analysis.loops import decided_loops
 from shadercache.ast.walk import walk
 from shadercache.front.parse import parse
 from shadercache.source import Source

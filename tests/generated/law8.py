@@ -11,9 +11,10 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import cast
 
+from shadercache.analysis.dataflow import LOOPS
 from shadercache.analysis.effect_table import EffectTable, needs_derivative
 from shadercache.analysis.effects import Does
-from shadercache.analysis.loops import LOOPS, hanging_names
+from shadercache.analysis.loops import hanging_names
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import children, walk
 from shadercache.emit.printer import print_node

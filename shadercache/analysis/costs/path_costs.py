@@ -27,8 +27,8 @@ class Demand:
 
 
 @dataclass(frozen=True, slots=True)
-class Walked:
-    """What a function needs: its cost, and the variables that it reads.
+class Need:
+    """What a piece of a program needs: its cost, and the variables that it reads.
 
     ``asked`` is the context of the cut call; ``None`` where nobody asked for it. It may be asked
     for ``again``: then what is given counts twice, and is no matter of one context.
@@ -43,10 +43,10 @@ class Walked:
 Cut: TypeAlias = "n.Expr | Instance"
 """A node, or the instance that a cut call leads to."""
 
-Walk: TypeAlias = Callable[[Instance, Cut, Demand, "Walked | None"], Walked]
+Walk: TypeAlias = Callable[[Instance, Cut, Demand, "Need | None"], Need]
 """Walks a function with one cut; a cut call needs what is given."""
 
-_PROBE = Walked(0.0, frozenset())
+_PROBE = Need(0.0, frozenset())
 
 
 class PathCosts:
@@ -56,7 +56,7 @@ class PathCosts:
         self._top, self._walk, self._mentioned = top, walk, mentioned
         self._apart: dict[Instance, bool] = {}
         self._contexts: dict[Instance, Demand | None] = {}
-        self._walked: dict[Hashable, Walked] = {}
+        self._walked: dict[Hashable, Need] = {}
         self._above: dict[Hashable, float] = {}
 
     def cost(self, instance: Instance, expr: n.Expr) -> float | None:
@@ -68,17 +68,17 @@ class PathCosts:
 
     def _is_apart(self, instance: Instance) -> bool:
         """Is one of the calls on the path asked for more than once?"""
+        if instance.parent is None:
+            return False
         if instance not in self._apart:
-            self._apart[instance] = instance.parent is not None and (
-                self._is_apart(instance.parent) or self._is_asked_again(instance.parent, instance)
-            )
+            apart = self._is_apart(instance.parent)
+            if not apart:
+                probe = self._within(instance.parent, instance, _PROBE)
+                apart = probe is not None and probe.again
+            self._apart[instance] = apart
         return self._apart[instance]
 
-    def _is_asked_again(self, parent: Instance, instance: Instance) -> bool:
-        probe = self._within(parent, instance, _PROBE)
-        return probe is not None and probe.again
-
-    def _whole(self, instance: Instance, inside: Walked | None) -> float:
+    def _whole(self, instance: Instance, inside: Need | None) -> float:
         """What the shader costs where an instance needs what is ``inside``."""
         cost = 0.0 if inside is None else inside.cost
         if instance.parent is None:
@@ -99,7 +99,7 @@ class PathCosts:
             self._contexts[instance] = None if outer is None else outer.asked
         return self._contexts[instance]
 
-    def _within(self, instance: Instance, cut: Cut, given: Walked | None) -> Walked | None:
+    def _within(self, instance: Instance, cut: Cut, given: Need | None) -> Need | None:
         context = self._context(instance)
         if context is None:
             return None
@@ -107,20 +107,19 @@ class PathCosts:
         names = self._mentioned(instance)
         past = context.at_exit - names
         near = Demand(context.at_exit & names, context.returns)
-        found = self._near(instance, cut, near, given)
-        asked = found.asked and Demand(found.asked.at_exit | past, found.asked.returns)
-        cost = found.cost + (0.0 if given is None or asked is None else given.cost)
-        return Walked(cost, found.reads | past, asked, found.again)
+        need = self._near(instance, cut, near, given)
+        asked = need.asked and Demand(need.asked.at_exit | past, need.asked.returns)
+        cost = need.cost + (0.0 if given is None or asked is None else given.cost)
+        return Need(cost, need.reads | past, asked, need.again)
 
-    def _near(self, instance: Instance, cut: Cut, context: Demand, given: Walked | None) -> Walked:
+    def _near(self, instance: Instance, cut: Cut, context: Demand, given: Need | None) -> Need:
         """The walk of a function, with the cost of what is given taken off."""
         place = cut.call if isinstance(cut, Instance) else cut
         function = instance.places.function
-        need = given and (given.reads, given.cost > 0.0)
-        key = (function, place, context.at_exit, context.returns, need)
-        found = self._walked.get(key)
-        if found is None:
-            made = self._walk(instance, cut, context, given)
-            off = 0.0 if given is None or made.asked is None else given.cost
-            found = self._walked[key] = replace(made, cost=made.cost - off)
-        return found
+        given_key = given and (given.reads, given.cost > 0.0)
+        key = (function, place, context.at_exit, context.returns, given_key)
+        if key not in self._walked:
+            whole = self._walk(instance, cut, context, given)
+            off = 0.0 if given is None or whole.asked is None else given.cost
+            self._walked[key] = replace(whole, cost=whole.cost - off)
+        return self._walked[key]

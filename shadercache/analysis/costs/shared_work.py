@@ -23,19 +23,15 @@ from typing import cast
 from shadercache.analysis.call_paths import Instance
 from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.costs.cost import UNKNOWN_TRIPS, CostTable
-from shadercache.analysis.costs.path_costs import Cut, Demand, PathCosts, Walked
-from shadercache.analysis.dataflow import NAMES, before_cases, before_loop
-from shadercache.analysis.effect_table import EffectTable
+from shadercache.analysis.costs.path_costs import Cut, Demand, Names, Need, PathCosts
+from shadercache.analysis.dataflow import LOOPS, NAMES, Backward, Loop, before_cases, before_loop
+from shadercache.analysis.effect_table import EffectTable, overwritten_by
 from shadercache.analysis.effects import Does
-from shadercache.analysis.liveness import overwritten_by
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import EXPRESSIONS, children, walk
 
-_JUMPED_WITHIN = (n.For, n.While, n.DoWhile, n.Switch)
-"""A jump inside one of these leads no further than its end."""
-
-_Names = frozenset[str]
-_NONE: _Names = frozenset()
+_NONE: Names = frozenset()
+_NOTHING = Need(0.0, _NONE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,17 +59,6 @@ class _Cuts:
     """Everything in the function's tree that holds one of these."""
 
 
-@dataclass(frozen=True, slots=True)
-class _Need:
-    """What evaluating something costs, and which variables it reads."""
-
-    cost: float
-    reads: _Names
-
-
-_NOTHING = _Need(0.0, _NONE)
-
-
 class SharedWorkTable:
     """Splits one shader at any of its nodes."""
 
@@ -83,7 +68,7 @@ class SharedWorkTable:
         self._main, self._table, self._costs = instances[0], table, costs
         self._outputs = frozenset((color,))
         self._parents: dict[n.FunctionDef, dict[n.Node, n.Node]] = {}
-        self._mentions: dict[n.FunctionDef, _Names] = {}
+        self._mentions: dict[n.FunctionDef, Names] = {}
         self.whole = self._cost((), goal=False)
         self._payloads = self._paths(Demand(_NONE, False), goal=True)
         self._remainders = self._paths(Demand(self._outputs, True), goal=False)
@@ -105,8 +90,8 @@ class SharedWorkTable:
         return PathCosts(top, partial(self._walk, goal), self._mentioned)
 
     def _walk(
-        self, goal: bool, instance: Instance, cut: Cut, context: Demand, given: Walked | None
-    ) -> Walked:
+        self, goal: bool, instance: Instance, cut: Cut, context: Demand, given: Need | None
+    ) -> Need:
         """One function, with one cut in it."""
         function, cuts = instance.places.function, _Cuts()
         place = cut.call if isinstance(cut, Instance) else cut
@@ -119,11 +104,11 @@ class SharedWorkTable:
         walker = _OneLevelWalker(
             self._table, self._costs, goal, cuts, context.at_exit, context.returns
         )
-        walker.given = _NOTHING if given is None else _Need(given.cost, given.reads)
+        walker.given = given or walker.given
         live = walker.block(function.body.body, context.at_exit)
-        return Walked(walker.cost, live, walker.asked, walker.again)
+        return Need(walker.cost, live, walker.asked, walker.again)
 
-    def _mentioned(self, instance: Instance) -> _Names:
+    def _mentioned(self, instance: Instance) -> Names:
         """Every name that a walk through a function may ask for."""
         function = instance.places.function
         if function not in self._mentions:
@@ -159,19 +144,16 @@ class SharedWorkTable:
     def _touch(self, function: n.FunctionDef, expr: n.Expr, cuts: _Cuts) -> None:
         parents = self._parents.get(function)
         if parents is None:
-            parents = self._parents[function] = _parents(function.body)
+            parents = {child: node for node in walk(function.body) for child in children(node)}
+            self._parents[function] = parents
         at: n.Node | None = expr
         while at is not None and at not in cuts.touched:
             cuts.touched.add(at)
             at = parents.get(at)
 
 
-def _parents(root: n.Node) -> dict[n.Node, n.Node]:
-    return {child: node for node in walk(root) for child in children(node)}
-
-
 @dataclass(slots=True)
-class _NeedWalker:
+class _NeedWalker(Backward[Names]):
     """Backward through the functions on the paths to some nodes.
 
     ``goal``: for the values of the nodes; else for what is left where these are given.
@@ -181,56 +163,47 @@ class _NeedWalker:
     costs: CostTable
     goal: bool
     cuts: _Cuts = field(default_factory=_Cuts)
-    at_exit: _Names = _NONE
+    at_exit: Names = _NONE
     returns: bool = False
     """Is what the function returns wanted?"""
-    in_next_round: _Names = _NONE
+    in_next_round: Names = _NONE
     inside_loop: bool = False
-    after: _Names = _NONE
+    after: Names = _NONE
     """What is live after the calls of the statement at hand."""
     cost: float = 0.0
     reached: int = 0
     """How much that is wanted comes later in the text."""
 
-    def function(self, instance: Instance, cuts: _Cuts, at_exit: _Names, returns: bool) -> _Need:
+    def function(self, instance: Instance, cuts: _Cuts, at_exit: Names, returns: bool) -> Need:
         """What a function needs: its cost, and which parameters and globals it reads."""
         inner = _NeedWalker(self.table, self.costs, self.goal, cuts, at_exit, returns)
         live = inner.block(instance.places.function.body.body, at_exit)
-        return _Need(inner.cost, live)
+        return Need(inner.cost, live)
 
-    def block(self, stmts: Sequence[n.Stmt], live: _Names) -> _Names:
-        for stmt in reversed(stmts):
-            live = self.statement(stmt, live)
-        return live
+    def jump(self, stmt: n.Return | n.Jump, fact: Names) -> Names:
+        if isinstance(stmt, n.Jump):
+            return fact | self.at_exit | self.in_next_round
+        return (self.taken if self.returns else self.aimed_at)(stmt, self.at_exit)
 
-    def statement(self, stmt: n.Stmt, live: _Names) -> _Names:
-        match stmt:
-            case n.Block():
-                return self.block(stmt.body, live)
-            case n.If():
-                return self.branch(stmt, live)
-            case n.For() | n.While() | n.DoWhile():
-                return self.loop(stmt, live)
-            case n.Return() if self.returns:
-                return self.taken(stmt, self.at_exit)
-            case n.Return():
-                return self.aimed_at(stmt, self.at_exit)
-            case n.Jump():
-                return live | self.at_exit | self.in_next_round
-            case n.Switch():
-                if self.matters(stmt, live):
-                    live |= self.at_exit | self.in_next_round
-                elif self.goal and stmt in self.cuts.touched:
-                    return self.cases(stmt, live)
-        return self.simple(stmt, live)
+    def switch(self, stmt: n.Switch, fact: Names) -> Names:
+        if self.matters(stmt, fact):
+            return self.plain(stmt, fact | self.at_exit | self.in_next_round)
+        if not self.goal or stmt not in self.cuts.touched:
+            return self.plain(stmt, fact)
 
-    def simple(self, node: n.Node, live: _Names) -> _Names:
-        """A statement that is needed whole, or for the nodes inside it, or not at all."""
-        if self.matters(node, live):
-            return self.taken(node, live - overwritten_by(node, self.table))
-        return self.aimed_at(node, live)
+        def before(item: n.Stmt, at: Names) -> Names:
+            # Each group falls through to the next, or leads to the end.
+            return at if isinstance(item, n.Case) else fact | self.statement(item, at)
 
-    def aimed_at(self, node: n.Node, live: _Names) -> _Names:
+        return self.taken(stmt.selector, before_cases(NAMES, stmt.body, fact, before))
+
+    def plain(self, stmt: n.Node, fact: Names) -> Names:
+        """What is needed whole, or for the nodes inside it, or not at all."""
+        if self.matters(stmt, fact):
+            return self.taken(stmt, fact - overwritten_by(stmt, self.table))
+        return self.aimed_at(stmt, fact)
+
+    def aimed_at(self, node: n.Node, live: Names) -> Names:
         """Only the wanted nodes inside count."""
         if self.goal and node in self.cuts.touched:
             self.after = live
@@ -239,33 +212,33 @@ class _NeedWalker:
                 live |= need.reads
         return live
 
-    def taken(self, node: n.Node, live: _Names) -> _Names:
+    def taken(self, node: n.Node, live: Names) -> Names:
         self.after = live
         need = self.need(node)
         self.cost += need.cost
         self.reached += 1
         return live | need.reads
 
-    def branch(self, stmt: n.If, live: _Names) -> _Names:
+    def branch(self, stmt: n.If, fact: Names) -> Names:
         before = self.reached
-        then = self.statement(stmt.then, live)
-        other = live if stmt.other is None else self.statement(stmt.other, live)
-        needed = self.reached > before or then != live or other != live
+        then = self.statement(stmt.then, fact)
+        other = fact if stmt.other is None else self.statement(stmt.other, fact)
+        needed = self.reached > before or then != fact or other != fact
         if needed or self.leaves(stmt):
             return self.taken(stmt.condition, then | other)
-        return self.simple(stmt.condition, live)
+        return self.plain(stmt.condition, fact)
 
-    def loop(self, stmt: n.For | n.While | n.DoWhile, live: _Names) -> _Names:
-        """No node is inside a loop."""
-        if not self.matters(stmt, live):
-            return live
+    def loop(self, stmt: Loop, fact: Names) -> Names:
+        # No node is inside a loop.
+        if not self.matters(stmt, fact):
+            return fact
         header = [part for part in children(stmt) if part is not stmt.body]
-        around = live.union(*(self.table.of(part).reads for part in header))
+        around = fact.union(*(self.table.of(part).reads for part in header))
         before, outer = self.cost, (self.in_next_round, self.inside_loop)
         self.inside_loop = True
 
-        def round_(head: _Names) -> _Names:
-            self.cost, self.in_next_round = before, head | live
+        def round_(head: Names) -> Names:
+            self.cost, self.in_next_round = before, head | fact
             return self.statement(stmt.body, head)
 
         around = before_loop(NAMES, around, round_)
@@ -274,26 +247,20 @@ class _NeedWalker:
         self.in_next_round, self.inside_loop = outer
         return around
 
-    def cases(self, stmt: n.Switch, live: _Names) -> _Names:
-        """Each group falls through to the next, or leads to the end."""
-
-        def before(item: n.Stmt, at: _Names) -> _Names:
-            return at if isinstance(item, n.Case) else live | self.statement(item, at)
-
-        return self.taken(stmt.selector, before_cases(NAMES, stmt.body, live, before))
-
-    def matters(self, node: n.Node, live: _Names) -> bool:
+    def matters(self, node: n.Node, live: Names) -> bool:
         """Is it needed whole?"""
         return bool(self.table.of(node).writes & live) or self.leaves(node)
 
     def leaves(self, node: n.Node) -> bool:
         """Does it decide whether something wanted is reached?"""
         does = self.table.of(node).does
-        jumps = does & Does.JUMP and self.inside_loop and not isinstance(node, _JUMPED_WITHIN)
+        # A jump inside a loop or switch leads no further than its end.
+        within = isinstance(node, (*LOOPS, n.Switch))
+        jumps = does & Does.JUMP and self.inside_loop and not within
         left = does & Does.RETURN and (self.reached > 0 or not self.goal)
         return bool(jumps or left or does & Does.DISCARD)
 
-    def goals(self, node: n.Node) -> Iterable[_Need]:
+    def goals(self, node: n.Node) -> Iterable[Need]:
         """What the nodes inside a statement, or below its calls, need."""
         stack = [node]
         while stack:
@@ -307,12 +274,12 @@ class _NeedWalker:
             elif item in self.cuts.touched:
                 stack.extend(children(item))
 
-    def need(self, node: n.Node) -> _Need:
+    def need(self, node: n.Node) -> Need:
         """What evaluating an expression or a plain statement needs."""
         if node not in self.cuts.touched:
-            return _Need(self.costs.of(node), self.table.of(node).reads)
+            return Need(self.costs.of(node), self.table.of(node).reads)
         if node in self.cuts.here and not self.goal:
-            return _Need(0.0, _NONE)
+            return _NOTHING
         if node in self.cuts.below:
             function = self.cuts.below[node][0].places.function
             back = (item.name for item in function.proto.params if item.writes_back and item.name)
@@ -325,9 +292,9 @@ class _NeedWalker:
         reads = _NONE.union(*(item.reads for item in needs))
         if isinstance(node, EXPRESSIONS) and not parts:
             reads |= self.table.of(node).reads
-        return _Need(cost + sum(item.cost for item in needs), reads)
+        return Need(cost + sum(item.cost for item in needs), reads)
 
-    def call(self, call: n.Call, at_exit: _Names, returns: bool) -> _Need:
+    def call(self, call: n.Call, at_exit: Names, returns: bool) -> Need:
         """A call on the way to a node: the function as it is left, and the arguments for that."""
         instance, cuts = self.cuts.below[call]
         inside = self.function(instance, cuts, at_exit, returns)
@@ -338,19 +305,19 @@ class _NeedWalker:
                 needs += self.goals(arg)
             cost += sum(item.cost for item in needs)
             reads = reads.union(*(item.reads for item in needs))
-        return _Need(cost, reads)
+        return Need(cost, reads)
 
 
 @dataclass(slots=True)
 class _OneLevelWalker(_NeedWalker):
     """Stays in one function: what a call on the path needs is given."""
 
-    given: _Need = _NOTHING
+    given: Need = _NOTHING
     asked: Demand | None = None
     """The context of that call, once somebody has asked for it."""
     again: bool = False
 
-    def function(self, instance: Instance, cuts: _Cuts, at_exit: _Names, returns: bool) -> _Need:
+    def function(self, instance: Instance, cuts: _Cuts, at_exit: Names, returns: bool) -> Need:
         """What is given."""
         self.again = self.asked is not None
         self.asked = Demand(at_exit, returns)
