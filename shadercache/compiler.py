@@ -45,12 +45,16 @@ from shadercache.analysis.candidates import (
 from shadercache.analysis.costs.payload_sets import notes_on
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.mapping import MappingKind
-from shadercache.analysis.restrictions import check_depth, check_size, find_color
+from shadercache.analysis.restrictions import (
+    check_depth,
+    check_size,
+    check_user_mapping,
+    find_color,
+)
 from shadercache.analysis.screen.screen_inputs import Marks, screen_marks
 from shadercache.analysis.screen.screen_varyings import screen_varyings
-from shadercache.analysis.screen.user_mapping import check_user_mapping
 from shadercache.analysis.stages import StageSide, aligned, match_stages
-from shadercache.analysis.vertex_checks import POSITION, check_position, check_vertex
+from shadercache.analysis.vertex_inputs import POSITION, check_position, check_vertex
 from shadercache.ast import nodes as n
 from shadercache.ast.large import allow_deep_trees
 from shadercache.ast.walk import walk

@@ -7,7 +7,8 @@ expression together with the path of calls that leads to it.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from enum import Enum
 from typing import cast
@@ -76,7 +77,6 @@ class Places:
         for step in self.reaching.steps:
             self._visit(step, table)
         self.unrolled = any(place.trip for place in self.all)
-        self.of = {place.expr: place for place in self.all}
         self.calls = [
             (place, place.expr, table.functions[place.expr.name])
             for place in self.all
@@ -103,41 +103,29 @@ def _parts(
     node: n.Node, use: Use, target: bool, table: EffectTable
 ) -> Iterator[tuple[n.Node, Use, bool]]:
     """The children of a node with their use, and whether they are part of an l-value."""
-    guarded = _worse(use, Use.CONDITIONAL)
+    inner, written = dict[n.Node, Use](), dict[n.Node, bool]()
     match node:
         case n.For() | n.While() | n.DoWhile():
-            yield from ((child, Use.LOOP, False) for child in children(node))
-        case n.If(condition=first) | n.Switch(selector=first):
-            for child in children(node):
-                yield child, use if child is first else _worse(use, Use.BRANCH), False
-        case n.Conditional(condition=first):
-            for child in children(node):
-                yield child, use if child is first else guarded, False
-        case n.Binary(op="&&" | "||"):
-            yield node.left, use, False
-            yield node.right, guarded, False
+            inner = dict.fromkeys(children(node), Use.LOOP)
+        case n.If() | n.Switch():
+            inner = dict.fromkeys(children(node)[1:], _worse(use, Use.BRANCH))
+        case n.Conditional() | n.Binary(op="&&" | "||"):
+            inner = dict.fromkeys(children(node)[1:], _worse(use, Use.CONDITIONAL))
         case n.Assign():
-            yield node.target, use, True
-            yield node.value, use, False
+            written[node.target] = True
         case n.Unary(op="++" | "--") | n.Postfix():
-            yield node.operand, use, True
-        case n.Member():
-            yield node.object, use, target
-        case n.Index():
-            yield node.object, use, target
-            yield node.index, use, False
+            written[node.operand] = True
+        case n.Member() | n.Index():
+            written[node.object] = target
         case n.Call():
-            for arg, out in zip(node.args, out_arguments(node, table), strict=True):
-                yield arg, use, out
+            written = dict(zip(node.args, out_arguments(node, table), strict=True))
         case n.TypeSpec() | n.Case() | n.LayoutItem() | n.Length():
             # Of an array whose length is asked for nothing is evaluated either.
-            yield from ((child, Use.CONSTANT, False) for child in children(node))
+            inner = dict.fromkeys(children(node), Use.CONSTANT)
         case n.Declarator():
-            yield from ((dim, Use.CONSTANT, False) for dim in node.dims if dim is not None)
-            if node.init is not None:
-                yield node.init, use, False
-        case _:
-            yield from ((child, use, False) for child in children(node))
+            inner = {dim: Use.CONSTANT for dim in node.dims if dim is not None}
+    for child in children(node):
+        yield child, inner.get(child, use), written.get(child, False)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -150,7 +138,6 @@ class Instance:
     whether a loop of this function or of one above it was unrolled.
     """
 
-    index: int
     places: Places
     parent: Instance | None
     call: n.Call | None
@@ -160,6 +147,8 @@ class Instance:
     after_exit: bool
     order_matters: bool
     unrolled: bool
+    arguments: Mapping[str, n.Expr]
+    """What the call gives the parameters."""
 
     @property
     def path(self) -> tuple[n.Call, ...]:
@@ -182,19 +171,29 @@ def find_instances(table: EffectTable, source: Source) -> tuple[Instance, ...]:
             "SC401", f"the shader has {count} call paths; at most {MAX_INSTANCES} are analysed"
         )
     top = places["main"]
-    main = Instance(0, top, None, None, None, "main", Use.PLAIN, False, False, top.unrolled)
-    found = [main]
-    for instance in found:  # grows while it runs
-        found.extend(_callees(instance, places, len(found), source))
-    _check_total("expressions", sum(len(item.places.all) for item in found), MAX_NODES)
-    _check_total("statements", sum(len(item.places.reaching.steps) for item in found), MAX_STEPS)
-    return tuple(found)
+    main = Instance(top, None, None, None, "main", Use.PLAIN, False, False, top.unrolled, {})
+    instances = [main]
+    for instance in instances:  # grows while it runs
+        instances.extend(_callees(instance, places, source))
+    nodes = sum(len(item.places.all) for item in instances)
+    steps = sum(len(item.places.reaching.steps) for item in instances)
+    for what, count, limit in (
+        ("expressions", nodes, MAX_NODES),
+        ("statements", steps, MAX_STEPS),
+    ):
+        if count > limit:
+            message = f"the shader has {count} {what} on all its call paths"
+            raise input_error("SC401", f"{message}; at most {limit} are analysed")
+    return tuple(instances)
 
 
-def _check_total(what: str, count: int, limit: int) -> None:
-    if count > limit:
-        message = f"the shader has {count} {what} on all its call paths"
-        raise input_error("SC401", f"{message}; at most {limit} are analysed")
+def by_call(instances: Iterable[Instance]) -> dict[tuple[Instance, n.Call], Instance]:
+    """The instance that each call of a user's function leads to."""
+    return {
+        (item.parent, item.call): item
+        for item in instances
+        if item.parent is not None and item.call is not None
+    }
 
 
 def _count(name: str, table: EffectTable, places: dict[str, Places], counts: dict[str, int]) -> int:
@@ -205,18 +204,13 @@ def _count(name: str, table: EffectTable, places: dict[str, Places], counts: dic
     return counts[name]
 
 
-def _callees(
-    caller: Instance, places: dict[str, Places], first: int, source: Source
-) -> Iterator[Instance]:
-    total: dict[str, int] = {}
-    for _, _, callee in caller.places.calls:
-        total[callee.name] = total.get(callee.name, 0) + 1
-    seen: dict[str, int] = {}
-    for offset, (place, call, callee) in enumerate(caller.places.calls):
-        number = seen[callee.name] = seen.get(callee.name, 0) + 1
-        suffix = f"@{number}" if total[callee.name] > 1 else ""
+def _callees(caller: Instance, places: dict[str, Places], source: Source) -> Iterator[Instance]:
+    total = Counter(callee.name for _, _, callee in caller.places.calls)
+    seen = Counter[str]()
+    for place, call, callee in caller.places.calls:
+        seen[callee.name] += 1
+        suffix = f"@{seen[callee.name]}" if total[callee.name] > 1 else ""
         yield Instance(
-            index=first + offset,
             places=places[callee.name],
             parent=caller,
             call=call,
@@ -226,6 +220,11 @@ def _callees(
             after_exit=caller.after_exit or place.step.after_exit,
             order_matters=caller.order_matters or place.order_matters,
             unrolled=caller.unrolled or places[callee.name].unrolled,
+            arguments={
+                param.name: arg
+                for param, arg in zip(callee.proto.params, call.args, strict=True)
+                if param.name is not None
+            },
         )
 
 
@@ -237,8 +236,8 @@ def path_to(instance: Instance, place: Place, source: Source) -> str:
 
 def _user_name(item: n.Declarator, source: Source) -> str:
     """A variable's name in the source; each trip has one of its own by now."""
-    found = re.match(r"\w+", source.excerpt(item.span))
-    return found[0] if found and item.name.startswith(found[0]) else item.name
+    name = re.match(r"\w+", source.excerpt(item.span))
+    return name[0] if name and item.name.startswith(name[0]) else item.name
 
 
 def _number(init: n.Expr | None) -> str:

@@ -1,13 +1,13 @@
 """Every node of a shader, offered for caching or refused with a reason.
 
 A node is one expression on one call path from ``main`` (DESIGN section 2). Why one is refused
-stands in :mod:`analysis.refusal_rules`.
+stands in :mod:`analysis.refusals`.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from hashlib import blake2b
 
@@ -22,8 +22,7 @@ from shadercache.analysis.derivative_uses import (
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.mapping import MappingKind
 from shadercache.analysis.reaching_definitions import written_anywhere
-from shadercache.analysis.refusal_rules import Evidence, Trial, refusal_of
-from shadercache.analysis.refusals import Code, Refusal
+from shadercache.analysis.refusals import Code, Evidence, Refusal, Trial, refusal_of
 from shadercache.analysis.slices import DERIVATIVE, SliceTable
 from shadercache.ast import nodes as n
 from shadercache.ast.large import without_collector
@@ -104,6 +103,7 @@ class Origin:
     printed: Mapping[str, str]
 
 
+@without_collector()
 def find_candidates(
     module: n.Module,
     facts: Facts,
@@ -115,13 +115,6 @@ def find_candidates(
 
     ``module`` has unique names. Raises :class:`InputError` SC401 on too many call paths.
     """
-    with without_collector():
-        return _judged(module, facts, table, origin, mapping)
-
-
-def _judged(
-    module: n.Module, facts: Facts, table: EffectTable, origin: Origin, mapping: MappingKind
-) -> Candidates:
     instances = find_instances(table, origin.source)
     costs = CostTable(facts)
     slices = SliceTable(module, instances, table, costs)
@@ -129,7 +122,7 @@ def _judged(
     total = costs.function(table.functions["main"]) or 1.0
     digests = _digests(instances, origin.printed)
     texts: dict[n.Expr, str] = {}
-    found: list[Candidate] = []
+    nodes: list[Candidate] = []
     for instance in instances:
         for place in instance.places.all:
             expr = place.expr
@@ -138,9 +131,9 @@ def _judged(
             if expr not in texts:
                 texts[expr] = _text(origin.source, expr, facts)
             value = slices.value(instance, place)
-            cost = slices.cost(value.atoms) + costs.of(expr)
+            cost = slices.atom_costs.of(value.atoms) + costs.of(expr)
             trial = Trial(evidence, instance, place, facts.types[expr], value, cost)
-            found.append(
+            nodes.append(
                 Candidate(
                     id=_node_id(instance, place, digests),
                     instance=instance,
@@ -151,31 +144,27 @@ def _judged(
                     type=trial.type,
                     cost=cost,
                     ratio=cost / total,
-                    inputs=_inputs(slices.leaf_names(value.leaves)),
+                    inputs=_inputs(slices.leaves.names(value.leaves)),
                     refusal=refusal_of(trial),
                 )
             )
-    found.extend(_initialisers(module, facts, origin))
-    return Candidates(tuple(found), instances, slices, evidence.derivatives)
+    nodes.extend(_initialisers(module, facts, origin))
+    return Candidates(tuple(nodes), instances, slices, evidence.derivatives)
 
 
 def _evidence(
     module: n.Module, facts: Facts, slices: SliceTable, table: EffectTable, mapping: MappingKind
 ) -> Evidence:
-    instances, bit = slices.instances, slices.leaf_bit
-    # The bits are handed out in this order.
-    derivatives_taken = SharedUses(instances, slices, derivatives(table))
-    cubes = SharedUses(instances, slices, cube_lookups(table, facts))
-    drops = discards(instances, slices)
+    instances, bit = slices.instances, slices.leaves.bit
     reused = reused_builtins(module, mapping)
     structs = (decl.type.struct for decl in module.decls if isinstance(decl, n.VarDecl))
     return Evidence(
         facts=facts,
         table=table,
         slices=slices,
-        derivatives=derivatives_taken,
-        cubes=cubes,
-        discards=drops,
+        derivatives=SharedUses(instances, slices, derivatives(table)),
+        cubes=SharedUses(instances, slices, cube_lookups(table, facts)),
+        discards=discards(instances, slices),
         structs=frozenset(structs) - {None},
         mutable=sum({bit(name) for name in written_anywhere(module, table)}),
         derivative=bit(DERIVATIVE),
@@ -197,13 +186,13 @@ def reused_builtins(module: n.Module, mapping: MappingKind) -> frozenset[str]:
 
 def varyings(module: n.Module) -> set[str]:
     """Names of the inputs that differ from fragment to fragment, built-in ones apart."""
-    found: set[str] = set()
+    names: set[str] = set()
     for decl in module.decls:
         if isinstance(decl, n.VarDecl) and decl.qualifiers.has("in"):
-            found |= {item.name for item in decl.declarators}
+            names |= {item.name for item in decl.declarators}
         elif isinstance(decl, n.BlockDecl) and decl.qualifiers.has("in"):
-            found |= {decl.instance or ""} | {i.name for f in decl.fields for i in f.declarators}
-    return {name for name in found if name and not name.startswith("gl_")}
+            names |= {decl.instance or ""} | {i.name for f in decl.fields for i in f.declarators}
+    return {name for name in names if name and not name.startswith("gl_")}
 
 
 def _inputs(names: frozenset[str]) -> frozenset[str]:
@@ -239,16 +228,14 @@ def _digest(*parts: str) -> str:
 
 def _digests(instances: tuple[Instance, ...], printed: Mapping[str, str]) -> dict[Instance, str]:
     """A digest of every call path: the functions on it as written, and which calls it takes."""
-    found: dict[Instance, str] = {}
+    digests: dict[Instance, str] = {}
     for item in instances:
-        own = printed[item.places.function.name]
-        if item.places.unrolled:
-            own += " unrolled"
-        if item.parent is None or item.place is None:
-            found[item] = _digest(own)
-        else:
-            found[item] = _digest(found[item.parent], str(item.place.ordinal), own)
-    return found
+        own = printed[item.places.function.name] + (" unrolled" if item.places.unrolled else "")
+        above: tuple[str, ...] = ()
+        if item.parent is not None and item.place is not None:
+            above = (digests[item.parent], str(item.place.ordinal))
+        digests[item] = _digest(*above, own)
+    return digests
 
 
 def _node_id(instance: Instance, place: Place, digests: dict[Instance, str]) -> str:
@@ -257,31 +244,23 @@ def _node_id(instance: Instance, place: Place, digests: dict[Instance, str]) -> 
     return f"{name}.{place.ordinal}{mark}-{_digest(digests[instance], str(place.ordinal))}"
 
 
-def _initialisers(module: n.Module, facts: Facts, origin: Origin) -> list[Candidate]:
+def _initialisers(module: n.Module, facts: Facts, origin: Origin) -> Iterator[Candidate]:
     """The expressions in initialisers of globals: all refused (law 9: refused means told)."""
-    found: list[Candidate] = []
-    for decl in module.decls:
-        if not isinstance(decl, n.VarDecl):
-            continue
-        for item in decl.declarators:
-            inside = expressions(item.init) if item.init else ()
-            own = (expr for expr in inside if expr.span != NOWHERE)
-            for number, expr in enumerate(own):
-                code = Code.CONSTANT if facts.is_constant(expr) else Code.INITIALISER
-                digest = _digest(origin.printed[item.name], str(number))
-                found.append(
-                    Candidate(
-                        id=f"{item.name}.{number}-{digest}",
-                        instance=None,
-                        place=None,
-                        expr=expr,
-                        text=_text(origin.source, expr, facts),
-                        path=f"(initialiser of {item.name})",
-                        type=facts.types[expr],
-                        cost=0.0,
-                        ratio=0.0,
-                        inputs=frozenset(),
-                        refusal=Refusal(code),
-                    )
-                )
-    return found
+    variables = (decl for decl in module.decls if isinstance(decl, n.VarDecl))
+    for item in (item for decl in variables for item in decl.declarators):
+        inside = expressions(item.init) if item.init else ()
+        for number, expr in enumerate(expr for expr in inside if expr.span != NOWHERE):
+            code = Code.CONSTANT if facts.is_constant(expr) else Code.INITIALISER
+            yield Candidate(
+                id=f"{item.name}.{number}-{_digest(origin.printed[item.name], str(number))}",
+                instance=None,
+                place=None,
+                expr=expr,
+                text=_text(origin.source, expr, facts),
+                path=f"(initialiser of {item.name})",
+                type=facts.types[expr],
+                cost=0.0,
+                ratio=0.0,
+                inputs=frozenset(),
+                refusal=Refusal(code),
+            )

@@ -16,8 +16,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from itertools import chain
+from typing import TypeAlias
 
-from shadercache.analysis.call_paths import Instance, Place, Use
+from shadercache.analysis.call_paths import Instance, Place, Use, by_call
+from shadercache.analysis.control_dependence import Flow
 from shadercache.analysis.effect_table import EffectTable, needs_derivative
 from shadercache.analysis.effects import Does
 from shadercache.analysis.slices import Slice, SliceTable
@@ -25,7 +27,10 @@ from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 from shadercache.sema.facts import Facts
 
-Chooses = Callable[[n.Call], bool]
+Chooses: TypeAlias = Callable[[n.Call], bool]
+
+Operands: TypeAlias = "tuple[Instance, Slice, Iterable[n.Node]]"
+"""What something depends on: its instance, the slice, and the expressions of its own statement."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -49,20 +54,14 @@ def evaluation_order(use: SharedUse) -> tuple[int, int]:
 
 
 class Dependents:
-    """Whether values flow into certain places of a program.
+    """Whether values flow into certain places of a program, which have these operands."""
 
-    ``operands``: for each such place its instance, what it depends on, and the expressions of its
-    own statement that flow into it.
-    """
-
-    def __init__(
-        self, slices: SliceTable, operands: Iterable[tuple[Instance, Slice, Iterable[n.Node]]]
-    ) -> None:
+    def __init__(self, slices: SliceTable, operands: Iterable[Operands]) -> None:
         self._slices = slices
         self._atoms = 0
         self._parts: dict[Instance, set[n.Node]] = {}
-        for instance, found, parts in operands:
-            self._atoms |= found.atoms
+        for instance, slice_, parts in operands:
+            self._atoms |= slice_.atoms
             self._parts.setdefault(instance, set()).update(parts)
         for instance, parts in slices.handed_down(self._atoms):
             self._parts.setdefault(instance, set()).update(parts)
@@ -71,13 +70,11 @@ class Dependents:
     def fed_by(self, instance: Instance, place: Place) -> bool:
         """Does any of the places depend on the value at ``place``?"""
         bit = self._slices.step_bits[instance][place.step.index]
-        here = bit & self._atoms or place.expr in self._parts.get(instance, ())
-        return bool(here) or self._call_fed(instance)
-
-    def _call_fed(self, instance: Instance) -> bool:
-        """Does the result of this instance's call, or of one above it, flow into one?"""
+        if bit & self._atoms or place.expr in self._parts.get(instance, ()):
+            return True
         if instance.parent is None or instance.place is None:
             return False
+        # Else the result of the call may flow into one, or that of a call above it.
         if instance not in self._fed:
             self._fed[instance] = self.fed_by(instance.parent, instance.place)
         return self._fed[instance]
@@ -93,13 +90,13 @@ class SharedUses:
         self, instances: tuple[Instance, ...], slices: SliceTable, chooses: Chooses
     ) -> None:
         self._slices = slices
-        self._chooses = chooses
-        self._children: dict[tuple[Instance, n.Call], Instance] = {
-            (item.parent, item.call): item
-            for item in instances
-            if item.parent is not None and item.call is not None
-        }
-        self.all = tuple(use for instance in instances for use in self._of_instance(instance))
+        self._children = by_call(instances)
+        self.all = tuple(
+            self._use(instance, place, place.expr)
+            for instance in instances
+            for place in instance.places.all
+            if isinstance(place.expr, n.Call) and chooses(place.expr)
+        )
         operands = ((use.instance, use.operands, use.parts) for use in self.all)
         self._dependents = Dependents(slices, chain(operands, self._returns(), self._reached()))
 
@@ -107,23 +104,16 @@ class SharedUses:
         """Does any of these uses, outside of that expression, depend on the value at ``place``?"""
         return self._dependents.fed_by(instance, place)
 
-    def inside(self, instance: Instance, place: Place, found: Slice) -> list[SharedUse]:
-        """The uses that belong to the payload at ``place``, whose slice is ``found``.
+    def inside(self, instance: Instance, place: Place, payload: Slice) -> list[SharedUse]:
+        """The uses that belong to the payload at ``place``, whose slice is given.
 
         In order of evaluation: whatever one of them depends on comes before it.
         """
         below = {item for item in walk(place.expr) if isinstance(item, n.Call)}
-        chosen = [use for use in self.all if self._is_inside(use, instance, below, found)]
+        chosen = [use for use in self.all if self._is_inside(use, instance, below, payload)]
         return sorted(chosen, key=evaluation_order)
 
-    def _of_instance(self, instance: Instance) -> list[SharedUse]:
-        found = []
-        for place in instance.places.all:
-            if isinstance(place.expr, n.Call) and self._chooses(place.expr):
-                found.append(self._use(instance, place, place.expr))
-        return found
-
-    def _returns(self) -> Iterator[tuple[Instance, Slice, Iterable[n.Node]]]:
+    def _returns(self) -> Iterator[Operands]:
         """What decides on a return in front of a use, in its function or in those that call it."""
         last: dict[Instance, int] = {}
         for use in self.all:
@@ -137,10 +127,9 @@ class SharedUses:
             for step in instance.places.reaching.steps[:index]:
                 if step.is_control and step.effects.does & Does.RETURN:
                     flow = self._slices.dependence(step.stmt).into_exits()
-                    found = self._slices.flow(instance, step.index, flow)
-                    yield instance, found, flow.expressions()
+                    yield _operands(self._slices, instance, step.index, flow)
 
-    def _reached(self) -> Iterator[tuple[Instance, Slice, Iterable[n.Node]]]:
+    def _reached(self) -> Iterator[Operands]:
         """What decides on a call that leads to a use: the conditionals and loops it stands in."""
         seen: set[Instance] = set()
         for use in self.all:
@@ -150,19 +139,18 @@ class SharedUses:
                 step, guarded = at.place.step, at.place.use is Use.CONDITIONAL
                 if (step.is_control or guarded) and at.call is not None:
                     flow = self._slices.dependence(step.stmt).into_reach(at.call, guarded)
-                    found = self._slices.flow(at.parent, step.index, flow)
-                    yield at.parent, found, flow.expressions()
+                    yield _operands(self._slices, at.parent, step.index, flow)
                 at = at.parent
 
     def _use(self, instance: Instance, place: Place, call: n.Call) -> SharedUse:
         step = place.step
         flow = self._slices.dependence(step.stmt).into_use(call, place.use is Use.CONDITIONAL)
-        operands = self._slices.flow(instance, step.index, flow)
-        parts = {*flow.expressions(), *walk(call)} - {call}
-        return SharedUse(instance, place, operands, frozenset(parts))
+        _, slice_, expressions = _operands(self._slices, instance, step.index, flow)
+        parts = {*expressions, *walk(call)} - {call}
+        return SharedUse(instance, place, slice_, frozenset(parts))
 
     def _is_inside(
-        self, use: SharedUse, instance: Instance, below: set[n.Call], found: Slice
+        self, use: SharedUse, instance: Instance, below: set[n.Call], payload: Slice
     ) -> bool:
         at: Instance | None = use.instance
         inner: n.Expr = use.place.expr
@@ -170,31 +158,35 @@ class SharedUses:
         while at is not None:
             if at is instance and inner in below:
                 return True
-            if self._slices.step_bits[at][index] & found.atoms:
+            if self._slices.step_bits[at][index] & payload.atoms:
                 return True
-            if self._in_argument(at, inner, found):
+            if self._in_argument(at, inner, payload):
                 return True
             if at.place is None or at.call is None:
                 return False
             inner, index, at = at.call, at.place.step.index, at.parent
         return False
 
-    def _in_argument(self, caller: Instance, inner: n.Expr, found: Slice) -> bool:
+    def _in_argument(self, caller: Instance, inner: n.Expr, payload: Slice) -> bool:
         """Is ``inner`` part of an argument that the payload depends on?"""
-        for _, call, callee in caller.places.calls:
-            child = self._children[caller, call]
-            for param, arg in zip(callee.proto.params, call.args, strict=True):
-                bit = self._slices.argument_bits.get((child, param.name or ""), 0)
-                if bit & found.atoms and any(item is inner for item in walk(arg)):
-                    return True
-        return False
+        children = (self._children[caller, call] for _, call, _ in caller.places.calls)
+        return any(
+            self._slices.entry_bits.get((child, name), 0) & payload.atoms
+            and any(item is inner for item in walk(arg))
+            for child in children
+            for name, arg in child.arguments.items()
+        )
+
+
+def _operands(slices: SliceTable, instance: Instance, step: int, flow: Flow) -> Operands:
+    return instance, slices.flow(instance, step, flow), flow.expressions()
 
 
 def discards(instances: tuple[Instance, ...], slices: SliceTable) -> Dependents:
     """What decides whether a fragment is discarded: conditions with a discard under them, and those
     with a return in front of one."""
 
-    def operands() -> Iterator[tuple[Instance, Slice, Iterable[n.Node]]]:
+    def operands() -> Iterator[Operands]:
         for instance in instances:
             ahead = False
             for step in reversed(instance.places.reaching.steps):
@@ -202,7 +194,7 @@ def discards(instances: tuple[Instance, ...], slices: SliceTable) -> Dependents:
                 ahead = ahead or bool(does & Does.DISCARD)
                 if ahead and does & (Does.DISCARD | Does.RETURN):
                     flow = slices.dependence(step.stmt).into_exits()
-                    yield instance, slices.flow(instance, step.index, flow), flow.expressions()
+                    yield _operands(slices, instance, step.index, flow)
 
     return Dependents(slices, operands())
 

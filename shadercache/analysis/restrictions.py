@@ -6,6 +6,8 @@ from collections.abc import Iterator
 
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.effects import NO_EFFECTS, Does
+from shadercache.analysis.mapping import CURRENT_CLIP, PREVIOUS_CLIP
+from shadercache.analysis.reaching_definitions import written_anywhere
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import EXPRESSIONS, walk
 from shadercache.diagnostics import Diagnostic, InputError
@@ -22,7 +24,13 @@ MAX_PAIRS = 50_000_000
 MAX_DEPTH = 500
 """Functions that may call one another in a row."""
 
-_OTHER_PLACES = ("origin_upper_left", "pixel_center_integer")
+_LAYOUTS = {
+    "early_fragment_tests": ("SC405", "its first pass discards"),
+    **dict.fromkeys(
+        ("origin_upper_left", "pixel_center_integer"),
+        ("SC422", "variants find texels by gl_FragCoord as it is without"),
+    ),
+}
 _BUILTIN_OUTPUTS = ("gl_FragColor", "gl_FragData", "gl_FragDepth", "gl_SampleMask")
 
 
@@ -87,18 +95,16 @@ def _unsupported(module: n.Module, source: Source) -> Iterator[Diagnostic]:
     own = {decl.name for decl in module.decls if isinstance(decl, n.FunctionDef)}
     for node in walk(module):
         if _uses_memory(node, own):
-            message = "a shader that uses images, atomic counters, buffers or other invocations"
-            yield Diagnostic("SC413", f"{message} cannot be cached", source, node.span)
+            what = "uses images, atomic counters, buffers or other invocations"
+            message = f"a shader that {what} cannot be cached"
+            yield Diagnostic("SC413", message, source, node.span)
         if isinstance(node, n.Name) and node.name in _BUILTIN_OUTPUTS:
             message = f"a shader that writes {node.name} cannot be cached"
             yield Diagnostic("SC404", message, source, node.span)
-        elif isinstance(node, n.LayoutItem) and node.name == "early_fragment_tests":
-            message = "a shader with early_fragment_tests cannot be cached: its first pass discards"
-            yield Diagnostic("SC405", message, source, node.span)
-        elif isinstance(node, n.LayoutItem) and node.name in _OTHER_PLACES:
-            message = f"a shader with {node.name} cannot be cached: variants find texels by"
-            message += " gl_FragCoord as it is without"
-            yield Diagnostic("SC422", message, source, node.span)
+        elif isinstance(node, n.LayoutItem) and node.name in _LAYOUTS:
+            code, why = _LAYOUTS[node.name]
+            message = f"a shader with {node.name} cannot be cached: {why}"
+            yield Diagnostic(code, message, source, node.span)
 
 
 def busy_initialisers(module: n.Module, source: Source) -> Iterator[Diagnostic]:
@@ -110,10 +116,9 @@ def busy_initialisers(module: n.Module, source: Source) -> Iterator[Diagnostic]:
         for item in decl.declarators:
             effects = table.of(item.init) if item.init is not None else NO_EFFECTS
             if effects.writes or effects.does & Does.DISCARD:
-                message = f"the initialiser of '{item.name}' changes a global or discards, so that"
-                message += " the shader cannot be cached"
-                hint = "main may begin with it"
-                yield Diagnostic("SC424", message, source, item.span, hint)
+                does = f"the initialiser of '{item.name}' changes a global or discards"
+                message = f"{does}, so that the shader cannot be cached"
+                yield Diagnostic("SC424", message, source, item.span, "main may begin with it")
 
 
 def _uses_memory(node: n.Node, own: set[str]) -> bool:
@@ -125,3 +130,53 @@ def _uses_memory(node: n.Node, own: set[str]) -> bool:
     if not isinstance(node, n.Call) or node.name in own:
         return False
     return any(item.memory for item in overloads(node.name))
+
+
+def check_user_mapping(module: n.Module, source: Source, table: EffectTable) -> None:
+    """Can the look-up call the functions by which the user says where a pixel's content was?
+
+    It calls ``vec4 scPreviousClip()`` and, if it is there, ``vec4 scCurrentClip()`` before anything
+    else of the shader has run, and in fragments that may go different ways. So they see no global
+    variable that the shader changes, change none themselves, and take no derivative.
+
+    Works on a module with unique names. Raises :class:`InputError`: SC420 for a function that is
+    missing or of another type, SC421 for one that does what it must not.
+    """
+    functions = {d.name: d for d in module.decls if isinstance(d, n.FunctionDef)}
+    problems: list[Diagnostic] = []
+    if PREVIOUS_CLIP not in functions:
+        message = f"the mapping 'user' needs a function 'vec4 {PREVIOUS_CLIP}()' in the shader"
+        hint = "it returns the clip-space position, in the last frame, of what the pixel shows now"
+        problems.append(Diagnostic("SC420", message, source, hint=hint))
+    written = written_anywhere(module, table)
+    for name in (PREVIOUS_CLIP, CURRENT_CLIP):
+        if name in functions:
+            problems += _mapping_problems(functions[name], source, table, written)
+    if problems:
+        raise InputError(problems)
+
+
+def _mapping_problems(
+    function: n.FunctionDef, source: Source, table: EffectTable, written: frozenset[str]
+) -> Iterator[Diagnostic]:
+    proto = function.proto
+    span, name = proto.span, proto.name
+    if proto.params or proto.type.name != "vec4" or proto.type.dims:
+        message = f"'{name}' has to be declared as 'vec4 {name}()', and only once"
+        yield Diagnostic("SC420", message, source, span)
+        return
+    effects = table.summary(name)
+    changed = sorted(effects.reads & written)
+    if changed:
+        message = f"'{name}' reads what the shader changes: {', '.join(changed)}"
+        hint = "it is called before 'main' has run: let it compute what it needs"
+        yield Diagnostic("SC421", message, source, span, hint)
+    if effects.writes:
+        message = f"'{name}' changes global variables: {', '.join(sorted(effects.writes))}"
+        yield Diagnostic("SC421", message, source, span)
+    if effects.does & (Does.DERIVATIVE | Does.IMPLICIT_LOD):
+        message = f"'{name}' takes a derivative, or fetches a texture with implicit level of detail"
+        hint = "'textureLod' and 'texelFetch' need none"
+        yield Diagnostic("SC421", message, source, span, hint)
+    if effects.does & Does.DISCARD:
+        yield Diagnostic("SC421", f"'{name}' discards the fragment", source, span)

@@ -13,7 +13,7 @@ from __future__ import annotations
 from bisect import bisect_left
 from dataclasses import dataclass
 
-from shadercache.analysis.call_paths import Instance
+from shadercache.analysis.call_paths import Instance, by_call
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.reaching_definitions import Step, order_matters
 from shadercache.ast import nodes as n
@@ -45,11 +45,7 @@ class Definitions:
     def __init__(self, facts: Facts, table: EffectTable, instances: tuple[Instance, ...]) -> None:
         self.facts = facts
         self._table = table
-        self._children = {
-            (item.parent, item.call): item
-            for item in instances
-            if item.parent is not None and item.call is not None
-        }
+        self._children = by_call(instances)
 
     def callee(self, instance: Instance, call: n.Call) -> Instance | None:
         """The instance that a call of a user's function leads to."""
@@ -93,18 +89,17 @@ class Definitions:
         """
         if depth == 0 or self._table.of(expr).writes:
             return None
-        found: dict[n.Expr, n.Expr] = {}
+        local_names = instance.places.reaching.local_names
+        replaced: dict[n.Expr, n.Expr] = {}
         for part in expressions(expr):
-            is_local = (
-                isinstance(part, n.Name) and part.name in instance.places.reaching.local_names
-            )
+            is_local = isinstance(part, n.Name) and part.name in local_names
             if is_local or isinstance(part, n.Call):
                 value = self._replacement(instance, step, part, depth - 1)
                 if value is not None:
-                    found[part] = value
+                    replaced[part] = value
                 elif is_local:
                     return None
-        whole = map_expressions_keyed(expr, found) if found else expr
+        whole = map_expressions_keyed(expr, replaced) if replaced else expr
         return whole if sum(1 for _ in expressions(whole)) <= MAX_EXPRESSIONS else None
 
     def _replacement(
@@ -123,14 +118,14 @@ class Definitions:
         return n.Construct(value.span, n.TypeSpec(value.span, str(inner.type)), (value,))
 
     def _argument(self, instance: Instance, name: str) -> Definition | None:
-        if instance.parent is None or instance.call is None or instance.place is None:
+        if instance.parent is None or instance.place is None or name not in instance.arguments:
             return None
         params = instance.places.function.proto.params
-        for param, arg in zip(params, instance.call.args, strict=True):
-            if param.name == name and not param.qualifiers.has("out"):
-                kind = self.facts.declared[param].type
-                return Definition(instance.parent, instance.place.step, arg, kind)
-        return None
+        param = next(param for param in params if param.name == name)
+        if param.qualifiers.has("out"):
+            return None
+        kind = self.facts.declared[param].type
+        return Definition(instance.parent, instance.place.step, instance.arguments[name], kind)
 
     def _assigned(self, instance: Instance, step: Step) -> Definition | None:
         match step.stmt:

@@ -103,69 +103,59 @@ class _ValueNumbering:
                 self._numbers[instance, place.expr] = self._number(instance, place)
 
     def _number(self, instance: Instance, place: Place) -> int:
+        key: tuple[Hashable, ...] | None = None
+        if place.use is not Use.LVALUE and not self._table.of(place.expr).writes:
+            definition = self._definition(instance, place)
+            if definition is not None:
+                number = self._numbers[definition.instance, definition.expr]
+                kind = str(definition.type)
+                if self._type(definition.expr) == kind:
+                    return number
+                key = ("converted", kind, number)
+            else:
+                key = self._key(instance, place)
+        # What nothing can be said of is equal to nothing else.
+        return self._of_key.setdefault(key or (instance, place.expr), len(self._of_key))
+
+    def _definition(self, instance: Instance, place: Place) -> Definition | None:
+        """The expression that a local has its value from, or that a call returns."""
+        match place.expr:
+            case n.Name(name=name) if name in instance.places.reaching.local_names:
+                return self._definitions.of(instance, place.step, name)
+            case n.Call() as call if child := self._definitions.callee(instance, call):
+                return self._definitions.result(child)
+        return None
+
+    def _key(self, instance: Instance, place: Place) -> tuple[Hashable, ...] | None:
+        """What is equal where values are; ``None`` where that cannot be said."""
         expr = place.expr
-        alone = (instance, expr)
-        if place.use is Use.LVALUE or self._table.of(expr).writes:
-            return self._new(alone)
+        below = [self._numbers.get((instance, cast("n.Expr", part))) for part in children(expr)]
         match expr:
-            case n.Name():
-                return self._name(instance, place, expr.name)
+            case n.Name(name=name) if name in instance.places.reaching.local_names:
+                version = self._definitions.version(instance, place.step, name)
+                return None if version is None else ("version", instance, name, version)
+            case n.Name(name=name):
+                return None if name in self._mutable else ("global", name)
             case n.Literal(text=text):
-                return self._new(
-                    ("literal", self._type(expr), self._facts.constants.get(expr, text))
-                )
+                return "literal", self._type(expr), self._facts.constants.get(expr, text)
             case n.InitList():
-                return self._new(alone)
-            case n.Call():
-                return self._call(instance, place, expr)
-        return self._new((*_shape(expr), self._type(expr), *self._below(instance, expr)))
-
-    def _name(self, instance: Instance, place: Place, name: str) -> int:
-        if name not in instance.places.reaching.local_names:
-            alone = (instance, place.expr)
-            return self._new(alone if name in self._mutable else ("global", name))
-        found = self._definitions.of(instance, place.step, name)
-        if found is not None:
-            return self._defined(found)
-        version = self._definitions.version(instance, place.step, name)
-        if version is None:
-            return self._new((instance, place.expr))
-        return self._new(("version", instance, name, version))
-
-    def _call(self, instance: Instance, place: Place, call: n.Call) -> int:
-        alone = (instance, call)
-        child = self._definitions.callee(instance, call)
-        below = self._below(instance, call)
-        if child is None:
-            if any(out_arguments(call, self._table)):
-                return self._new(alone)
-            everywhere = Use.PLAIN is place.use is instance.use
-            if needs_derivative(call, self._table) and not everywhere:
-                return self._new(alone)
-            return self._new(("built-in", call.name, self._type(call), *below))
-        found = self._definitions.result(child)
-        if found is not None:
-            return self._defined(found)
-        summary = self._table.summary(call.name)
-        if summary.does or summary.reads & self._mutable:
-            return self._new(alone)
-        return self._new(("call", call.name, *below))
-
-    def _defined(self, found: Definition) -> int:
-        number = self._numbers[found.instance, found.expr]
-        kind = str(found.type)
-        if self._type(found.expr) == kind:
-            return number
-        return self._new(("converted", kind, number))
-
-    def _below(self, instance: Instance, expr: n.Expr) -> list[int | None]:
-        return [self._numbers.get((instance, cast("n.Expr", part))) for part in children(expr)]
+                return None
+            case n.Call(name=name) if self._definitions.callee(instance, expr) is not None:
+                summary = self._table.summary(name)
+                known = not summary.does and not summary.reads & self._mutable
+                return ("call", name, *below) if known else None
+            case n.Call(name=name):
+                # Under a condition a derivative may be taken with other neighbours.
+                everywhere = Use.PLAIN is place.use is instance.use
+                if any(out_arguments(expr, self._table)) or (
+                    needs_derivative(expr, self._table) and not everywhere
+                ):
+                    return None
+                return ("built-in", name, self._type(expr), *below)
+        return (*_shape(expr), self._type(expr), *below)
 
     def _type(self, expr: n.Expr) -> str:
         return str(self._facts.types[expr])
-
-    def _new(self, key: Hashable) -> int:
-        return self._of_key.setdefault(key, len(self._of_key))
 
 
 def _shape(expr: n.Expr) -> tuple[str, ...]:

@@ -17,7 +17,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from shadercache.analysis.refusal_rules import FIRST_TEXEL, SECOND_TEXEL
+from shadercache.analysis.refusals import FIRST_TEXEL, SECOND_TEXEL
 from shadercache.caching.configuration import CacheFormat, Configuration
 from shadercache.lang.types import FLOAT, INT, Type
 

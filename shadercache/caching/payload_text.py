@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import groupby
 
-from shadercache.analysis.refusal_rules import FIRST_TEXEL
+from shadercache.analysis.refusals import FIRST_TEXEL
 from shadercache.caching.layout import TEXELS, XYZW, Layout, Leaf, place
 from shadercache.lang.types import Type
 

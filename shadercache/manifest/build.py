@@ -11,7 +11,7 @@ from msgspec import UNSET, convert
 from shadercache import __version__
 from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.costs.payload_sets import is_skipped
-from shadercache.analysis.refusal_rules import FIRST_TEXEL
+from shadercache.analysis.refusals import FIRST_TEXEL
 from shadercache.caching.configuration import Configuration, Mode
 from shadercache.caching.layout import XYZW, Layout, empty_depth, extras_of
 from shadercache.caching.outcomes import outcomes

@@ -21,8 +21,8 @@ from dataclasses import replace
 from typing import TypeAlias
 
 from shadercache.analysis.costs.cost import FETCH, CostTable
+from shadercache.analysis.dataflow import LOOPS
 from shadercache.analysis.effect_table import EffectTable
-from shadercache.analysis.loops import LOOPS
 from shadercache.analysis.precision import PrecisionTable
 from shadercache.analysis.reaching_definitions import order_matters
 from shadercache.ast import nodes as n

@@ -12,10 +12,10 @@ from typing import Any
 
 import pytest
 
-from shadercache.analysis import candidates, refusal_rules
+from shadercache.analysis import candidates, refusals
 from shadercache.analysis.call_paths import Instance
 from shadercache.analysis.refusals import Code, Refusal
-from shadercache.analysis.slices import NOTHING, SliceTable
+from shadercache.analysis.slices import NOTHING, Slice, SliceTable
 from shadercache.ast.walk import walk
 from shadercache.compiler import analyse
 from shadercache.emit import one_pass
@@ -50,12 +50,12 @@ def _no_flow_into_arguments(patch: pytest.MonkeyPatch) -> None:
         given = {
             instance.parent: [
                 item
-                for (other, _), bit in self.argument_bits.items()
-                if other is instance and bit & atoms and instance.call is not None
-                for arg in instance.call.args
+                for (other, _), bit in self.entry_bits.items()
+                if other is instance and bit & atoms
+                for arg in instance.arguments.values()
                 for item in walk(arg)
             ]
-            for instance, _ in self.argument_bits
+            for instance, _ in self.entry_bits
         }
         for instance, parts in handed_down(self, atoms):
             yield instance, [item for item in parts if item in given.get(instance, ())]
@@ -65,21 +65,26 @@ def _no_flow_into_arguments(patch: pytest.MonkeyPatch) -> None:
 
 def _no_flow_through_globals(patch: pytest.MonkeyPatch) -> None:
     """What a caller wrote into a global does not flow to a function that reads it (o18, o19)."""
-    patch.setattr(SliceTable, "_found_in", lambda *_: NOTHING)
+    entry = SliceTable._entry
+
+    def without(self: SliceTable, instance: Instance, name: str) -> Slice:
+        return entry(self, instance, name) if name in instance.arguments else NOTHING
+
+    patch.setattr(SliceTable, "_entry", without)
 
 
 def _without(*codes: Code) -> Break:
     """Nothing is refused with these codes."""
 
     def change(patch: pytest.MonkeyPatch) -> None:
-        rules = tuple(_lenient(rule, codes) for rule in refusal_rules.RULES)
-        patch.setattr(refusal_rules, "RULES", rules)
+        rules = tuple(_lenient(rule, codes) for rule in refusals.RULES)
+        patch.setattr(refusals, "RULES", rules)
 
     return change
 
 
-def _lenient(strict: refusal_rules.Rule, codes: tuple[Code, ...]) -> refusal_rules.Rule:
-    def judged(trial: refusal_rules.Trial) -> Refusal | None:
+def _lenient(strict: refusals.Rule, codes: tuple[Code, ...]) -> refusals.Rule:
+    def judged(trial: refusals.Trial) -> Refusal | None:
         found = strict(trial)
         return None if found is not None and found.code in codes else found
 
@@ -88,8 +93,8 @@ def _lenient(strict: refusal_rules.Rule, codes: tuple[Code, ...]) -> refusal_rul
 
 def without_effects(patch: pytest.MonkeyPatch) -> None:
     """As if order did not matter for what stands in a statement with side effects."""
-    rules = tuple(item for item in refusal_rules.RULES if item is not refusal_rules.by_effects)
-    patch.setattr(refusal_rules, "RULES", rules)
+    rules = tuple(item for item in refusals.RULES if item is not refusals.by_effects)
+    patch.setattr(refusals, "RULES", rules)
 
 
 def _always_valid(patch: pytest.MonkeyPatch) -> None:

@@ -92,10 +92,9 @@ def _held(analysis: Analysis) -> set[Operation]:
         steps = instance.places.reaching.steps
         needed = (step for step, bit in zip(steps, bits, strict=True) if bit & atoms)
         roots |= {(instance, step.stmt) for step in needed}
-    for (instance, name), bit in slices.argument_bits.items():
-        if bit & atoms and instance.parent is not None and instance.call is not None:
-            names = [param.name for param in instance.places.function.proto.params]
-            roots.add((instance.parent, instance.call.args[names.index(name)]))
+    for (instance, name), bit in slices.entry_bits.items():
+        if bit & atoms and instance.parent is not None and name in instance.arguments:
+            roots.add((instance.parent, instance.arguments[name]))
     return roots | _inside(analysis, roots)
 
 

@@ -10,7 +10,7 @@ from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.costs.cost import FETCH
 from shadercache.analysis.costs.shared_work import SharedWorkTable
 from shadercache.analysis.effects import Does
-from shadercache.analysis.refusal_rules import FIRST_TEXEL, SECOND_TEXEL
+from shadercache.analysis.refusals import FIRST_TEXEL, SECOND_TEXEL
 from shadercache.analysis.value_numbering import ValueGroup
 from shadercache.diagnostics import Diagnostic, InputError, Severity, shortened
 from shadercache.source import Source
