@@ -13,16 +13,16 @@ KINDS = ("varyings", "uniforms", "textures", "screen", "globals")
 
 def input_kinds(module: n.Module, facts: Facts) -> dict[str, str]:
     """The kind of every global variable of a module that is declared in it, by name."""
-    found: dict[str, str] = {}
+    kinds: dict[str, str] = {}
     for decl in module.decls:
         if isinstance(decl, n.BlockDecl):
             kind = "varyings" if decl.qualifiers.has("in") else "uniforms"
             names = [item.name for field in decl.fields for item in field.declarators]
-            found |= dict.fromkeys([decl.instance or "", *names], kind)
+            kinds |= dict.fromkeys([decl.instance or "", *names], kind)
         elif isinstance(decl, n.VarDecl):
             for item in decl.declarators:
-                found[item.name] = _kind(decl, facts.declared[item].type.holds_opaque)
-    return found
+                kinds[item.name] = _kind(decl, facts.declared[item].type.holds_opaque)
+    return kinds
 
 
 def _kind(decl: n.VarDecl, opaque: bool) -> str:
@@ -35,8 +35,8 @@ def _kind(decl: n.VarDecl, opaque: bool) -> str:
 
 def by_kind(names: Iterable[str], kinds: dict[str, str]) -> dict[str, list[str]]:
     """The names of a node's inputs, sorted, under each kind that it has any of."""
-    found: dict[str, list[str]] = {}
+    sorted_: dict[str, list[str]] = {}
     for name in sorted(names):
         kind = "screen" if name.startswith(("gl_", "%")) else kinds.get(name, "globals")
-        found.setdefault(kind, []).append(name.removeprefix("%"))
-    return {kind: found[kind] for kind in KINDS if kind in found}
+        sorted_.setdefault(kind, []).append(name.removeprefix("%"))
+    return {kind: sorted_[kind] for kind in KINDS if kind in sorted_}

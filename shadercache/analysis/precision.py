@@ -19,8 +19,10 @@ from shadercache.sema.facts import Facts, Stage
 _RANKS = {"lowp": 1, "mediump": 2, "highp": 3}
 _LOW_SAMPLERS = ("sampler2D", "samplerCube")
 _MIDDLING = ("gl_PointCoord", "gl_PointSize")
-_EXACT_CALLS = ("textureSize", "floatBitsToInt", "floatBitsToUint", "intBitsToFloat")
-_EXACT_RESULTS = ("uintBitsToFloat", "packHalf2x16", "packSnorm2x16", "packUnorm2x16")
+_EXACT_CALLS = (
+    *("textureSize", "floatBitsToInt", "floatBitsToUint", "intBitsToFloat", "uintBitsToFloat"),
+    *("packHalf2x16", "packSnorm2x16", "packUnorm2x16"),
+)
 _COMPARISONS = ("==", "!=", "<", ">", "<=", ">=", "&&", "||", "^^")
 
 Defaults = dict[str, str]
@@ -47,17 +49,22 @@ class PrecisionTable:
         match expr:
             case _ if not self._declared:
                 return None
-            case n.Name():
-                return self._variable(expr)
+            case n.Name(name=name):
+                declaration = self._facts.symbols[expr].node
+                if declaration is not None:
+                    return self._declared.get(declaration)
+                return "mediump" if name in _MIDDLING else "highp"
             case n.Member(object=owner, name=name):
                 return self._field(owner, name) or self.of(owner)
             case n.Binary(op="<<" | ">>", left=left):
                 return self.of(left)
             case n.Binary(op=op) if op in _COMPARISONS:
                 return None
-            case n.Conditional(then=then, other=other):
-                return self._highest((then, other))
+            case n.Conditional(then=one, other=other) | n.Binary(left=one, right=other):
+                return self._highest((one, other))
             case n.Assign(target=part) | n.Comma(right=part) | n.Index(object=part):
+                return self.of(part)
+            case n.Unary(operand=part) | n.Postfix(operand=part):
                 return self.of(part)
             case n.Call():
                 return self._call(expr)
@@ -65,43 +72,28 @@ class PrecisionTable:
                 return self._highest(args)
             case n.Length():
                 return "highp"
-            case n.Unary() | n.Postfix():
-                return self.of(expr.operand)
-            case n.Binary(left=left, right=right):
-                return self._highest((left, right))
         return None
 
     def _highest(self, parts: Iterable[n.Expr]) -> str | None:
-        found = [word for part in parts if (word := self.of(part))]
-        return max(found, key=_RANKS.__getitem__, default=None)
-
-    def _variable(self, name: n.Name) -> str | None:
-        symbol = self._facts.symbols[name]
-        if symbol.node is not None:
-            return self._declared.get(symbol.node)
-        return "mediump" if symbol.name in _MIDDLING else "highp"
+        words = [word for part in parts if (word := self.of(part))]
+        return max(words, key=_RANKS.__getitem__, default=None)
 
     def _field(self, owner: n.Expr, name: str) -> str | None:
         kind = self._facts.types[owner]
         definition = self._facts.structs.get(kind.struct) if kind.struct is not None else None
         block = self._facts.symbols[owner].block if isinstance(owner, n.Name) else None
         fields = definition.fields if definition else block.fields if block else ()
-        for decl in fields:
-            for item in decl.declarators:
-                if item.name == name:
-                    return self._declared.get(item)
-        return None
+        items = (item for decl in fields for item in decl.declarators)
+        return next((self._declared.get(item) for item in items if item.name == name), None)
 
     def _call(self, call: n.Call) -> str | None:
         callee = self._facts.calls[call]
         if isinstance(callee, Signature):
-            if callee.name in (*_EXACT_CALLS, *_EXACT_RESULTS):
+            if callee.name in _EXACT_CALLS:
                 return "highp"
             return self.of(call.args[0]) if callee.texture else self._highest(call.args)
         proto = callee.proto if isinstance(callee, n.FunctionDef) else callee
         return self._declared.get(proto)
-
-    # --- declarations -----------------------------------------------------------------------------
 
     def _enter(self, node: n.Node, defaults: Defaults) -> None:
         """Note what is declared in a part of the module; ``precision`` holds to its scope's end."""

@@ -52,22 +52,18 @@ class ReachingDefinitions:
         self.local_names = local_names(function)
         self.steps: list[Step] = []
         self._writes: dict[str, list[tuple[int, bool]]] = {}
-        self._collect(function.body.body, table)
-
-    def writes(self, name: str) -> Sequence[tuple[int, bool]]:
-        """The steps that may write ``name``, in order, and whether nothing is left of its value."""
-        return self._writes.get(name, ())
-
-    def _collect(self, stmts: Iterable[n.Stmt], table: EffectTable) -> None:
         left = False
-        for stmt, trip in _flatten(stmts):
+        for index, (stmt, trip) in enumerate(_flatten(function.body.body)):
             effects = table.of(stmt)
-            index = len(self.steps)
             self.steps.append(Step(index, stmt, effects, left, trip))
             kills = _overwrites(stmt)
             for name in effects.writes | kills:
                 self._writes.setdefault(name, []).append((index, name in kills))
             left = left or bool(effects.does & (Does.RETURN | Does.DISCARD))
+
+    def writes(self, name: str) -> Sequence[tuple[int, bool]]:
+        """The steps that may write ``name``, in order, and whether nothing is left of its value."""
+        return self._writes.get(name, ())
 
 
 def _flatten(stmts: Iterable[n.Stmt], trip: Trip = ()) -> Iterator[tuple[n.Stmt, Trip]]:
@@ -84,15 +80,15 @@ def counters_of(block: n.Block) -> Trip:
     The statement that declares them was added, but their names are the user's
     (:mod:`shadercache.transform.unroll`).
     """
-    found: list[n.Declarator] = []
+    counters: list[n.Declarator] = []
     for stmt in block.body:
         match stmt:
             case n.DeclStmt(span=span, decl=n.VarDecl(declarators=(item,))) if span == NOWHERE:
                 if item.span != NOWHERE:
-                    found.append(item)
+                    counters.append(item)
                     continue
         break
-    return tuple(found)
+    return tuple(counters)
 
 
 def _overwrites(stmt: n.Stmt) -> frozenset[str]:

@@ -8,7 +8,8 @@ member where these have locations.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
+from typing import TypeAlias
 
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
@@ -26,8 +27,11 @@ of the vertex shader that it gets its value from."""
 _PLACES = ("location", "component")
 _SEPARATE = ("GL_ARB_separate_shader_objects", "GL_ARB_enhanced_layouts")
 
-Place = tuple[int, int]
+Place: TypeAlias = tuple[int, int]
 """Location and component."""
+
+Key: TypeAlias = tuple[str | None, str]
+"""The name of a block, or of its instance, if there is one; and that of a variable or member."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,12 +60,12 @@ class Varying:
         return self.decl.name if isinstance(self.decl, n.BlockDecl) else None
 
     @property
-    def key(self) -> tuple[str | None, str]:
+    def key(self) -> Key:
         """By what it matches another without a place."""
         return self.block, self.label
 
     @property
-    def used(self) -> tuple[str | None, str]:
+    def used(self) -> Key:
         """By what its shader uses it: the instance of its block, if there is one, and its name."""
         return (self.decl.instance if isinstance(self.decl, n.BlockDecl) else None), self.label
 
@@ -70,35 +74,26 @@ Pairs = Sequence[tuple[Varying, Varying]]
 """Inputs of the fragment shader, each with the output of the vertex shader that it is."""
 
 
-@dataclass(slots=True)
-class _Outputs:
-    """What a vertex shader passes on, by place and by name."""
-
-    placed: dict[Place, Varying] = field(default_factory=dict)
-    named: dict[tuple[str | None, str], Varying] = field(default_factory=dict)
-    blocks: dict[str, list[Varying]] = field(default_factory=dict)
-
-
 def match_stages(fragment: StageSide, vertex: StageSide) -> Pairs:
     """Which outputs of the vertex shader the inputs of the fragment shader are.
 
     Raises :class:`InputError` SC406 for a varying that is read and is missing, or of another type.
     """
-    outputs = _Outputs()
-    for item in _varyings(vertex, "out"):
-        outputs.named[item.key] = item
-        if item.place is not None:
-            outputs.placed[item.place] = item
-        if item.block is not None:
-            outputs.blocks.setdefault(item.block, []).append(item)
+    outputs = [*_varyings(vertex, "out")]
+    placed = {item.place: item for item in outputs if item.place is not None}
+    named = {item.key: item for item in outputs}
     used = _used(fragment.module)
     pairs: list[tuple[Varying, Varying]] = []
     problems: list[Diagnostic] = []
     for item in _varyings(fragment, "in"):
-        found, problem = _match(item, outputs, vertex.source.name)
-        if found is not None:
-            pairs.append((item, found))
+        output = None if item.place is None else placed.get(item.place)
+        by_place, by_name = output is not None, named.get(item.key)
+        if output is None and by_name is not None and None in (item.place, by_name.place):
+            output = by_name
+        if output is not None and _same(item.type, output.type, by_place):
+            pairs.append((item, output))
         elif item.name in used:
+            problem = _problem(item, output, named, vertex.source.name)
             problems.append(Diagnostic("SC406", problem, fragment.source, item.node.span))
     if problems:
         raise InputError(problems)
@@ -114,22 +109,17 @@ def links_of(pairs: Pairs) -> Links:
     return {name: frozenset(names) for name, names in links.items()}
 
 
-def _match(item: Varying, outputs: _Outputs, other: str) -> tuple[Varying | None, str]:
-    """The output that goes with an input, or what is wrong."""
-    found = None if item.place is None else outputs.placed.get(item.place)
-    named = outputs.named.get(item.key)
-    by_place = found is not None
-    if found is None and named is not None and None in (item.place, named.place):
-        found = named
-    if found is None and item.block in outputs.blocks and named is None:
-        return None, f"the block '{item.block}' has no '{item.label}' in {other}"
-    if found is None:
-        where = "" if item.place is None or named is None else f" at location {item.place[0]}"
-        return None, f"{other} does not write '{item.label}'{where}"
-    if _same(item.type, found.type, by_place):
-        return found, ""
-    called = f" ('{found.label}')" if found.label != item.label else ""
-    return None, f"'{item.label}' is {item.type} here and {found.type} in {other}{called}"
+def _problem(
+    item: Varying, output: Varying | None, named: Mapping[Key, Varying], other: str
+) -> str:
+    """Why no output, or not this one, goes with an input."""
+    if output is not None:
+        called = f" ('{output.label}')" if output.label != item.label else ""
+        return f"'{item.label}' is {item.type} here and {output.type} in {other}{called}"
+    if item.key not in named and item.block in {block for block, _ in named if block is not None}:
+        return f"the block '{item.block}' has no '{item.label}' in {other}"
+    where = f" at location {item.place[0]}" if item.place and item.key in named else ""
+    return f"{other} does not write '{item.label}'{where}"
 
 
 def _same(one: Type, other: Type, any_name: bool, known: set[object] | None = None) -> bool:
@@ -201,12 +191,12 @@ def _member_type(block: n.BlockDecl, item: n.Declarator, facts: Facts) -> Type:
 
 
 def _place(qualifiers: n.Qualifiers, facts: Facts) -> Place | None:
-    found = {
+    places = {
         item.name.lower(): int(facts.constants[item.value])
         for item in qualifiers.layout or ()
         if item.value is not None and item.name.lower() in _PLACES
     }
-    return (found["location"], found.get("component", 0)) if "location" in found else None
+    return (places["location"], places.get("component", 0)) if "location" in places else None
 
 
 # --- where one stage alone has places -------------------------------------------------------------

@@ -52,20 +52,17 @@ class CostTable:
 
     def of(self, node: n.Node) -> float:
         """Cost of an expression or a statement with everything it calls."""
-        found = self._table.get(node)
-        if found is not None:
-            return found
-        for item in postorder(node, self._table):
-            inside = sum(self._table[child] for child in children(item))
-            self._table[item] = self._loop(item, inside) + self._own(item)
+        if node not in self._table:
+            for item in postorder(node, self._table):
+                cost = sum(self._table[child] for child in children(item))
+                if isinstance(item, n.For | n.While | n.DoWhile):
+                    cost *= UNKNOWN_TRIPS
+                self._table[item] = cost + self._own(item)
         return self._table[node]
 
     def function(self, function: n.FunctionDef) -> float:
         """Cost of one call, arguments apart."""
         return self.of(function.body)
-
-    def _loop(self, node: n.Node, inside: float) -> float:
-        return inside * UNKNOWN_TRIPS if isinstance(node, n.For | n.While | n.DoWhile) else inside
 
     def _own(self, node: n.Node) -> float:
         match node:
@@ -73,16 +70,11 @@ class CostTable:
                 return self._call(node)
             case n.Binary():
                 return self._binary(node)
-            case n.Unary(op="+"):
-                return 0.0
-            case n.Unary() | n.Postfix():
+            case n.Assign() if node.op != "=":
+                return self._width(node.value)
+            case n.Conditional() | n.Unary(op="-" | "!" | "~" | "++" | "--") | n.Postfix():
                 return self._width(node)
-            case n.Assign():
-                return 0.0 if node.op == "=" else self._width(node.value)
-            case n.Conditional():
-                return self._width(node)
-            case _:
-                return 0.0
+        return 0.0
 
     def _call(self, node: n.Call) -> float:
         callee = self._facts.calls.get(node)
@@ -98,6 +90,7 @@ class CostTable:
     def _binary(self, node: n.Binary) -> float:
         types = self._facts.types
         left, right = types.get(node.left), types.get(node.right)
+        # A product with a matrix: one multiplication and one addition for each pair of factors.
         if node.op == "*" and left is not None and right is not None:
             if left.is_matrix and (right.is_matrix or right.is_vector):
                 return 2.0 * left.components_or_one * (right.cols if right.is_matrix else 1)

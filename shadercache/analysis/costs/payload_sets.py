@@ -79,7 +79,7 @@ def companion(
     free = CHANNELS - sum(node.type.components_or_one for node in nodes)
     taken = {groups[node] for node in nodes}
     now = overlaps.parts(nodes).overlap
-    found: list[tuple[float, int, float, int]] = []
+    choices: list[tuple[float, int, float, int]] = []
     firsts = [group.first for group in dict.fromkeys(groups.values()) if group not in taken]
     for number, node in enumerate(firsts):
         width = node.type.components_or_one if node.offered else CHANNELS + 1
@@ -88,8 +88,8 @@ def companion(
             continue
         parts = overlaps.parts((*nodes, node))
         if parts.overlap < now - FETCH:
-            found.append((parts.overlap, width, parts.remainder, number))
-    return firsts[min(found)[-1]] if found else None
+            choices.append((parts.overlap, width, parts.remainder, number))
+    return firsts[min(choices)[-1]] if choices else None
 
 
 def note_on_overlap(

@@ -17,7 +17,7 @@ from shadercache.analysis.screen.screen_varyings import (
     touches,
 )
 from shadercache.analysis.screen.symbolic import swizzled
-from shadercache.analysis.stages import Pairs
+from shadercache.analysis.stages import Key, Pairs
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import children, walk
 from shadercache.sema.facts import Facts
@@ -40,7 +40,7 @@ def screen_marks(
 
     Without a vertex shader nothing is known of what varyings carry.
     """
-    bound = dict[tuple[str | None, str], Components]()
+    bound = dict[Key, Components]()
     if varyings is None or varyings.moves:
         bound.update(_interpolated_on_screen(module))
     if varyings is not None:
@@ -60,22 +60,18 @@ def screen_marks(
     return marks
 
 
-def _interpolated_on_screen(
-    module: n.Module,
-) -> Iterator[tuple[tuple[str | None, str], Components]]:
+def _interpolated_on_screen(module: n.Module) -> Iterator[tuple[Key, Components]]:
     """``noperspective`` varyings: the same point has another value from another place."""
-    word = "noperspective"
     for decl in module.decls:
-        if isinstance(decl, n.VarDecl) and decl.qualifiers.has("in"):
-            if decl.qualifiers.has(word):
-                yield from (((None, item.name), WHOLE) for item in decl.declarators)
-        elif isinstance(decl, n.BlockDecl) and decl.qualifiers.has("in"):
-            for field in decl.fields:
-                if decl.qualifiers.has(word) or field.qualifiers.has(word):
-                    yield from (((decl.instance, i.name), WHOLE) for i in field.declarators)
+        if not isinstance(decl, n.VarDecl | n.BlockDecl) or not decl.qualifiers.has("in"):
+            continue
+        owner = decl.instance if isinstance(decl, n.BlockDecl) else None
+        for part in decl.fields if isinstance(decl, n.BlockDecl) else (decl,):
+            if decl.qualifiers.has("noperspective") or part.qualifiers.has("noperspective"):
+                yield from (((owner, item.name), WHOLE) for item in part.declarators)
 
 
-def _used(node: n.Node) -> tuple[str | None, str]:
+def _used(node: n.Node) -> Key:
     """The varying that an expression names."""
     if isinstance(node, n.Name):
         return None, node.name

@@ -18,8 +18,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
-from shadercache.analysis.screen.symbolic import POSITION, Evaluator, TooLongError
+from shadercache.analysis.dataflow import reached
+from shadercache.analysis.screen.symbolic import Evaluator, TooLongError
 from shadercache.analysis.screen.terms import Term
+from shadercache.analysis.stages import Key
+from shadercache.analysis.vertex_inputs import POSITION
 from shadercache.ast import nodes as n
 from shadercache.sema.facts import Facts
 
@@ -46,7 +49,7 @@ class ScreenVaryings:
     that carry the place on the screen; keys are a variable, or a block's name and a member."""
 
     moves: bool = True
-    components: Mapping[tuple[str | None, str], Components] = field(default_factory=dict)
+    components: Mapping[Key, Components] = field(default_factory=dict)
 
 
 def screen_varyings(module: n.Module, facts: Facts) -> ScreenVaryings:
@@ -60,24 +63,23 @@ def screen_varyings(module: n.Module, facts: Facts) -> ScreenVaryings:
     if position is None or not position.moves:
         return ScreenVaryings(False)
     screen = _Screen(position)
-    found = {key: screen.of(term) for key, term in _outputs(module, evaluator)}
-    return ScreenVaryings(True, {key: found[key] for key in found if found[key]})
+    outputs = ((key, screen.of(term)) for key, term in _outputs(module, evaluator))
+    return ScreenVaryings(True, {key: components for key, components in outputs if components})
 
 
-def _outputs(
-    module: n.Module, evaluator: Evaluator
-) -> Iterator[tuple[tuple[str | None, str], Term]]:
+def _outputs(module: n.Module, evaluator: Evaluator) -> Iterator[tuple[Key, Term]]:
     env, terms = evaluator.env, evaluator.terms
     for decl in module.decls:
-        if isinstance(decl, n.VarDecl) and decl.qualifiers.has("out"):
-            names = [item.name for item in decl.declarators]
-            yield from (((None, name), env[name]) for name in names if name in env)
-        elif isinstance(decl, n.BlockDecl) and decl.qualifiers.has("out"):
-            for name in (item.name for field in decl.fields for item in field.declarators):
-                if decl.instance is None and name in env:
-                    yield (decl.name, name), env[name]
-                elif decl.instance in env:
-                    yield (decl.name, name), terms.part(env[decl.instance], name, None)
+        if not isinstance(decl, n.VarDecl | n.BlockDecl) or not decl.qualifiers.has("out"):
+            continue
+        owner = decl.name if isinstance(decl, n.BlockDecl) else None
+        instance = decl.instance if isinstance(decl, n.BlockDecl) else None
+        fields = decl.fields if isinstance(decl, n.BlockDecl) else (decl,)
+        for name in (item.name for part in fields for item in part.declarators):
+            if instance is None and name in env:
+                yield (owner, name), env[name]
+            elif instance in env:
+                yield (owner, name), terms.part(env[instance], name, None)
 
 
 class _Screen:
@@ -86,23 +88,11 @@ class _Screen:
     def __init__(self, position: Term) -> None:
         self._positions: set[Term] = set()
         self._projections: set[tuple[Term, bool]] = set()
-        self._found: dict[Term, Components] = {}
-        self._looked_at: set[tuple[Term, bool]] = set()
-        self._learn(position)
-
-    # --- what the position is ---------------------------------------------------------------------
-
-    def _learn(self, position: Term) -> None:
-        """The position, and what it was before something was done to it."""
-        todo = [(position, True)]
-        while todo:
-            term, whole = todo.pop()
-            if (term, whole) in self._looked_at:
-                continue
-            self._looked_at.add((term, whole))
+        self._known: dict[Term, Components] = {}
+        # The position, and what it was before something was done to it.
+        for term, whole in reached([(position, True)], lambda step: self._behind(*step)):
             if term.moves and term.op != "leaf" and (whole or term.op == "product"):
                 self._positions.add(term)
-            todo += self._behind(term, whole)
 
     def _behind(self, term: Term, whole: bool) -> Iterator[tuple[Term, bool]]:
         """Terms that are a position if ``term`` is one (``whole``), or gives one its x and y."""
@@ -141,33 +131,33 @@ class _Screen:
             if arg.moves and arg.op in ("+", "-", "*", "/"):
                 self._positions.add(arg)
 
-    # --- what is made of it -----------------------------------------------------------------------
-
     def of(self, term: Term) -> Components:
         """Which components of a term depend on where on the screen the position is."""
         todo = [term]
         while todo:
             item = todo[-1]
-            if item in self._found or self._is_position(item):
-                self._found.setdefault(item, _limited(item))
-                todo.pop()
-                continue
-            missing = [part for part in (*item.args, *item.decides) if part not in self._found]
-            if missing:
-                todo += missing
-                continue
-            self._found[item] = self._made(item)
+            if item not in self._known and self._is_position(item):
+                # The screen has two components, whatever else the position has.
+                limited = frozenset(_SCREEN & set(range(item.width))) if item.width else WHOLE
+                self._known[item] = limited
+            elif item not in self._known:
+                below = (*item.args, *item.decides)
+                missing = [part for part in below if part not in self._known]
+                if missing:
+                    todo += missing
+                    continue
+                self._known[item] = self._components(item)
             todo.pop()
-        return self._found[term]
+        return self._known[term]
 
     def _is_position(self, term: Term) -> bool:
         if term in self._positions:
             return True
         return term.op == "product" and not self._projections.isdisjoint(_projection(term))
 
-    def _made(self, term: Term) -> Components:
-        parts = [self._found[part] for part in term.args]
-        if any(self._found[part] for part in term.decides):
+    def _components(self, term: Term) -> Components:
+        parts = [self._known[part] for part in term.args]
+        if any(self._known[part] for part in term.decides):
             return WHOLE
         if not any(parts):
             return _NONE
@@ -207,12 +197,12 @@ def _inserted(where: object, into: Components, value: Components) -> Components:
 
 
 def _by_component(term: Term, parts: list[Components]) -> Components:
-    found = _NONE
+    components = _NONE
     for arg, part in zip(term.args, parts, strict=True):
         if part and arg.width != term.width:
             return WHOLE
-        found |= part
-    return found
+        components |= part
+    return components
 
 
 def _is_joined(term: Term) -> bool:
@@ -228,24 +218,14 @@ def _placed(term: Term, parts: list[Components]) -> Iterator[int]:
         at += arg.width
 
 
-def _limited(term: Term) -> Components:
-    return frozenset(_SCREEN & set(range(term.width))) if term.width else WHOLE
-
-
 def _projection(product: Term) -> Iterator[tuple[Term, bool]]:
     """What a product multiplies its position by last, and from which side."""
-    first, last = product.args[0], product.args[-1]
-    if last.type is not None and last.type.is_vector and not _is_direction(last):
-        yield from ((item, True) for item in _outermost(product.args))
-    elif first.type is not None and first.type.is_vector and not _is_direction(first):
-        yield from ((item, False) for item in _outermost(product.args[::-1]))
-
-
-def _outermost(factors: tuple[Term, ...]) -> Iterator[Term]:
-    """The first factor that a uniform moves; constant ones before it turn axes or mirror."""
-    for item in factors[:-1]:
-        if item.moves:
-            yield item
+    for *factors, vector in (product.args, product.args[::-1]):
+        if vector.type is not None and vector.type.is_vector and not _is_direction(vector):
+            # Constant factors before the first that a uniform moves turn axes or mirror.
+            moving = next((item for item in factors if item.moves), None)
+            if moving is not None:
+                yield moving, vector is product.args[-1]
             return
 
 

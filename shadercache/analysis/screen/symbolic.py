@@ -6,13 +6,13 @@ from collections.abc import Sequence
 from typing import cast
 
 from shadercache.analysis.effect_table import EffectTable, out_arguments
-from shadercache.analysis.screen.terms import Term, Terms
+from shadercache.analysis.effects import global_names
+from shadercache.analysis.screen.terms import Term, Terms, Where
+from shadercache.analysis.vertex_inputs import POSITION
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import EXPRESSIONS, children
 from shadercache.lang.types import Type
 from shadercache.sema.facts import Facts
-
-POSITION = "gl_Position"
 
 MAX_STEPS = 50_000
 """Expressions that are gone through, each as often as it is reached."""
@@ -21,7 +21,7 @@ _SWIZZLES = ("xyzw", "rgba", "stpq")
 
 
 class TooLongError(Exception):
-    """The shader takes more steps than are gone."""
+    """The shader takes more steps than :data:`MAX_STEPS`."""
 
 
 class Evaluator:
@@ -37,7 +37,7 @@ class Evaluator:
             for decl in module.decls
             if isinstance(decl, n.VarDecl | n.BlockDecl)
             and decl.qualifiers.has("uniform", "buffer")
-            for name in _declared(decl)
+            for name in global_names(decl)
         }
         self._returned: list[list[tuple[dict[str, Term], Term | None]]] = []
 
@@ -48,21 +48,15 @@ class Evaluator:
                 self._declare(decl)
         self._call_body(self._table.functions["main"], None)
 
-    # --- statements -------------------------------------------------------------------------------
-
-    def _block(self, stmts: Sequence[n.Stmt]) -> bool:
-        """Is what comes behind the statements reached?"""
-        return all(self._statement(stmt) for stmt in stmts)
-
     def _statement(self, stmt: n.Stmt) -> bool:
+        """Is what comes behind the statement reached?"""
         match stmt:
-            case n.ExprStmt(expr=expr):
-                if expr is not None:
-                    self.value(expr)
+            case n.ExprStmt(expr=expr) if expr is not None:
+                self.value(expr)
             case n.DeclStmt(decl=n.VarDecl() as decl):
                 self._declare(decl)
             case n.Block(body=body):
-                return self._block(body)
+                return all(self._statement(part) for part in body)
             case n.If():
                 return self._branch(stmt)
             case n.For() | n.While() | n.DoWhile() | n.Switch():
@@ -95,20 +89,17 @@ class Evaluator:
     def _repeated(self, stmt: n.For | n.While | n.DoWhile | n.Switch) -> None:
         """What is written there is made of what is read and of what was there."""
         effects = self._table.of(stmt)
-        known = [self._held(name) for name in sorted(effects.reads | effects.writes)]
-        found = [item for item in known if item is not None]
+        parts = [
+            self.env.get(name) or self._leaf(name, None)
+            for name in sorted(effects.reads | effects.writes)
+            if name in self.env or name in self._moving
+        ]
         # The position first: what is written beside it may be made of it.
         for name in sorted(effects.writes, key=lambda name: (name != POSITION, name)):
             old = self.env.get(name)
-            made = self.terms.unknown(found, old.type if old is not None else None)
-            self.env[name] = made
+            self.env[name] = self.terms.unknown(parts, old.type if old is not None else None)
             if name == POSITION and name in effects.reads:
-                found.append(made)
-
-    def _held(self, name: str) -> Term | None:
-        if name in self.env:
-            return self.env[name]
-        return self._leaf(name, None) if name in self._moving else None
+                parts.append(self.env[name])
 
     def _joined(
         self, ways: Sequence[dict[str, Term]], decides: tuple[Term, ...] = ()
@@ -119,8 +110,6 @@ class Evaluator:
             for name in names
         }
 
-    # --- expressions ------------------------------------------------------------------------------
-
     def value(self, expr: n.Expr) -> Term:
         """What an expression is; assigns on the way."""
         self._steps += 1
@@ -129,20 +118,26 @@ class Evaluator:
         constant = self.facts.constants.get(expr)
         kind = self.facts.types.get(expr)
         if constant is not None:
-            return self.terms.literal(float(constant), kind)
+            return self.terms.make("literal", float(constant), (), kind)
         match expr:
             case n.Name(name=name):
                 return self.env.get(name) or self._leaf(name, kind)
-            case n.Assign():
-                return self._assigned(expr)
+            case n.Assign(op=op, target=target):
+                term = self.value(expr.value)
+                if op != "=":
+                    term = self._binary(op[:-1], self.value(target), term, kind)
+                self._assign(target, term)
+                return term
             case n.Unary(op="++" | "--", operand=place) | n.Postfix(operand=place):
-                made = self.terms.unknown([self.value(place)], kind)
-                self._assign(place, made)
-                return made
-            case n.Member():
-                return self._member(expr, kind)
-            case n.Index(object=owner, index=index):
-                return self._index(self.value(owner), self.value(index), kind)
+                term = self.terms.unknown([self.value(place)], kind)
+                self._assign(place, term)
+                return term
+            case n.Member() | n.Index():
+                owner = self.value(expr.object)
+                where = self._where(expr, owner)
+                if isinstance(where, Term):
+                    return self.terms.make("index", None, (owner, where), kind)
+                return self.terms.part(owner, where, kind)
             case n.Binary():
                 return self._chain(expr)
             case n.Call():
@@ -167,10 +162,10 @@ class Evaluator:
         chain = [expr]
         while isinstance(left := chain[-1].left, n.Binary) and left not in self.facts.constants:
             chain.append(left)
-        made = self.value(chain[-1].left)
+        term = self.value(chain[-1].left)
         for item in reversed(chain):
-            made = self._binary(item.op, made, self.value(item.right), self.facts.types.get(item))
-        return made
+            term = self._binary(item.op, term, self.value(item.right), self.facts.types.get(item))
+        return term
 
     def _binary(self, op: str, one: Term, other: Term, kind: Type | None) -> Term:
         kinds = [item.type for item in (one, other) if item.type is not None]
@@ -178,21 +173,6 @@ class Evaluator:
         if op == "*" and kind is not None and len(kinds) == 2 and matrices:
             return self.terms.multiply(one, other, kind)
         return self.terms.make(op, None, (one, other), kind)
-
-    def _member(self, expr: n.Member, kind: Type | None) -> Term:
-        owner = self.value(expr.object)
-        places = swizzled(expr, self.facts)
-        if places is None:
-            return self.terms.part(owner, expr.name, kind)
-        return self.terms.swizzle(owner, places, kind)
-
-    def _index(self, owner: Term, index: Term, kind: Type | None) -> Term:
-        at = int(index.data) if index.op == "literal" and isinstance(index.data, float) else None
-        if at is not None and owner.type is not None and owner.type.is_vector:
-            return self.terms.swizzle(owner, (at,), kind)
-        if at is not None:
-            return self.terms.part(owner, at, kind)
-        return self.terms.make("index", None, (owner, index), kind)
 
     def _construct(self, expr: n.Construct, kind: Type | None) -> Term:
         args = [self.value(arg) for arg in expr.args]
@@ -202,59 +182,50 @@ class Evaluator:
             return self.terms.make("struct", tuple(kind.struct.fields), args, kind)
         return self.terms.make("construct", None, args, kind)
 
-    # --- assignments ------------------------------------------------------------------------------
-
-    def _assigned(self, expr: n.Assign) -> Term:
-        value = self.value(expr.value)
-        if expr.op != "=":
-            kind = self.facts.types.get(expr)
-            value = self._binary(expr.op[:-1], self.value(expr.target), value, kind)
-        self._assign(expr.target, value)
-        return value
+    def _where(self, expr: n.Member | n.Index, owner: Term) -> Where | Term:
+        """Which part of its owner a member or an element is; an index that is not known itself."""
+        if isinstance(expr, n.Member):
+            return swizzled(expr, self.facts) or expr.name
+        index = self.value(expr.index)
+        if index.op != "literal" or not isinstance(index.data, float):
+            return index
+        at = int(index.data)
+        return (at,) if owner.type is not None and owner.type.is_vector else at
 
     def _assign(self, target: n.Expr, value: Term) -> None:
-        match target:
-            case n.Name(name=name):
-                self.env[name] = value
-            case n.Member(object=owner, name=name):
-                places = swizzled(target, self.facts)
-                where: object = name if places is None else places
-                self._assign(owner, self.terms.insert(self.value(owner), where, value))
-            case n.Index(object=owner, index=index):
-                held, at = self.value(owner), self.value(index)
-                if at.op == "literal" and isinstance(at.data, float):
-                    vector = held.type is not None and held.type.is_vector
-                    where = (int(at.data),) if vector else int(at.data)
-                    self._assign(owner, self.terms.insert(held, where, value))
-                else:
-                    self._assign(owner, self.terms.unknown((held, at, value), held.type))
-
-    # --- calls ------------------------------------------------------------------------------------
+        if isinstance(target, n.Name):
+            self.env[target.name] = value
+        elif isinstance(target, n.Member | n.Index):
+            owner = self.value(target.object)
+            where = self._where(target, owner)
+            if isinstance(where, Term):
+                changed = self.terms.unknown((owner, where, value), owner.type)
+            else:
+                changed = self.terms.insert(owner, where, value)
+            self._assign(target.object, changed)
 
     def _call(self, call: n.Call, kind: Type | None) -> Term:
         function = self._table.functions.get(call.name)
         outs = out_arguments(call, self._table)
         args = [self.value(arg) for arg in call.args]
         if function is None:
-            made = self.terms.make("call", call.name, args, kind)
+            term = self.terms.make("call", call.name, args, kind)
             for arg, out in zip(call.args, outs, strict=True):
                 if out:
                     self._assign(arg, self.terms.unknown(args, self.facts.types.get(arg)))
-            return made
-        params = function.proto.params
-        for param, value in zip(params, args, strict=True):
-            if param.name is not None:
-                self.env[param.name] = value
-        made = self._call_body(function, kind)
-        backs = [self.env.get(param.name or "") for param in params]
+            return term
+        names = [param.name or "" for param in function.proto.params]
+        self.env |= dict(zip(names, args, strict=True))
+        term = self._call_body(function, kind)
+        backs = [self.env.get(name) for name in names]
         for arg, out, back in zip(call.args, outs, backs, strict=True):
             if out and back is not None:
                 self._assign(arg, back)
-        return made
+        return term
 
     def _call_body(self, function: n.FunctionDef, kind: Type | None) -> Term:
         self._returned.append([])
-        goes_on = self._block(function.body.body)
+        goes_on = self._statement(function.body)
         ends = self._returned.pop()
         if goes_on:
             ends.append((dict(self.env), None))
@@ -270,11 +241,3 @@ def swizzled(expr: n.Member, facts: Facts) -> tuple[int, ...] | None:
         return None
     letters = next((row for row in _SWIZZLES if set(expr.name) <= set(row)), None)
     return None if letters is None else tuple(map(letters.index, expr.name))
-
-
-def _declared(decl: n.VarDecl | n.BlockDecl) -> list[str]:
-    if isinstance(decl, n.VarDecl):
-        return [item.name for item in decl.declarators]
-    if decl.instance is not None:
-        return [decl.instance]
-    return [item.name for field in decl.fields for item in field.declarators]

@@ -15,8 +15,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import TypeAlias
 
 from shadercache.lang.types import Type
+
+Where: TypeAlias = int | str | tuple[int, ...]
+"""A part of a value: the element of an array, the field of a struct, components of a vector."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -56,13 +60,24 @@ class Terms:
         """An input, or something else that nothing is known of."""
         return self._known.setdefault((name, kind), Term("leaf", name, (), kind, moves, False))
 
-    def literal(self, value: object, kind: Type | None) -> Term:
-        """A constant."""
-        return self._make("literal", value, (), kind)
-
-    def make(self, op: str, data: object, args: Iterable[Term], kind: Type | None) -> Term:
-        """A term of an operator or of a function."""
-        return self._make(op, data, tuple(args), kind)
+    def make(
+        self,
+        op: str,
+        data: object,
+        args: Iterable[Term],
+        kind: Type | None,
+        decides: tuple[Term, ...] = (),
+    ) -> Term:
+        """A term of an operator or of a function, or a literal."""
+        args = tuple(args)
+        key = (op, data, args, kind, decides)
+        term = self._known.get(key)
+        if term is None:
+            parts = (*args, *decides)
+            moves = any(part.moves for part in parts)
+            constant = op == "literal" or (bool(parts) and all(part.constant for part in parts))
+            term = self._known[key] = Term(op, data, args, kind, moves, constant, decides)
+        return term
 
     def unknown(self, parts: Iterable[Term], kind: Type | None) -> Term:
         """Something that is made of ``parts``, like nothing else."""
@@ -71,8 +86,8 @@ class Terms:
 
     def multiply(self, one: Term, other: Term, kind: Type) -> Term:
         """``one * other``, where at least one of the two is a matrix and none a scalar."""
-        parts = [part for item in (one, other) for part in _factors(item)]
-        return self.make("product", None, parts, kind)
+        parts = [item.args if item.op == "product" else (item,) for item in (one, other)]
+        return self.make("product", None, parts[0] + parts[1], kind)
 
     def join(self, ways: Iterable[Term], decides: Iterable[Term] = ()) -> Term:
         """What a variable holds where ways meet."""
@@ -80,9 +95,9 @@ class Terms:
         if len(different) == 1:
             return different[0]
         controls = tuple(dict.fromkeys(decides))
-        return self._make("join", None, different, different[0].type, controls)
+        return self.make("join", None, different, different[0].type, controls)
 
-    def swizzle(self, of: Term, places: tuple[int, ...], kind: Type | None) -> Term:
+    def _swizzle(self, of: Term, places: tuple[int, ...], kind: Type | None) -> Term:
         """Components of a vector."""
         while places != tuple(range(of.width)):
             if of.op == "swizzle":
@@ -99,15 +114,17 @@ class Terms:
             of = of.args[1] if inside else of.args[0]
         return of
 
-    def insert(self, into: Term, where: object, value: Term) -> Term:
+    def insert(self, into: Term, where: Where, value: Term) -> Term:
         """A vector, a struct or an array with one part of it replaced."""
         if isinstance(where, tuple) and sorted(where) == list(range(into.width)):
             places = tuple(where.index(place) for place in range(into.width))
-            return self.swizzle(value, places, into.type)
+            return self._swizzle(value, places, into.type)
         return self.make("insert", where, (into, value), into.type)
 
-    def part(self, of: Term, where: object, kind: Type | None) -> Term:
-        """A field of a struct, an element of an array."""
+    def part(self, of: Term, where: Where, kind: Type | None) -> Term:
+        """Components of a vector, a field of a struct, an element of an array."""
+        if isinstance(where, tuple):
+            return self._swizzle(of, where, kind)
         while of.op == "insert" and not isinstance(of.data, tuple):
             if of.data == where:
                 return of.args[1]
@@ -118,24 +135,3 @@ class Terms:
             assert isinstance(of.data, tuple)
             return of.args[of.data.index(where)]
         return self.make("part", where, (of,), kind)
-
-    def _make(
-        self,
-        op: str,
-        data: object,
-        args: tuple[Term, ...],
-        kind: Type | None,
-        decides: tuple[Term, ...] = (),
-    ) -> Term:
-        key = (op, data, args, kind, decides)
-        found = self._known.get(key)
-        if found is None:
-            parts = (*args, *decides)
-            moves = any(part.moves for part in parts)
-            constant = op == "literal" or (bool(parts) and all(part.constant for part in parts))
-            found = self._known[key] = Term(op, data, args, kind, moves, constant, decides)
-        return found
-
-
-def _factors(term: Term) -> tuple[Term, ...]:
-    return term.args if term.op == "product" else (term,)
