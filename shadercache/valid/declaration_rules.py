@@ -118,6 +118,7 @@ def _outer_problem(symbol: Symbol, storage: Kind, suspect: Suspect) -> str | Non
 def _passed_problem(symbol: Symbol, storage: Kind, suspect: Suspect) -> str | None:
     """What a vertex shader passes to a fragment shader."""
     name, kind = symbol.name, symbol.type
+    # Integers and doubles are not interpolated (GLSL 3.30 section 4.3.4).
     passed = storage == "in" or suspect.language.es_version == 300
     smooth = passed and not symbol.qualifiers.has("flat") and not name.startswith("gl_")
     if smooth and not kind.bases.isdisjoint(("int", "uint", "double")):

@@ -110,6 +110,7 @@ def recursion(_: n.Module, suspect: Suspect) -> Iterator[Finding]:
         stack: list[tuple[n.FunctionDef, n.Call | None]] = [(start, None)]
         while stack:
             function, call = stack.pop()
+            # Without a call it is the way back: everything that the function calls is done.
             if call is None and path and path[-1] is function:
                 path.pop()
                 done.add(function)

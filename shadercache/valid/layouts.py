@@ -105,6 +105,7 @@ class _Layouts:
             return
         words = {item.name.lower() for item in block.qualifiers.layout or ()}
         packing = _packing(words) or _packing(self._defaults[storage]) or "shared"
+        # Offsets behind matrices that are stored by rows are left alone.
         parts = [words, self._defaults[storage]]
         parts += [{item.name for item in decl.qualifiers.layout or ()} for decl in block.fields]
         if not any("row_major" in part for part in parts):

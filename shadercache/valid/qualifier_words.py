@@ -34,9 +34,9 @@ def words_problem(words: tuple[str, ...], language: Language) -> str | None:
     if len(words) < 2:
         return None
     for group in _GROUPS:
-        found = [word for word in words if word in group]
-        if len(found) > 1 and sorted(found) != ["const", "in"]:
-            return f"'{' '.join(found)}' contradict or repeat each other"
+        same = [word for word in words if word in group]
+        if len(same) > 1 and sorted(same) != ["const", "in"]:
+            return f"'{' '.join(same)}' contradict or repeat each other"
     if len(set(words)) < len(words):
         return f"'{' '.join(words)}' repeat each other"
     ranked = [word for word in words if word in _RANKS]

@@ -45,20 +45,20 @@ def _with_earlier(
     error: InputError, source: Source, stage: Stage, options: ReadOptions
 ) -> tuple[Diagnostic, ...]:
     """The diagnostics of an error of the preprocessor or parser, and those in front of it."""
-    told = error.diagnostics
+    mistakes = error.diagnostics
     for _ in range(2):  # In front of an error of the preprocessor there may be one of syntax.
-        span = told[0].span
-        if span is None or told[0].code in _LIMITS:
+        span = mistakes[0].span
+        if span is None or mistakes[0].code in _LIMITS:
             break
         try:
             module = parse_before(source, options, span.start)
         except InputError as earlier:
-            told = (*_in_front(earlier, span.start), *told)
+            mistakes = (*_in_front(earlier, span.start), *mistakes)
             continue
         if module is not None:
-            return (*_mistakes(module, source, stage, span.start), *told)
+            return (*_mistakes(module, source, stage, span.start), *mistakes)
         break
-    return told
+    return mistakes
 
 
 def _mistakes(module: Module, source: Source, stage: Stage, offset: int) -> tuple[Diagnostic, ...]:

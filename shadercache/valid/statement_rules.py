@@ -32,6 +32,7 @@ def statements(function: n.FunctionDef, suspect: Suspect) -> Iterator[Finding]:
                 stack += [(part, inner) for part in reversed(stmt.body)]
             case n.If():
                 yield from _condition(stmt.condition, suspect)
+                # A label under it is the switch's; one in a block would be nobody's.
                 parts = (stmt.other, stmt.then)
                 stack += [(part, around) for part in parts if part is not None]
             case n.For() | n.While() | n.DoWhile():

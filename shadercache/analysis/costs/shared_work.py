@@ -70,8 +70,9 @@ class SharedWorkTable:
         self._parents: dict[n.FunctionDef, dict[n.Node, n.Node]] = {}
         self._mentions: dict[n.FunctionDef, Names] = {}
         self.whole = self._cost((), goal=False)
-        self._payloads = self._paths(Demand(_NONE, False), goal=True)
-        self._remainders = self._paths(Demand(self._outputs, True), goal=False)
+        all_, nothing = Demand(self._outputs, True), Demand(_NONE, False)
+        self._payloads = PathCosts(nothing, partial(self._walk, True), self._mentioned)
+        self._remainders = PathCosts(all_, partial(self._walk, False), self._mentioned)
 
     def parts(self, nodes: Sequence[Candidate]) -> Parts:
         """The costs of both passes where the values of ``nodes`` are cached together."""
@@ -85,9 +86,6 @@ class SharedWorkTable:
     def parts_of_set(self, nodes: Sequence[Candidate]) -> Parts:
         """The same, by walking the whole shader with all its cuts."""
         return Parts(self._cost(nodes, goal=True), self._cost(nodes, goal=False), self.whole)
-
-    def _paths(self, top: Demand, goal: bool) -> PathCosts:
-        return PathCosts(top, partial(self._walk, goal), self._mentioned)
 
     def _walk(
         self, goal: bool, instance: Instance, cut: Cut, context: Demand, given: Need | None
