@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 from msgspec import UNSET
 
@@ -49,6 +49,14 @@ class PassSpec:
     looks: bool = False
     over_screen: bool = False
     inputs: tuple[InputEntry, ...] = ()
+
+
+class NeededPass(NamedTuple):
+    """Tells which pixels have payloads (1), do without (2), or have some that a guard keeps from
+    being reused (3). ``by_some``: may there be pixels without?"""
+
+    spec: PassSpec
+    by_some: bool
 
 
 @dataclass(frozen=True)
@@ -193,12 +201,11 @@ class Bundle:
         return {str(outcome): value for outcome, value in self._variants.debug.values.items()}
 
     @cached_property
-    def needed(self) -> tuple[PassSpec, bool]:
-        """The program that tells which pixels have payloads (1), do without (2), or have some that
-        a guard keeps from being reused (3); and whether there are any that may do without."""
+    def needed(self) -> NeededPass:
+        """The program that tells pixels with payloads from those without."""
         if not isinstance(self.manifest, NeededManifest):
             raise unusable("it does not tell which pixels have payloads")
-        return self._pass(self.manifest.needed), self.manifest.needed.by_some
+        return NeededPass(self._pass(self.manifest.needed), self.manifest.needed.by_some)
 
     @cached_property
     def geometry(self) -> PassSpec:

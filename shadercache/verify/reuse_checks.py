@@ -192,7 +192,7 @@ class Reuse:
         ]
         seen = self.references.surfaces.frame(frame).number
         has: Mask = self.references.covered[frame] & np.isin(seen, counted)
-        if self._witness.needed[1]:
+        if self._witness.needed.by_some:
             has &= self._needs(runner, frame) != _WITHOUT
         return has
 
@@ -209,7 +209,7 @@ class Reuse:
     def _needs(self, runner: VariantRunner, frame: int) -> Outcomes:
         """What the program says that tells pixels with payloads from those without."""
         if frame not in self._needed:
-            world, spec = self.references.world, self._witness.needed[0]
+            world, spec = self.references.world, self._witness.needed.spec
             self.references.surfaces.lay_depth(frame)
             world.targets.clear(world.targets.mask, keep_depth=True)
             for role in runner.cached:
