@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import chain
 from typing import Any, NamedTuple
 
 from shadercache.ast import nodes as n
@@ -210,7 +211,7 @@ def _qualifiers(parts: list[Any]) -> Qualifiers:
     """The node for a list of qualifier words and layouts."""
     words = tuple([part.text for part in parts if isinstance(part, Token)])
     layouts = [part.items for part in parts if isinstance(part, LayoutWords)]
-    layout = tuple([item for items in layouts for item in items]) if layouts else None
+    layout = tuple(chain(*layouts)) if layouts else None
     return Qualifiers(Span(parts[0].start, parts[-1].end), words, layout)
 
 

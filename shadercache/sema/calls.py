@@ -35,11 +35,11 @@ class CallChecker:
             message = f"'{node.name}' is {what}, not a function"
             return self._context.problems.error("SC204", message, node)
         # More overloads may have been declared since the same call was resolved last.
-        count = len(own.overloads) if own else 0
+        count = len(own) if own else 0
         key = (node.name, args)
         known_count, callee = self._resolved.get(key, (-1, None))
         if known_count != count:
-            callee = self._resolve(node, own.overloads if own else {}, args)
+            callee = self._resolve(node, own or {}, args)
         if callee is None:
             return ERROR
         self._resolved[key] = (count, callee)

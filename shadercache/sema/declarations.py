@@ -172,10 +172,10 @@ def _settled(
         return ERROR
     if kind.dims and kind.element.is_unsized and len(set(given)) == 1:
         return array_of(given[0], len(given))
-    for item, part, item_type in zip(node.items, parts, given, strict=True):
+    for value, part, item_type in zip(node.items, parts, given, strict=True):
         if item_type is VOID or not context.language.conversions.converts(item_type, part):
             message = f"cannot initialise a part of type {part} with {item_type}"
-            return context.problems.error("SC210", message, item)
+            return context.problems.error("SC210", message, value)
     return kind
 
 
@@ -224,8 +224,8 @@ def declare_function(
     if not isinstance(entry, FunctionSet):
         message = f"'{proto.name}' is already declared, and not as a function"
         context.problems.error("SC202", message, proto)
-        entry = FunctionSet(proto.name)
-    overload = entry.overloads.setdefault(head.params, head)
+        entry = FunctionSet()
+    overload = entry.setdefault(head.params, head)
     context.tables.heads[proto], context.tables.functions[proto] = head, overload
     if definition is not None:
         overload.definition = definition

@@ -87,7 +87,7 @@ def _length(value: Any) -> float:
 
 
 def _scaled(value: Any, factor: float) -> Any:
-    return tuple(item * factor for item in value) if isinstance(value, tuple) else value * factor
+    return tuple(x * factor for x in value) if isinstance(value, tuple) else value * factor
 
 
 def _sum(left: Any, right: Any) -> Any:
@@ -144,7 +144,7 @@ _WHOLE: Mapping[str, Callable[..., Any]] = {
     "faceforward": lambda n, i, reference: _scaled(n, 1.0 if _dot(reference, i) < 0.0 else -1.0),
     "reflect": lambda i, n: _sum(i, _scaled(n, -2.0 * _dot(n, i))),
     "refract": _refract,
-    "outerProduct": lambda c, r: tuple(_scaled(c, item) for item in r),
+    "outerProduct": lambda c, r: tuple(_scaled(c, x) for x in r),
     "transpose": lambda m: tuple(zip(*m, strict=True)),
     "determinant": _determinant,
     "inverse": _inverse,

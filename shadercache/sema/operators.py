@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import lru_cache
 
-from shadercache.lang.types import BOOL, Type, matrix, vector
+from shadercache.lang.types import BOOL, VOID, Type, matrix, vector
 from shadercache.sema.conversions import Conversions
 
 ARITHMETIC = frozenset("+-*/")
@@ -43,7 +43,7 @@ def binary_type(op: str, left: Type, right: Type, conversions: Conversions) -> T
         return BOOL if fits and conversions.common(left, right) else None
     if op in EQUALITY:
         common = conversions.common(left, right)
-        return BOOL if common and not common.holds_opaque and not common.is_void else None
+        return BOOL if common and not common.holds_opaque and common is not VOID else None
     if not (_is_integer(left) and _is_integer(right)):
         return None
     if op in SHIFTS:
@@ -106,10 +106,8 @@ def construct_problem(kind: Type, args: Sequence[Type], conversions: Conversions
     """
     if not args:
         return f"{kind}() needs an argument"
-    if kind.dims:
-        return _array_problem(kind, args, conversions)
-    if kind.struct is not None:
-        return _struct_problem(kind, args, conversions)
+    if kind.dims or kind.struct is not None:
+        return _parts_problem(kind, args, conversions)
     if kind.base is None:
         return f"{kind} has no constructor"
     for arg in args:
@@ -141,20 +139,18 @@ def _components_problem(kind: Type, args: Sequence[Type]) -> str | None:
     return None
 
 
-def _struct_problem(kind: Type, args: Sequence[Type], conversions: Conversions) -> str | None:
-    fields = kind.struct.fields if kind.struct else {}
-    if len(args) != len(fields):
-        return f"{kind} has {len(fields)} fields, not {len(args)}"
-    for arg, (name, field) in zip(args, fields.items(), strict=True):
-        if not conversions.converts(arg, field):
-            return f"field '{name}' of {kind} is {field}, not {arg}"
-    return None
-
-
-def _array_problem(kind: Type, args: Sequence[Type], conversions: Conversions) -> str | None:
-    if len(args) != kind.dims[0]:
-        return f"{kind} has {kind.dims[0]} elements, not {len(args)}"
-    for arg in args:
-        if not conversions.converts(arg, kind.element):
-            return f"an element of {kind} is {kind.element}, not {arg}"
+def _parts_problem(kind: Type, args: Sequence[Type], conversions: Conversions) -> str | None:
+    """One argument for each field or element, which converts to it."""
+    if kind.dims or kind.struct is None:
+        count, what = kind.dims[0], "elements"
+        parts = [(f"an element of {kind}", kind.element)] * len(args)
+    else:
+        fields = kind.struct.fields
+        count, what = len(fields), "fields"
+        parts = [(f"field '{name}' of {kind}", field) for name, field in fields.items()]
+    if len(args) != count:
+        return f"{kind} has {count} {what}, not {len(args)}"
+    for arg, (part, wanted) in zip(args, parts, strict=True):
+        if not conversions.converts(arg, wanted):
+            return f"{part} is {wanted}, not {arg}"
     return None

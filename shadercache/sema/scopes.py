@@ -1,12 +1,12 @@
 """Scopes: what a name means at the place that is being checked.
 
-All visible names stand in one dictionary; entering a scope starts a list of what its declarations
-hide, and leaving it puts that back.
+All visible names stand in one dictionary. A scope notes what its declarations hide, and leaving it
+puts that back.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import TypeAlias
 
 from shadercache.ast.nodes import FunctionDef, FunctionProto
@@ -25,12 +25,8 @@ class Overload:
     definition: FunctionDef | None = None
 
 
-@dataclass(slots=True, eq=False)
-class FunctionSet:
+class FunctionSet(dict[tuple[Type, ...], Overload]):
     """All functions of one name, by the types of their parameters."""
-
-    name: str
-    overloads: dict[tuple[Type, ...], Overload] = field(default_factory=dict)
 
 
 Entry: TypeAlias = Symbol | Type | FunctionSet
@@ -46,23 +42,21 @@ class Scopes:
     def __init__(self, separate: bool = False) -> None:
         self.function_mark = "()" if separate else ""
         self.visible: dict[str, Entry] = {}
-        self._own: list[set[str]] = [set()]
-        self._hidden: list[list[tuple[str, Entry | None]]] = [[]]
+        # What each scope declares, with what is hidden by that.
+        self._hidden: list[dict[str, Entry | None]] = [{}]
 
     @property
     def depth(self) -> int:
         """0 in the global scope."""
-        return len(self._own) - 1
+        return len(self._hidden) - 1
 
     def push(self) -> None:
         """Enter a scope."""
-        self._own.append(set())
-        self._hidden.append([])
+        self._hidden.append({})
 
     def pop(self) -> None:
         """Leave a scope: what it declared is gone, what it hid is visible again."""
-        self._own.pop()
-        for name, entry in reversed(self._hidden.pop()):
+        for name, entry in self._hidden.pop().items():
             if entry is None:
                 del self.visible[name]
             else:
@@ -70,14 +64,13 @@ class Scopes:
 
     def here(self, name: str) -> Entry | None:
         """What ``name`` was declared as in the current scope itself."""
-        return self.visible[name] if name in self._own[-1] else None
+        return self.visible[name] if name in self._hidden[-1] else None
 
     def declare(self, name: str, entry: Entry) -> None:
         """Give ``name`` a meaning in the current scope (replacing what it meant there)."""
-        own = self._own[-1]
-        if name not in own:
-            own.add(name)
-            self._hidden[-1].append((name, self.visible.get(name)))
+        hidden = self._hidden[-1]
+        if name not in hidden:
+            hidden[name] = self.visible.get(name)
         self.visible[name] = entry
 
     def function_set(self, name: str) -> FunctionSet | Symbol | Type:
@@ -88,10 +81,9 @@ class Scopes:
         key = name + self.function_mark
         entry = self.visible.get(key)
         if entry is None:
-            entry = FunctionSet(name)
             # Straight into the global scope: a function outlives the scope of its prototype.
-            self._own[0].add(key)
-            self.visible[key] = entry
+            entry = self.visible[key] = FunctionSet()
+            self._hidden[0][key] = None
         return entry
 
     def names(self) -> list[str]:

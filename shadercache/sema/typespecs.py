@@ -20,9 +20,9 @@ def declared(context: InferenceContext, spec: TypeSpec) -> Type:
 
 def check_layout(context: InferenceContext, qualifiers: Qualifiers) -> None:
     """The types of the values in a ``layout(...)``."""
-    for item in qualifiers.layout or ():
-        if item.value is not None:
-            context.check(item.value)
+    for entry in qualifiers.layout or ():
+        if entry.value is not None:
+            context.check(entry.value)
 
 
 def resolve(context: InferenceContext, spec: TypeSpec) -> Type:

@@ -124,9 +124,9 @@ class Lexemes:
 def _blank_behind(text: str, at: int, end: int) -> int:
     """Where a text can be cut: the next line end or blank, if one is near ``at``, else its end."""
     for blank in "\n ":
-        found = text.find(blank, at, min(at + _CHUNK, end))
-        if found >= 0:
-            return found
+        place = text.find(blank, at, min(at + _CHUNK, end))
+        if place >= 0:
+            return place
     return end
 
 
