@@ -47,10 +47,14 @@ class Host:
     declarations: tuple[tuple[str, ...], ...]
     main: tuple[str, ...]
 
+    def needed(self, user: list[str]) -> list[tuple[str, ...]]:
+        """The declarations of what the user's lexemes do not declare as ``uniform TYPE NAME``."""
+        own = {name for word, name in zip(user, user[2:], strict=False) if word == "uniform"}
+        return [decl for decl in self.declarations if decl[2] not in own]
+
     def surround(self, user: Lexemes, end: int) -> Lexemes:
         """The lexemes of the whole; ``end`` is the length of the user's text."""
-        own = _uniforms(user.texts)
-        before = [text for decl in self.declarations if decl[2] not in own for text in decl]
+        before = [text for decl in self.needed(user.texts) for text in decl]
         whole = Lexemes()
         whole.repeat(before, 0, 0)
         whole.add(user, 0, len(user.texts))
@@ -83,8 +87,7 @@ def surrounded(source: Source, dialect: Dialect) -> str:
     host = host_of(source, dialect)
     if host is None:
         return source.text
-    own = _uniforms(re.findall(r"\w+|[^\w\s]", source.text))
-    head = [" ".join(decl) for decl in host.declarations if decl[2] not in own]
+    head = map(" ".join, host.needed(re.findall(r"\w+|[^\w\s]", source.text)))
     named = version_line(source.text)
     version, user = f"#version {host.version.number}", source.text
     if named is not None:
@@ -107,9 +110,3 @@ def _shadertoy() -> Host:
     first, *lines = head.splitlines()
     version = read_version(first.removeprefix("#version "))
     return Host(version, tuple(spellings(line) for line in lines if line), spellings(main))
-
-
-def _uniforms(texts: list[str]) -> set[str]:
-    """The names of the uniforms in a text, as far as they are written ``uniform TYPE NAME``."""
-    at = (index for index, text in enumerate(texts[:-2]) if text == "uniform")
-    return {texts[index + 2] for index in at}
