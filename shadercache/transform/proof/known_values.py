@@ -7,7 +7,7 @@ whether it is floating-point, and whether one of its components may be zero.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from shadercache.ast import nodes as n
@@ -26,11 +26,12 @@ _FOLDED = frozenset(
 
 @dataclass(frozen=True, slots=True)
 class Known:
-    """What is known of a value. ``zero``: may it, or one of its components, be zero?"""
+    """What is known of a value. ``zero``: may it, or one of its components, be zero (or false)?"""
 
     floating: bool
     zero: bool
     array: bool = False
+    boolean: bool = False
 
 
 Constants: TypeAlias = dict[str, Known]
@@ -51,6 +52,12 @@ def is_floating(kind: n.TypeSpec) -> bool:
     """A scalar, vector or matrix of floating-point numbers, or an array of them."""
     built_in = builtin_type(kind.name)
     return built_in is not None and built_in.base in ("float", "double")
+
+
+def is_boolean(kind: n.TypeSpec) -> bool:
+    """A boolean, or a vector or array of them."""
+    built_in = builtin_type(kind.name)
+    return built_in is not None and built_in.base == "bool"
 
 
 def is_matrix(kind: n.TypeSpec) -> bool:
@@ -77,15 +84,15 @@ def _known(node: n.Node, values: dict[n.Node, Known], constants: Constants) -> K
             parts = _all(args, values)
             if parts is not None:
                 zero = is_matrix(kind) or any(part.zero for part in parts)
-                return Known(is_floating(kind), zero)
+                return Known(is_floating(kind), zero, boolean=is_boolean(kind))
         case n.Index(object=part, index=index) if part in values and index in values:
-            return Known(values[part].floating, values[part].zero)
+            return replace(values[part], array=False)
     return None
 
 
 def _literal(text: str) -> Known:
     if text in ("true", "false"):
-        return Known(False, text == "false")
+        return Known(False, text == "false", boolean=True)
     digits = text.lower()
     if digits.startswith("0x"):
         return Known(False, not digits[2:].rstrip("u").strip("0"))
@@ -103,4 +110,5 @@ def _computed(exprs: Sequence[n.Expr], values: dict[n.Node, Known]) -> Known | N
     parts = _all(exprs, values)
     if parts is None or any(part.array for part in parts):
         return None
-    return Known(any(part.floating for part in parts), zero=True)
+    boolean = all(part.boolean for part in parts)
+    return Known(any(part.floating for part in parts), zero=True, boolean=boolean)

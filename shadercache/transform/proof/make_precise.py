@@ -9,10 +9,12 @@ compute exactly what is written, and must agree to the bit (DESIGN section 4, la
     float f(float x) { precise float sc_result = x * 2.1 * 3.3; return sc_result; }
 
 ``precise`` needs GLSL 4.00 or GLSL ES 3.20. It goes on locals, global variables, outputs and out
-parameters; a returned value and an argument of a user's function become locals first, since
-``precise`` does not reach into expressions that are not assigned to a precise variable. So do the
-arguments of built-in functions of matrices, which Mesa takes apart into temporaries that are not
-precise; :mod:`transform.proof.write_out_matrices` has left no other arithmetic on these.
+parameters of every type, since a rounding decides about booleans and integers too; a returned
+value, an argument of a user's function and a condition become locals first, since ``precise`` does
+not reach into expressions that are not assigned to a precise variable. So do the arguments of
+built-in functions of matrices, which Mesa takes apart into temporaries that are not precise;
+:mod:`transform.proof.write_out_matrices` has left no other arithmetic on these. What only some
+fragments evaluate, behind ``?:``, ``&&`` and ``||``, stays where it is.
 In GLSL ES everything becomes ``highp``: how exact ``mediump`` is, and where it is rounded, is up to
 the driver as well.
 """
@@ -27,7 +29,7 @@ from shadercache.analysis.effect_table import EffectTable
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.rewriter import Rewriter
-from shadercache.ast.walk import children
+from shadercache.ast.walk import children, walk
 from shadercache.lang.types import builtin_type
 from shadercache.sema.facts import Stage
 from shadercache.source import NOWHERE
@@ -43,6 +45,9 @@ from shadercache.transform.versions.state_precisions import all_highp
 
 _DESKTOP, _ES = 400, 320
 _OUTPUTS_ONLY = 420
+_ARITHMETIC = frozenset("+-*/")
+_BOOL = n.TypeSpec(NOWHERE, "bool")
+_PRECISE = n.Qualifiers(NOWHERE, ("precise",))
 
 
 def precise_version(module: n.Module) -> int:
@@ -79,7 +84,7 @@ def make_precise(module: n.Module, prefix: str, stage: Stage, memo: Memo) -> n.M
 def _proto(proto: n.FunctionProto) -> n.FunctionProto:
     params = tuple(
         replace(param, qualifiers=_with_precise(param.qualifiers))
-        if param.writes_back and _is_float(param.type)
+        if param.writes_back and _has_value(param.type)
         else param
         for param in proto.params
     )
@@ -88,7 +93,7 @@ def _proto(proto: n.FunctionProto) -> n.FunctionProto:
 
 def _variable(decl: n.VarDecl) -> n.VarDecl:
     words = decl.qualifiers
-    if not _is_float(decl.type) or not decl.declarators or words.has("const", "uniform", "in"):
+    if not _has_value(decl.type) or not decl.declarators or words.has("const", "uniform", "in"):
         return decl
     return replace(decl, qualifiers=_with_precise(words))
 
@@ -109,10 +114,23 @@ def _with_precise(qualifiers: n.Qualifiers) -> n.Qualifiers:
     return replace(qualifiers, words=("precise", *qualifiers.words))
 
 
-def _is_float(spec: n.TypeSpec) -> bool:
+def _has_value(spec: n.TypeSpec) -> bool:
     """Structs count: ``precise`` applies to their members."""
     kind = builtin_type(spec.name)
+    return kind is None or kind.base is not None
+
+
+def _is_float(spec: n.TypeSpec) -> bool:
+    kind = builtin_type(spec.name)
     return kind is None or kind.base in ("float", "double")
+
+
+def _computes(expr: n.Expr) -> bool:
+    """Is there anything in an expression that a driver may rearrange?"""
+    return any(
+        isinstance(node, n.Call) or (isinstance(node, n.Binary) and node.op in _ARITHMETIC)
+        for node in walk(expr)
+    )
 
 
 class _PreciseBody(Rewriter):
@@ -129,36 +147,49 @@ class _PreciseBody(Rewriter):
 
     def enter(self, node: n.Node) -> n.Node | None:
         match node:
-            case n.If():
-                # The locals of the else branch have the lower numbers: texts must stay the same.
-                other = None if node.other is None else self._block(node.other)
-                return replace(node, then=self._block(node.then), other=other)
             case n.For(init=n.DeclStmt(decl=n.VarDecl() as decl) as init):
-                head = replace(init, decl=_variable(decl))
-                return replace(node, init=head, body=self._block(node.body))
+                return self._loop(replace(node, init=replace(init, decl=_variable(decl))))
             case n.For() | n.While() | n.DoWhile():
-                return replace(node, body=self._block(node.body))
-            case n.Block() | n.Return() | n.ExprStmt() | n.DeclStmt():
+                return self._loop(node)
+            case n.Block() | n.If() | n.Switch() | n.Return() | n.ExprStmt() | n.DeclStmt():
                 return None
         return node
 
-    def _block(self, stmt: n.Stmt) -> n.Block:
-        """The whole body of a conditional or loop, with room for what comes ahead."""
-        return self.rewrite(block_of(stmt))
+    def _loop(self, loop: n.For | n.While | n.DoWhile) -> n.Stmt:
+        """A loop's condition is computed in every round, so it is assigned where it stands."""
+        loop = replace(loop, body=self.rewrite(block_of(loop.body)))
+        condition = loop.condition
+        if isinstance(condition, n.VarDecl):
+            return cast("n.Stmt", replace(cast("n.While", loop), condition=_variable(condition)))
+        if condition is None or not _computes(condition):
+            return loop
+        name = self._fresh()
+        known = n.Assign(condition.span, "=", n.Name(condition.span, name), condition)
+        flag = declared(_PRECISE, _BOOL, n.Declarator(NOWHERE, name))
+        return n.Block(loop.span, (flag, replace(loop, condition=known)))
 
     def statement(self, node: n.Stmt, original: n.Stmt) -> n.Stmt | Sequence[n.Stmt]:
         match node:
+            case n.If(condition=condition, then=then, other=other):
+                known, other = self._condition(condition), other and block_of(other)
+                node = replace(node, condition=known, then=block_of(then), other=other)
+            case n.Switch(selector=selector):
+                node = replace(node, selector=self._selector(selector))
             case n.DeclStmt(decl=n.VarDecl() as decl):
                 node = replace(node, decl=_variable(self._initialised(decl)))
             case n.ExprStmt(expr=expr) if expr is not None:
                 node = replace(node, expr=self._expression(expr))
             case n.Return(value=value) if value is not None:
                 value = self._expression(value)
-                if _is_float(self._result):
+                if _is_float(self._result) or _computes(value):
                     value = self._local(self._result, (), value)
                 node = replace(node, value=value)
         ahead, self._ahead = self._ahead, []
         return (*ahead, node) if ahead else node
+
+    def _condition(self, condition: n.Expr) -> n.Expr:
+        known = self._expression(condition)
+        return self._local(_BOOL, (), known) if _computes(known) else known
 
     def _initialised(self, decl: n.VarDecl) -> n.VarDecl:
         variables = (
@@ -168,7 +199,8 @@ class _PreciseBody(Rewriter):
         return replace(decl, declarators=tuple(variables))
 
     def _expression(self, expr: n.Expr) -> n.Expr:
-        """Turn the arguments of the user's functions into precise locals, where order allows."""
+        """Turn arguments of the user's functions, and what decides a choice, into precise locals,
+        where order allows."""
         # Storing the payload (a variable of our own, read nowhere near) is no side effect.
         written = {name for child in children(expr) for name in self._table.of(child).writes}
         if not all(name.startswith(self._prefix) for name in written):
@@ -176,7 +208,11 @@ class _PreciseBody(Rewriter):
         always = set(unconditional(expr))
 
         def named(original: n.Expr, rebuilt: n.Expr) -> n.Expr:
-            if original not in always or not isinstance(rebuilt, n.Call):
+            if original not in always:
+                return rebuilt
+            if isinstance(rebuilt, n.Conditional) and _computes(rebuilt.condition):
+                return replace(rebuilt, condition=self._local(_BOOL, (), rebuilt.condition))
+            if not isinstance(rebuilt, n.Call):
                 return rebuilt
             originals = cast("tuple[n.Expr, ...]", children(original))
             if rebuilt.name in self._table.functions:
@@ -190,11 +226,21 @@ class _PreciseBody(Rewriter):
 
         return replace_expressions(expr, named)
 
+    def _selector(self, expr: n.Expr) -> n.Expr:
+        """What a ``switch`` goes by. Floats become whole numbers by ``int`` or ``uint``."""
+
+        def named(original: n.Expr, rebuilt: n.Expr) -> n.Expr:
+            if isinstance(rebuilt, n.Construct) and rebuilt.type.name in ("int", "uint"):
+                return self._local(rebuilt.type, (), rebuilt)
+            return rebuilt
+
+        return replace_expressions(self._expression(expr), named)
+
     def _is_matrix(self, expr: n.Expr) -> bool:
         return expr in self._types and self._types[expr].is_matrix
 
     def _argument(self, param: n.Param, arg: n.Expr) -> n.Expr:
-        if param.writes_back or not _is_float(param.type):
+        if param.writes_back or not (_is_float(param.type) or _computes(arg)):
             return arg
         return self._local(param.type, param.dims, arg)
 
@@ -209,9 +255,11 @@ class _PreciseBody(Rewriter):
         if isinstance(value, n.Name | n.Literal):
             return value
         # ``precise`` is about what is assigned (GLSL 4.60 section 4.9): so an argument must be.
-        self._count += 1
-        name = f"{self._prefix}exact_{self._count}"
+        name = self._fresh()
         variable = n.Declarator(value.span, name, dims, value)
-        words = n.Qualifiers(NOWHERE, ("precise",))
-        self._ahead.append(declared(words, kind, variable, value.span))
+        self._ahead.append(declared(_PRECISE, kind, variable, value.span))
         return n.Name(value.span, name)
+
+    def _fresh(self) -> str:
+        self._count += 1
+        return f"{self._prefix}exact_{self._count}"

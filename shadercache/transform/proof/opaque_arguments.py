@@ -31,6 +31,7 @@ from shadercache.source import NOWHERE
 from shadercache.transform.proof.known_values import (
     Constants,
     Known,
+    is_boolean,
     is_floating,
     is_matrix,
     known_values,
@@ -84,7 +85,8 @@ def _constants(constants: Constants, decls: Iterable[n.Node]) -> Constants:
                 continue
             init = known_values(variable.init, constants).get(variable.init)
             zero = init is None or init.zero
-            constants[variable.name] = Known(is_floating(decl.type), zero, array=dims == 1)
+            kind = is_floating(decl.type), zero, dims == 1, is_boolean(decl.type)
+            constants[variable.name] = Known(*kind)
     return constants
 
 
@@ -111,7 +113,7 @@ class _OpaqueArguments(Rewriter):
                 self._kept.update(size for size in dims if size is not None)
             case n.Construct(type=kind, args=args) if is_floating(kind):
                 self._floats.update(args)
-            case n.Unary(operand=operand) if node in self._floats:
+            case n.Unary(op="+" | "-", operand=operand) if node in self._floats:
                 self._floats.add(operand)
             case n.Binary(op=op, left=left, right=right) if op in _COMPARISONS:
                 self._kept.update(side for side in (left, right) if side in self._known)
@@ -125,15 +127,21 @@ class _OpaqueArguments(Rewriter):
         match node:
             case _ if not known.zero or known.array:
                 return node
-            case n.Construct(type=kind) if is_floating(kind) and not is_matrix(kind):
-                return None
+            case n.Construct(type=kind, args=args) if is_floating(kind) and not is_matrix(kind):
+                # Nothing can be added to a boolean: that is done to what is made of it.
+                if not any(self._is_boolean(arg) for arg in args):
+                    return None
             case n.Unary():
                 return None
             case n.Literal() if known.floating or node in self._floats:
                 return _zero()
         # Not "-": what is taken from a zero becomes a negation, which turns the sign of a NaN.
-        hidden = known.floating or node in self._floats
+        hidden = known.floating or (node in self._floats and not known.boolean)
         return n.Binary(NOWHERE, "+", cast("n.Expr", node), _zero()) if hidden else node
+
+    def _is_boolean(self, node: n.Expr) -> bool:
+        known = self._known.get(node)
+        return known is not None and known.boolean and not isinstance(node, n.Literal)
 
     def expression(self, node: n.Expr, original: n.Expr) -> n.Expr:
         match original, node:

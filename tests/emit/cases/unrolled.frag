@@ -70,7 +70,7 @@ float wave(float x) {
 
 void main() {
     precise float a = float(gl_FragCoord.x < 0.0);
-    for (int i = 0; i < 3; i++) {
+    for (precise int i = 0; i < 3; i++) {
         precise float sc_exact_1 = v_uv.x + float(i);
         a += wave(sc_exact_1);
     }
@@ -99,17 +99,17 @@ float wave(float x) {
 void sc_shade() {
     precise float a = float(gl_FragCoord.x < 0.0);
     {
-        int i = 0;
+        precise int i = 0;
         precise float sc_exact_1 = v_uv.x + float(i);
         a += wave(sc_exact_1);
     }
     {
-        int i_1 = 1;
+        precise int i_1 = 1;
         precise float sc_exact_2 = v_uv.x + float(i_1);
         a += wave(sc_exact_2);
     }
     {
-        int i_2 = 2;
+        precise int i_2 = 2;
         precise float sc_exact_3 = v_uv.x + float(i_2);
         a += wave(sc_exact_3);
     }

@@ -112,3 +112,31 @@ void main() {
     vec3 a12 = v_a * K;
     color = vec4(v_a, 1.0);
 }
+
+//// Nothing is added to a boolean.
+const bool off = false;
+void main() {
+    color = vec4(float(!false), float(off), vec2(bvec2(false, true)));
+}
+//// becomes
+#version 330
+
+in vec3 v_a;
+out vec4 color;
+const float K = 0.25;
+const float Z = sqrt(0.25) - 0.5;
+const float W[2] = float[2](0.5, 0.0);
+
+float sin(float x, int k) {
+    return x * float(k);
+}
+
+float exp(float x) {
+    return 2.0 * x;
+}
+
+const bool off = false;
+
+void main() {
+    color = vec4(float(!false), float(off) + float(gl_FragCoord.x < 0.0), vec2(bvec2(false, true)) + float(gl_FragCoord.x < 0.0));
+}

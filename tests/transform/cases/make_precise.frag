@@ -36,7 +36,7 @@ float f(float x, precise out float y) {
 
 void main() {
     precise float a;
-    int i = 1;
+    precise int i = 1;
     precise float sc_exact_1 = u_a * 2.0 + 1.0;
     precise float b = f(sc_exact_1, a);
     color = vec4(a + b + float(i));
@@ -199,15 +199,82 @@ float f(float x) {
 void main() {
     precise float a = 0.0;
     if (u_a > 0.0) {
-        precise float sc_exact_2 = u_a * 2.0;
-        a = f(sc_exact_2);
-    } else {
-        precise float sc_exact_1 = u_a * 3.0;
+        precise float sc_exact_1 = u_a * 2.0;
         a = f(sc_exact_1);
+    } else {
+        precise float sc_exact_2 = u_a * 3.0;
+        a = f(sc_exact_2);
     }
     for (precise float t = 0.0; t < 2.0; t += 1.0) {
         precise float sc_exact_3 = t * 2.0;
         a += f(sc_exact_3);
     }
     color = vec4(a);
+}
+
+//// What decides a choice, a loop or a case is precise.
+#version 330
+uniform float u_a;
+out vec4 color;
+bool high(float x) { return fract(x * 2.1 * 3.3) > 0.5; }
+void main() {
+    float x = u_a;
+    if (x * 2.1 * 3.3 > 0.5) x += 1.0; else if (high(x)) x += 2.0;
+    x += x * 2.1 > 0.7 ? 1.0 : 0.5;
+    for (int i = 0; float(i) < x * 2.1; i++) x -= 0.1;
+    while (x < 1.0) x += 0.1;
+    do { x += 0.3; } while (x * 2.1 < u_a);
+    switch (int(x * 2.1 * 3.3)) {
+    case 0:
+        float y = x * 2.0;
+        x = y;
+    }
+    color = vec4(x);
+}
+//// becomes
+#version 400
+
+uniform float u_a;
+precise out vec4 color;
+
+bool high(float x) {
+    precise bool sc_exact_1 = fract(x * 2.1 * 3.3) > 0.5;
+    return sc_exact_1;
+}
+
+void main() {
+    precise float x = u_a;
+    precise bool sc_exact_2 = x * 2.1 * 3.3 > 0.5;
+    if (sc_exact_2) {
+        x += 1.0;
+    } else {
+        precise bool sc_exact_1 = high(x);
+        if (sc_exact_1) {
+            x += 2.0;
+        }
+    }
+    precise bool sc_exact_3 = x * 2.1 > 0.7;
+    x += sc_exact_3 ? 1.0 : 0.5;
+    {
+        precise bool sc_exact_4;
+        for (precise int i = 0; sc_exact_4 = float(i) < x * 2.1; i++) {
+            x -= 0.1;
+        }
+    }
+    while (x < 1.0) {
+        x += 0.1;
+    }
+    {
+        precise bool sc_exact_5;
+        do {
+            x += 0.3;
+        } while (sc_exact_5 = x * 2.1 < u_a);
+    }
+    precise int sc_exact_6 = int(x * 2.1 * 3.3);
+    switch (sc_exact_6) {
+        case 0:
+            precise float y = x * 2.0;
+            x = y;
+    }
+    color = vec4(x);
 }

@@ -120,7 +120,7 @@ void main() {
     precise vec2 r = sc_vec3_times_mat2x3(v_a, u_b);
     precise mat2 sc_exact_1 = sc_mat3x2_times_mat2x3(u_c, u_b);
     precise mat2 s = sc_mat2_over_float(sc_exact_1, 2.0);
-    int i = 0;
+    precise int i = 0;
     p = sc_mat3_times_mat3(p, p);
     p = sc_mat3_minus_mat3(p, u_m);
     precise vec3 sc_exact_2 = p[i];

@@ -32,14 +32,15 @@ vec4 sc_pack() {
 // Can the cache not hold a value? The bits are compared: they are in the order of the sizes, NaN lies
 // above infinity, and no driver can make less of them than they are.
 bool sc_unfit(vec4 values) {
-    uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
-    uint least = max(floatBitsToUint(sc_least), 1u) - 1u;
-    return any(greaterThan(sizes, uvec4(floatBitsToUint(sc_limit)))) || any(lessThan(sizes - 1u, uvec4(least)));
+    precise uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
+    precise uint least = max(floatBitsToUint(sc_least), 1u) - 1u;
+    precise bool sc_exact_1 = any(greaterThan(sizes, uvec4(floatBitsToUint(sc_limit)))) || any(lessThan(sizes - 1u, uvec4(least)));
+    return sc_exact_1;
 }
 
 // Numbers as near as half floats can hold them. Infinity and NaN stay.
 vec4 sc_held(vec4 values) {
-    uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
+    precise uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
     precise vec4 held = mix(clamp(values, vec4(-sc_limit), vec4(sc_limit)), values, greaterThanEqual(sizes, uvec4(0x7F800000u)));
     precise vec4 sc_exact_1 = mix(values, held, greaterThan(sizes, uvec4(floatBitsToUint(sc_limit))));
     return sc_exact_1;
@@ -55,7 +56,7 @@ void sc_hold() {
 // Marks a texel that must not be reused. The third of three passes reads it in this frame, so it
 // holds what was computed, or what comes nearest of larger numbers.
 void sc_guard() {
-    bool unfit = sc_unfit(sc_store);
+    precise bool unfit = sc_unfit(sc_store);
     if (unfit) {
         sc_hold();
         sc_store.w = sc_poison_depth;
