@@ -25,7 +25,8 @@ _Movers = n.ExprStmt | n.DeclStmt | n.Return | n.If | n.Switch
 
 
 class ActingArgument(NamedTuple):
-    """An argument with a side effect, and the statement that it may be moved ahead of, if any."""
+    """An argument that writes or discards, and the statement that it may be moved ahead of, if
+    any."""
 
     call: n.Call
     place: int
@@ -35,14 +36,14 @@ class ActingArgument(NamedTuple):
 def acting_arguments(
     decl: n.Decl, functions: Collection[str], table: EffectTable
 ) -> list[ActingArgument]:
-    """The arguments of the functions' calls that have a side effect, operands before what holds
+    """The arguments of the functions' calls that write or discard, operands before what holds
     them."""
     acting = [
         (node, place)
         for node in walk(decl)
         if isinstance(node, n.Call) and node.name in functions
         for place in reversed(range(len(node.args)))
-        if table.of(node.args[place]).writes
+        if _acts(table.of(node.args[place]))
     ]
     free = _free(decl, table) if acting else {}
     return [ActingArgument(call, at, free.get(call.args[at])) for call, at in reversed(acting)]
@@ -95,10 +96,15 @@ def _free_in(stmt: _Movers, table: EffectTable) -> Iterator[n.Node]:
             stack.append((part, union((beside, *effects[:at], *effects[at + 1 :]))))
 
 
+def _acts(effects: Effects) -> bool:
+    return bool(effects.writes or effects.does & Does.DISCARD)
+
+
 def _collide(one: Effects, other: Effects) -> bool:
     """Does it matter which of the two comes first?"""
     return bool(
         one.writes & (other.reads | other.writes)
         or one.reads & other.writes
-        or (one.does | other.does) & Does.DISCARD
+        or (one.does & Does.DISCARD and (other.writes or other.does))
+        or (other.does & Does.DISCARD and (one.writes or one.does))
     )

@@ -221,3 +221,48 @@ void main() {
     float a = f();
     color = vec4(a + g);
 }
+
+//// An argument that discards is evaluated all the same: ahead of what does nothing, else in place.
+//// functions: f g
+float seen(float x) {
+    if (x > 0.6) discard;
+    return x;
+}
+float f(float x) {
+    return u_a;
+}
+float g(float x) {
+    return u_a;
+}
+void main() {
+    float y = f(seen(v_a.x)) * v_a.y;
+    float z = g(seen(v_a.y)) + dFdx(v_a.z);
+    color = vec4(y, z, v_a.xy);
+}
+//// becomes
+#version 330
+
+uniform float u_a;
+in vec3 v_a;
+out vec4 color;
+
+float seen(float x) {
+    if (x > 0.6)
+        discard;
+    return x;
+}
+
+float f() {
+    return u_a;
+}
+
+float g(float x) {
+    return u_a;
+}
+
+void main() {
+    seen(v_a.x);
+    float y = f() * v_a.y;
+    float z = g(seen(v_a.y)) + dFdx(v_a.z);
+    color = vec4(y, z, v_a.xy);
+}
