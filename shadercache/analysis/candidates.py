@@ -1,6 +1,6 @@
 """Every node of a shader, offered for caching or refused with a reason.
 
-A node is one expression on one call path from ``main`` (DESIGN section 2). Why one is refused
+A node is one expression on one call path from ``main``. Why one is refused
 stands in :mod:`analysis.refusals`.
 """
 

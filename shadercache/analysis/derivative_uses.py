@@ -5,7 +5,7 @@ map: on llvmpipe the filter of a cube map rounds differently when any fragment o
 lies on an edge of the cube (measured: 1 ulp in 2e-3 of the pixels, all beside fragments of another
 surface).
 
-Two questions are answered (DESIGN section 4, "Derivatives"). Which nodes *feed* such a use that
+Two questions are answered (law 8 of CONTRIBUTING.md). Which nodes *feed* such a use that
 stays outside of the payload: there neighbouring fragments may hold reused values of something
 else. And which implicit fetches belong to a payload: a one-pass variant must make those before its
 branch.

@@ -1,5 +1,5 @@
 """Measure what can be drawn against the original: in turns, frame by frame, in one process
-(DESIGN §7).
+(docs/why/measuring.md).
 
 In every frame the original and then each subject is drawn and timed (A B C A B C ...), so that all
 see the same drift of the machine. Nothing is printed; progress goes to a callback.

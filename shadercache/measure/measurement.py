@@ -128,7 +128,7 @@ class VariantResult:
     hit, a refresh, a miss by cause; ``burst`` the largest share of refreshes in any probed frame.
     ``reset`` is the time of the frame behind a reset over the original's (the median of a few).
     ``work``: fragments per frame by pass, overdraw included. ``floor`` in seconds and
-    ``efficiency`` = floor / time as DESIGN §7 says, None without parts.
+    ``efficiency`` = floor / time as docs/why/measuring.md says, None without parts.
     """
 
     configuration: Configuration

@@ -73,7 +73,7 @@ class TimedOriginal:
 
     def share(self, seconds: dict[int, float]) -> float:
         """What was timed as a share of the original: the median over the frames of both."""
-        # The drift of the machine leaves shares of the same frame alone (DESIGN §7).
+        # The drift of the machine leaves shares of the same frame alone.
         ratios = [time / self.original[frame] for frame, time in seconds.items()]
         return float(np.median(ratios))
 
@@ -204,7 +204,8 @@ class TimedVariant(TimedSubject):
         )
 
     def _floor(self, reference: TimedOriginal, hit: dict[int, float]) -> float | None:
-        """Geometry + rate * T_hit + (1 - rate) * T_miss as a share of the original (DESIGN §7)."""
+        """Geometry + rate * T_hit + (1 - rate) * T_miss as a share of the original: see
+        docs/why/measuring.md."""
         if not hit or not self._hit_rates:
             return None
         bare = reference.share(reference.geometry)

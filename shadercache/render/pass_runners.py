@@ -142,7 +142,7 @@ class CoverageRunner(PassRunner):
         return covered
 
     def ties(self, frame: int) -> NDArray[np.bool_]:
-        """Pixels where two fragments share the smallest depth (DESIGN §4, law 4), (h, w).
+        """Pixels where two fragments share the smallest depth (law 4 of CONTRIBUTING.md), (h, w).
 
         Which of the two is seen depends on the order of drawing and the depth function.
         """

@@ -1,7 +1,7 @@
 """Texture fetches with implicit level of detail, split in what has to be done where neighbouring
 fragments do the same, and in what may be done under a branch.
 
-Two forms (DESIGN section 4, "Derivatives")::
+Two forms, so that derivatives stay defined (law 8 of CONTRIBUTING.md)::
 
     whole       v = texture(map, p);                        v
     level       v = textureQueryLod(map, p).y;              textureLod(map, p, v)

@@ -1,4 +1,4 @@
-"""How many hits there must be, and how many there are (laws 3 and 4 of DESIGN section 4).
+"""How many hits there must be, and how many there are (laws 3 and 4).
 
 At rest each pixel that has its payload hits in every frame but the one of its turn. In motion the
 points hit that the frame before showed whole, up to a margin. Arrays are (h, w).

@@ -1,4 +1,4 @@
-"""Laws 2 to 4 and 7 of DESIGN section 4, for the variants of one bundle in proof mode."""
+"""Laws 2 to 4 and 7 of CONTRIBUTING.md, for the variants of one bundle in proof mode."""
 
 from __future__ import annotations
 

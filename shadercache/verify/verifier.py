@@ -1,4 +1,4 @@
-"""The laws of DESIGN section 4, checked by rendering, node by node.
+"""The laws of CONTRIBUTING.md, checked by rendering, node by node.
 
 Laws 2 to 4 are decided in proof mode; what plain mode changes is reported.
 """

@@ -1,4 +1,4 @@
-"""Which values are offered, and the true reason where one is refused (DESIGN law 9)."""
+"""Which values are offered, and the true reason where one is refused (law 9)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Law 5: reuse really happens, and only where it is sound (DESIGN section 4).
+"""Law 5: reuse really happens, and only where it is sound.
 
 Each look-up is judged by itself, from a cache that holds the truth of the frame before; then runs
 are judged whose cache is their own, where the errors of successive look-ups add up.

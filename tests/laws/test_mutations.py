@@ -1,4 +1,4 @@
-"""A law's test must be able to fail: programs broken on purpose, and which law notices (DESIGN §4).
+"""A law's test must be able to fail: programs broken on purpose, and which law notices.
 
 What moves a discard ahead of the derivatives is not among them: llvmpipe computes derivatives
 behind a discard all the same. The order is checked in the emitted text, by the tests of emit/.

@@ -1,4 +1,4 @@
-"""The runner keeps the laws of DESIGN section 4 on a hand-written emission."""
+"""The runner keeps the laws on a hand-written emission."""
 
 from __future__ import annotations
 

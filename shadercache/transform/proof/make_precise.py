@@ -2,7 +2,7 @@
 
 Drivers fold across expressions (``(x * 2.1) * 3.3`` becomes one product), so cutting an expression
 changes the last bits. With ``precise`` on every floating-point value of original and variants both
-compute exactly what is written, and must agree to the bit (DESIGN section 4, law 2)::
+compute exactly what is written, and must agree to the bit (law 2 of CONTRIBUTING.md)::
 
     float f(float x) { return x * 2.1 * 3.3; }
 
