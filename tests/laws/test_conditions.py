@@ -22,7 +22,10 @@ from tests.configured import PROOF, rewritten
 from tests.glslang import needs_glslang, objections
 
 FOLDER = Path(__file__).with_name("conditions")
-SHADERS = ("branch", "switch", "returns", "discards", "alpha", "textures", "choices")
+SHADERS = (
+    *("branch", "switch", "returns", "discards", "discards_in_arguments"),
+    *("alpha", "textures", "choices"),
+)
 EXPENSIVE = "noise("
 
 
