@@ -6,6 +6,7 @@ import re
 
 import pytest
 
+from shadercache.analysed import unchanged_for
 from shadercache.analysis.candidates import OF_PIXEL, Candidate
 from shadercache.analysis.mapping import MappingKind
 from shadercache.caching.configuration import Mode
@@ -115,12 +116,13 @@ def test_while_what_does_not_change_reuse_is_exact() -> None:
     flat = made(body.replace("v_position.xy", "vec2(u_time)"), "screen", head.split("\n", 2)[2])
     names = {"a": {"u_size"}, "b": {"u_time", "u_map"}, "c": {"u_gain"}}
     for text, wanted in names.items():
-        assert set(flat.unchanged_for(node(flat, text)) or ()) == wanted
+        assert set(unchanged_for(flat, (node(flat, text),)) or ()) == wanted
     solid = made(body, "screen", head, VERTEX)
     geometry = {"a_position", "u_matrix"}
-    assert set(solid.unchanged_for(node(solid, "a")) or ()) == {"u_size", *geometry}
-    assert set(solid.unchanged_for(node(solid, "b")) or ()) == {"u_map", "u_stretch", *geometry}
-    assert made(body, "surface", head, VERTEX).unchanged_for(node(solid, "a")) is None
+    assert set(unchanged_for(solid, (node(solid, "a"),)) or ()) == {"u_size", *geometry}
+    assert set(unchanged_for(solid, (node(solid, "b"),)) or ()) == {"u_map", "u_stretch", *geometry}
+    surface = made(body, "surface", head, VERTEX)
+    assert unchanged_for(surface, (node(solid, "a"),)) is None
 
 
 WRONG = {

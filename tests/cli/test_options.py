@@ -59,5 +59,5 @@ def test_what_is_no_size_is_said_before_anything_is_compiled() -> None:
 
 @pytest.mark.parametrize("name", COMMANDS)
 def test_no_command_has_more_than_twelve_parameters_of_its_own(name: str) -> None:
-    command = import_module(f"shadercache.cli.{name}").command
+    command = import_module(f"shadercache.cli.{COMMANDS[name]}").command
     assert len(signature(command).parameters) <= 12

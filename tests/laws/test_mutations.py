@@ -134,16 +134,16 @@ NOTICED = {
     "channels in another order": (Replace("= sc_texel.xyz", "= sc_texel.zyx"), every(3)),
     "misses shaded from the cache": (
         Replace(
-            "if (sc_look_up(sc_texel) != sc_hit) {",
-            "if (sc_look_up(sc_texel) == 0) {",
+            "sc_look_up(sc_texel) != sc_hit",
+            "sc_look_up(sc_texel) == 0",
             "2-pass.hit",
         ),
         {"law 2 (2-pass)", "law 4 (2-pass)"},
     ),
     "hits shaded by the original in three passes": (
         Replace(
-            "if (sc_look_up(sc_texel) != sc_hit) {",
-            "if (sc_look_up(sc_texel) != 0) {",
+            "sc_look_up(sc_texel) != sc_hit",
+            "sc_look_up(sc_texel) != 0",
             "3-pass.reuse",
         ),
         {"law 4 (3-pass)"},

@@ -18,8 +18,6 @@ void main() {
         break;
     }
     o_color.z += fract(k * 3333.3 * 77.7) > 0.7 ? 0.3 : 0.2;
-    bool b = fract(k * 3333.3 * 77.7) > 0.5;
-    if (b) o_color.w += 0.1;
     if (high(k)) o_color.w += 0.2;
     o_color.w += either(fract(k * 3333.3 * 77.7) > 0.3);
     int i = int(fract(k * 3333.3 * 77.7) * 4.0);
