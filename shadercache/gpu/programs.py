@@ -159,7 +159,9 @@ def _link(
                 attributes.append(name)
         elif isinstance(member, moderngl.UniformBlock):
             buffers[name.partition("[")[0]] = UniformBuffer(ctx, member, len(buffers))
-    uniforms |= {item.name: item for item in block_uniforms(fragment.name, inputs, buffers)}
+    uniforms |= {
+        uniform.name: uniform for uniform in block_uniforms(fragment.name, inputs, buffers)
+    }
     return Program(fragment.name, gl, uniforms, tuple(attributes), tuple(buffers.values()))
 
 

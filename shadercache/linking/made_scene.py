@@ -95,12 +95,12 @@ def _declared(
                     yield prefix + name, kind
             if not isinstance(decl, n.VarDecl) or not decl.qualifiers.has(word):
                 continue
-            for item in decl.declarators:
-                kind = stage.facts.declared[item].type
-                if item.init is None:
-                    yield item.name, kind
-                    if item.name in old:
-                        yield old[item.name], kind
+            for declarator in decl.declarators:
+                kind = stage.facts.declared[declarator].type
+                if declarator.init is None:
+                    yield declarator.name, kind
+                    if declarator.name in old:
+                        yield old[declarator.name], kind
 
 
 def _array(attribute: str) -> str:

@@ -71,13 +71,15 @@ def _rests(scene: Scene, analysis: Analysis) -> bool:
     """Is each vertex at the same place of the picture in every frame?"""
     names = analysis.vertex_emitter.previous_twins()
     frames = range(scene.common.motion.frames + 1)
-    items = [item for item in scene.objects if not item.own_shader] or [scene.common]
-    return all(_is_constant(scene.view, item, names, frames) for item in items)
+    items = [part for part in scene.objects if not part.own_shader] or [scene.common]
+    return all(_is_constant(scene.view, part, names, frames) for part in items)
 
 
-def _is_constant(view: View, item: SceneObject, names: Iterable[str], frames: range) -> bool:
+def _is_constant(
+    view: View, scene_object: SceneObject, names: Iterable[str], frames: range
+) -> bool:
     """Do these uniforms have one value in all frames? Their size in pixels does not matter."""
-    every = [uniform_values(view, item, frame, (64, 64)) for frame in frames]
+    every = [uniform_values(view, scene_object, frame, (64, 64)) for frame in frames]
     return all(
         name in values and np.array_equal(values[name], every[0][name])
         for values in every
@@ -87,8 +89,9 @@ def _is_constant(view: View, item: SceneObject, names: Iterable[str], frames: ra
 
 def read_shaders(scene: Scene) -> tuple[Source, Source | None]:
     """The scene's fragment shader, and its vertex shader if it has one."""
-    item = scene.common
-    return read_shader(item.fragment), None if item.vertex is None else read_shader(item.vertex)
+    common = scene.common
+    fragment = read_shader(common.fragment)
+    return fragment, None if common.vertex is None else read_shader(common.vertex)
 
 
 def read_shader(path: Path) -> Source:
@@ -102,12 +105,12 @@ def read_shader(path: Path) -> Source:
 def with_new_names(scene: Scene, renamed: Mapping[str, str]) -> Scene:
     """The scene with everything that its shaders name also under its new name."""
 
-    def named(item: SceneObject) -> SceneObject:
-        return replace(item, inputs=item.inputs.with_aliases(renamed))
+    def named(scene_object: SceneObject) -> SceneObject:
+        return replace(scene_object, inputs=scene_object.inputs.with_aliases(renamed))
 
     return replace(
         scene,
         common=named(scene.common),
-        objects=tuple(item if item.own_shader else named(item) for item in scene.objects),
+        objects=tuple(part if part.own_shader else named(part) for part in scene.objects),
         changes=with_aliases(scene.changes, renamed),
     )

@@ -22,24 +22,26 @@ def at_home(analysis: Analysis) -> Iterator[None]:
     try:
         yield
     except InputError as error:
-        raise InputError([_told(item, analysis) for item in error.diagnostics]) from None
+        raise InputError(
+            [_told(diagnostic, analysis) for diagnostic in error.diagnostics]
+        ) from None
 
 
-def _told(item: Diagnostic, analysis: Analysis) -> Diagnostic:
+def _told(diagnostic: Diagnostic, analysis: Analysis) -> Diagnostic:
     """The diagnostic at the user's place, or at the file alone where that is not found."""
     own = (analysis.fragment, analysis.vertex or analysis.fragment)
-    if item.source is None:
+    if diagnostic.source is None:
         generated = "original.vert + " if analysis.vertex is None else ""
-        message = item.message.replace(generated, "")
+        message = diagnostic.message.replace(generated, "")
         for name, source in zip(_PRINTED, own, strict=True):
             message = message.replace(name, source.name)
-        return replace(item, message=message)
-    if item.source.name not in _PRINTED:
-        return item
-    stage = _PRINTED.index(item.source.name)
+        return replace(diagnostic, message=message)
+    if diagnostic.source.name not in _PRINTED:
+        return diagnostic
+    stage = _PRINTED.index(diagnostic.source.name)
     written = analysis.raised[stage].module if stage < len(analysis.raised) else None
-    span = written and item.span and _place(item.source, item.span, written)
-    return replace(item, source=own[stage], span=span or None)
+    span = written and diagnostic.span and _place(diagnostic.source, diagnostic.span, written)
+    return replace(diagnostic, source=own[stage], span=span or None)
 
 
 def _place(printed: Source, span: Span, written: n.Module) -> Span | None:

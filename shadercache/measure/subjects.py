@@ -108,7 +108,7 @@ class VariantSubject:
             return self
         many = self.objects * len(world.drawables) if len(self.objects) == 1 else self.objects
         objects = [
-            LinkedObject(linked.bundle) if drawable.item.name in names else linked
+            LinkedObject(linked.bundle) if drawable.scene_object.name in names else linked
             for drawable, linked in zip(world.drawables, many, strict=True)
         ]
         assignment = self.assignment and self.assignment.with_originals(names)

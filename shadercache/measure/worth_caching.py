@@ -51,8 +51,10 @@ def _own_shaders(world: RenderScene, subject: VariantSubject) -> dict[Path, list
     shaders: dict[Path, list[str]] = {}
     if len(subject.objects) == len(world.drawables):
         for drawable, linked in zip(world.drawables, subject.objects, strict=True):
-            if drawable.item.own_shader and linked.configuration is not None:
-                shaders.setdefault(drawable.item.fragment, []).append(drawable.item.name)
+            if drawable.scene_object.own_shader and linked.configuration is not None:
+                shaders.setdefault(drawable.scene_object.fragment, []).append(
+                    drawable.scene_object.name
+                )
     return shaders
 
 

@@ -50,7 +50,7 @@ def object_numbers(drawable: Drawable) -> dict[str, NDArray[np.float64]]:
     """The numbers that are an object's own, by role."""
     return {
         "object": np.array([drawable.number], np.float64),
-        "mask": np.array([drawable.item.caching.mask], np.float64),
+        "mask": np.array([drawable.scene_object.caching.mask], np.float64),
     }
 
 
@@ -173,9 +173,9 @@ class BoundPass:
             self._values.append((uniform, "before" if twin_of else "now", name))
             return
         initialised = (
-            item.name == uniform.name and item.default is not UNSET
-            for item in self._spec.inputs
-            if isinstance(item, UniformInput)
+            entry.name == uniform.name and entry.default is not UNSET
+            for entry in self._spec.inputs
+            if isinstance(entry, UniformInput)
         )
         if not any(initialised):
             key = name if root_of(name) == name else f'"{name}"'

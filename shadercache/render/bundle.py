@@ -149,7 +149,7 @@ class Bundle:
     @cached_property
     def refused(self) -> dict[str, str]:
         """The algorithms there cannot be variants by, and why."""
-        return {item.algorithm: item.reason for item in self._variants.refused}
+        return {refusal.algorithm: refusal.reason for refusal in self._variants.refused}
 
     def passes(self, algorithm: str) -> tuple[PassSpec, ...]:
         """The passes of a variant, in order.
@@ -250,10 +250,10 @@ class Bundle:
         """The uniforms that were added."""
         added = self._variants.uniforms
         return Naming(
-            {item.name: item.role for item in added},
+            {uniform.name: uniform.role for uniform in added},
             {twin: name for name, twin in self._variants.previous.items()},
-            {item.role: item.default for item in added if item.default is not None},
-            {item.role: item.on_reset for item in added if item.on_reset is not UNSET},
+            {uniform.role: uniform.default for uniform in added if uniform.default is not None},
+            {uniform.role: uniform.on_reset for uniform in added if uniform.on_reset is not UNSET},
         )
 
     def _pass(self, entry: PassEntry) -> PassSpec:
@@ -268,7 +268,11 @@ class Bundle:
             on_reset=entry.on_reset,
             looks="previous-cache" in entry.reads,
             over_screen=entry.draws == "screen",
-            inputs=tuple(item for item in self.manifest.inputs if item.name in declared),
+            inputs=tuple(
+                shader_input
+                for shader_input in self.manifest.inputs
+                if shader_input.name in declared
+            ),
         )
 
     def _file(self, name: str) -> Source:
@@ -306,8 +310,8 @@ def load_bundle(folder: Path) -> Bundle:
     path = folder / "manifest.json"
     try:
         manifest = foreign.read_json(path)
-        names = [item for item in sorted(folder.iterdir()) if item.suffix in (".vert", ".frag")]
-        files = {item.name: foreign.read_text(item) for item in names}
+        names = [file for file in sorted(folder.iterdir()) if file.suffix in (".vert", ".frag")]
+        files = {file.name: foreign.read_text(file) for file in names}
     except (OSError, ValueError) as error:
         raise input_error("SC020", f"cannot read the manifest {path}: {error}") from None
     return bundle_of(manifest, files, str(path))

@@ -70,10 +70,10 @@ class CutDetector:
 
         ``shown`` is the frame of the scene that this one shows.
         """
-        for item in items:
-            if item.caches is not None and item.before is not None:
-                before, now = item.drawable.values(item.before), item.drawable.values(shown)
-                self.moved(frame, before, now, set(item.naming.twins.values()))
+        for role in items:
+            if role.caches is not None and role.before is not None:
+                before, now = role.drawable.values(role.before), role.drawable.values(shown)
+                self.moved(frame, before, now, set(role.naming.twins.values()))
 
     def moved(self, frame: int, before: Values, now: Values, names: Collection[str]) -> None:
         """Compare the uniforms that decide where things are with those of the last frame.

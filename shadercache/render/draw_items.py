@@ -105,31 +105,31 @@ class RunInputs:
         """The frame of the scene that a frame of the run shows."""
         return frame if self._moving else 0
 
-    def of(self, item: DrawItem, frame: int) -> FrameInputs:
+    def of(self, role: DrawItem, frame: int) -> FrameInputs:
         """What an object's passes read."""
         shown = self.shown(frame)
-        before = shown if item.before is None else item.before
-        chosen = item.linked.configuration or self._configuration
+        before = shown if role.before is None else role.before
+        chosen = role.linked.configuration or self._configuration
         refresh = chosen.refresh
         numbers = {
-            **item.naming.defaults,
+            **role.naming.defaults,
             "unit": self._unit,
             "clock": frame % refresh.period,
             "period": refresh.period,
             "block": refresh.block,
             "epsilon": chosen.hit_test.epsilon,
             "reset": 0,
-            **(item.naming.on_reset if item.before is None else {}),
+            **(role.naming.on_reset if role.before is None else {}),
         }
         given = {name: np.array([value], np.float64) for name, value in numbers.items()}
-        given |= object_numbers(item.drawable)
+        given |= object_numbers(role.drawable)
         viewport = self._world.viewport(shown)
         given["viewport"] = np.array(viewport, np.float64)
         given["previous-viewport"] = np.array(self._world.viewport(before), np.float64)
         # Told of the jitter, the last frame's place of a point is the one it had with this frame's.
-        same_jitter = self._world.scene.view.engine.jitter_told or item.before is None
-        last = item.drawable.values(before, frame if same_jitter else frame - 1)
-        return FrameInputs(item.drawable.values(shown, frame), last, given, viewport)
+        same_jitter = self._world.scene.view.engine.jitter_told or role.before is None
+        last = role.drawable.values(before, frame if same_jitter else frame - 1)
+        return FrameInputs(role.drawable.values(shown, frame), last, given, viewport)
 
 
 class Turn(NamedTuple):
@@ -146,13 +146,13 @@ class Turn(NamedTuple):
 
 def turns(items: Sequence[DrawItem], inputs: RunInputs, frame: int) -> Iterator[Turn]:
     """Every draw of a frame: all objects finish a pass before the next begins."""
-    reads = [inputs.of(item, frame) for item in items]
+    reads = [inputs.of(role, frame) for role in items]
     over_screen: set[tuple[Bundle, str]] = set()
-    for number in range(max((len(item.due) for item in items), default=0)):
-        for item, read in zip(items, reads, strict=True):
-            bound = item.due[number] if number < len(item.due) else None
-            if bound is None or (item.bundle, bound.name) in over_screen:
+    for number in range(max((len(role.due) for role in items), default=0)):
+        for role, read in zip(items, reads, strict=True):
+            bound = role.due[number] if number < len(role.due) else None
+            if bound is None or (role.bundle, bound.name) in over_screen:
                 continue
             if bound.over_screen:
-                over_screen.add((item.bundle, bound.name))
-            yield Turn(bound, read, item.caches)
+                over_screen.add((role.bundle, bound.name))
+            yield Turn(bound, read, role.caches)

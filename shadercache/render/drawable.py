@@ -22,7 +22,12 @@ class Drawable:
     """One object as it is drawn. ``number`` counts objects from 1: what tells them apart."""
 
     def __init__(
-        self, uploads: Uploads, scene: Scene, item: SceneObject, number: int, size: tuple[int, int]
+        self,
+        uploads: Uploads,
+        scene: Scene,
+        scene_object: SceneObject,
+        number: int,
+        size: tuple[int, int],
     ) -> None:
         """Args: ``size``: of the target, in pixels.
 
@@ -30,9 +35,9 @@ class Drawable:
             InputError: SC511, the mesh lacks an array that the scene maps an attribute to, and as
                 ``load_mesh``.
         """
-        self.scene, self.item, self.number = scene, item, number
+        self.scene, self.scene_object, self.number = scene, scene_object, number
         self._uploads, self._size = uploads, size
-        self._mesh = uploads.mesh(item.mesh)
+        self._mesh = uploads.mesh(scene_object.mesh)
         self.mesh = self._mesh.mesh
         self._values: OrderedDict[tuple[int, int], Values] = OrderedDict()
         self._outside: dict[int, bool] = {}
@@ -40,11 +45,11 @@ class Drawable:
 
     def seen_as(self, scene: Scene) -> Drawable:
         """The same object as another scene sees it."""
-        return Drawable(self._uploads, scene, self.item, self.number, self._size)
+        return Drawable(self._uploads, scene, self.scene_object, self.number, self._size)
 
     def texture(self, name: str) -> GlTexture | None:
         """A texture by its name in the shader; None if the object has none so named."""
-        spec = self.item.inputs.textures.get(name)
+        spec = self.scene_object.inputs.textures.get(name)
         return None if spec is None else self._uploads.texture(spec)
 
     def values(self, frame: int, jittered: int | None = None) -> Values:
@@ -57,24 +62,26 @@ class Drawable:
         values = self._values.get(key)
         if values is None:
             size = view.engine.viewport(frame, self._size)[2:]
-            values = self._values[key] = uniform_values(view, self.item, frame, size, key[1])
+            values = self._values[key] = uniform_values(
+                view, self.scene_object, frame, size, key[1]
+            )
             if len(self._values) > _KEPT_FRAMES:
                 self._values.popitem(last=False)
         return values
 
     def is_there(self, frame: int) -> bool:
         """Is the object in the scene at a frame?"""
-        return self.item.motion.is_there(frame)
+        return self.scene_object.motion.is_there(frame)
 
     def is_outside(self, frame: int) -> bool:
         """Do its bounds lie beyond one side of the picture at a frame? Never without bounds."""
-        if self.item.bounds is None:
+        if self.scene_object.bounds is None:
             return False
         if frame not in self._outside:
             view = self.scene.view
             width, height = view.engine.viewport(frame, self._size)[2:]
-            values = semantic_values(view, self.item.motion, frame, width / height)
-            bounds = np.asarray(self.item.bounds, np.float64)
+            values = semantic_values(view, self.scene_object.motion, frame, width / height)
+            bounds = np.asarray(self.scene_object.bounds, np.float64)
             self._outside[frame] = _is_outside(values["model-view-projection"], bounds)
         return self._outside[frame]
 
@@ -98,7 +105,7 @@ class Drawable:
         return InputError(Diagnostic(code, message, place, hint=hint))
 
     def _attribute(self, program: Program, name: str) -> tuple[moderngl.Buffer, str, str]:
-        array = self.item.inputs.attributes.get(name)
+        array = self.scene_object.inputs.attributes.get(name)
         if array is None:
             message = f"{program.name} needs the vertex attribute {name}, which the scene lacks"
             hint = f'under [attributes], add: {name} = "position" (or another array of the mesh)'
@@ -109,7 +116,7 @@ class Drawable:
         have = self.mesh.arrays
         hint = f"it has: {', '.join(sorted(have))}"
         problems: list[Diagnostic] = []
-        for attribute, array in self.item.inputs.attributes.items():
+        for attribute, array in self.scene_object.inputs.attributes.items():
             if array not in have:
                 what = f"which the mesh {self.mesh.name} does not have"
                 message = f"attributes.{attribute} wants the array {array!r}, {what}"

@@ -40,7 +40,9 @@ class EmptyPasses:
         if not self._fits:
             return
         was, self._shown = self._shown, shown
-        same = was.keys() == shown.keys() and all(_equal(was[item], shown[item]) for item in shown)
+        same = was.keys() == shown.keys() and all(
+            _equal(was[drawable], shown[drawable]) for drawable in shown
+        )
         self._still = same and not resets
         if not self._still:
             self._empty.clear()

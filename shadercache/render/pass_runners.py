@@ -118,12 +118,12 @@ class PayloadRunner(PassRunner):
 
     def __init__(self, world: RenderScene, *objects: LinkedObject) -> None:
         """Args: ``objects`` are one for all, or as many. Raises as ``BoundPass``."""
-        named = next(item.bundle for item in objects if item.bundle.has_variants)
+        named = next(linked.bundle for linked in objects if linked.bundle.has_variants)
         specs = (
-            item.bundle.payload
-            if item.configuration is not None and item.bundle.has_variants
-            else item.bundle.geometry
-            for item in objects
+            linked.bundle.payload
+            if linked.configuration is not None and linked.bundle.has_variants
+            else linked.bundle.geometry
+            for linked in objects
         )
         super().__init__(world, *specs, naming=Naming(named.naming.roles))
 

@@ -50,11 +50,11 @@ class RenderScene(Resource):
         self.programs = Programs(gpu)
         self._uploads: Uploads | None = Uploads(gpu, mesh)
         self.drawables = tuple(
-            Drawable(self._uploads, scene, item, number, size)
-            for number, item in enumerate(scene.parts, start=1)
+            Drawable(self._uploads, scene, scene_object, number, size)
+            for number, scene_object in enumerate(scene.parts, start=1)
         )
         self.targets = Targets(gpu.ctx, size, color, scene.view.engine.empty_depth)
-        self._mixed = len({item.cull for item in scene.parts}) > 1
+        self._mixed = len({scene_object.cull for scene_object in scene.parts}) > 1
         # moderngl cannot free a query, so there is one for all runners.
         self.sample_counter = gpu.ctx.query(samples=True)
 
@@ -89,7 +89,9 @@ class RenderScene(Resource):
 
     def begin(self) -> None:
         """Set the state a frame starts from, and clear colour and depth."""
-        flags = moderngl.DEPTH_TEST | (moderngl.CULL_FACE if self.drawables[0].item.cull else 0)
+        flags = moderngl.DEPTH_TEST | (
+            moderngl.CULL_FACE if self.drawables[0].scene_object.cull else 0
+        )
         self.gpu.ctx.enable_only(flags)
         apply_state(self.gpu.ctx, self.scene.view.engine)
         self.targets.clear(self.targets.color)
@@ -97,7 +99,7 @@ class RenderScene(Resource):
     def set_culling(self, drawable: Drawable) -> None:
         """Draw back faces of this object or not, where objects differ in that."""
         if self._mixed:
-            change = self.gpu.ctx.enable if drawable.item.cull else self.gpu.ctx.disable
+            change = self.gpu.ctx.enable if drawable.scene_object.cull else self.gpu.ctx.disable
             change(moderngl.CULL_FACE)
 
     def release(self) -> None:

@@ -77,10 +77,11 @@ class VariantRunner(Runner):
             self._caches.set_filter(self.bundle.cache.filter)
             self.bundle.passes(self.algorithm)
             roles = [
-                cached_item(self, drawable, item, self._caches, short_reset)
-                if item.configuration is not None and item.bundle.cache == self.bundle.cache
-                else uncached_item(self, drawable, item)
-                for drawable, item in zip(world.drawables, linked, strict=True)
+                cached_item(self, drawable, linked_object, self._caches, short_reset)
+                if linked_object.configuration is not None
+                and linked_object.bundle.cache == self.bundle.cache
+                else uncached_item(self, drawable, linked_object)
+                for drawable, linked_object in zip(world.drawables, linked, strict=True)
             ]
         except DiagnosticError:
             self.release()
@@ -213,9 +214,9 @@ class VariantRunner(Runner):
 def _principal(world: RenderScene, objects: Sequence[LinkedObject]) -> tuple[Bundle, Configuration]:
     """Whose cache it is: the scene's own shader's, where an object that has it is cached."""
     cached = [
-        (drawable.item.own_shader, item.bundle, item.configuration)
-        for drawable, item in zip(world.drawables, objects, strict=True)
-        if item.configuration is not None
+        (drawable.scene_object.own_shader, linked.bundle, linked.configuration)
+        for drawable, linked in zip(world.drawables, objects, strict=True)
+        if linked.configuration is not None
     ]
     if not cached:  # A cache that nothing is stored in.
         return objects[0].bundle, objects[0].bundle.configuration

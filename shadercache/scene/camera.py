@@ -24,7 +24,11 @@ FRAMES_PER_SECOND = 60.0
 
 
 def uniform_values(
-    view: View, item: SceneObject, frame: int, size: tuple[int, int], jittered: int | None = None
+    view: View,
+    scene_object: SceneObject,
+    frame: int,
+    size: tuple[int, int],
+    jittered: int | None = None,
 ) -> Values:
     """The value of every uniform of an object at a frame, in a picture of a size in pixels.
 
@@ -33,12 +37,12 @@ def uniform_values(
     width, height = size
     x, y = view.engine.shift(frame if jittered is None else jittered)
     shift = (2.0 * x / width, 2.0 * y / height)
-    values = semantic_values(view, item.motion, frame, width / height, shift) | {
+    values = semantic_values(view, scene_object.motion, frame, width / height, shift) | {
         "resolution": np.array([width, height], np.float64),
         # Of a Shadertoy: the shape of a pixel, 1, comes behind the size.
         "resolution-aspect": np.array([width, height, 1.0]),
     }
-    given = item.inputs
+    given = scene_object.inputs
     uniforms = {name: np.asarray(value, np.float64) for name, value in given.constants.items()}
     uniforms |= {name: animation.at(frame) for name, animation in given.animated.items()}
     # A transpose read row by row is the matrix column by column; vectors stay as they are.

@@ -126,14 +126,14 @@ class Scene:
     def small(self) -> Scene:
         """The scene with the small stand-ins of its meshes, where there are any."""
         common, *objects = (
-            replace(item, mesh=item.verify_mesh or item.mesh)
-            for item in (self.common, *self.objects)
+            replace(scene_object, mesh=scene_object.verify_mesh or scene_object.mesh)
+            for scene_object in (self.common, *self.objects)
         )
         return replace(self, common=common, objects=tuple(objects))
 
-    def alone(self, item: SceneObject) -> Scene:
+    def alone(self, scene_object: SceneObject) -> Scene:
         """A scene of nothing but this object."""
-        return replace(self, common=item, objects=())
+        return replace(self, common=scene_object, objects=())
 
     def seen_from(self, camera: Camera, path: CameraPath = REST) -> Scene:
         """The same scene before another camera."""
@@ -186,18 +186,18 @@ def load_scene(path: Path) -> Scene:
 def _objects(top: Table, common: SceneObject, nodes: Mapping[str, str]) -> tuple[SceneObject, ...]:
     objects: list[SceneObject] = []
     for table in top.tables("objects"):
-        item = _object(table, common, nodes)
+        scene_object = _object(table, common, nodes)
         # Copies, each at its place instead of motion.position.
         places = table.rows("places", "points", lambda value: is_numbers(value, 3))
         objects += [
             replace(
-                item,
-                name=f"{item.name} {number}",
-                motion=replace(item.motion, position=(float(x), float(y), float(z))),
+                scene_object,
+                name=f"{scene_object.name} {number}",
+                motion=replace(scene_object.motion, position=(float(x), float(y), float(z))),
             )
             for number, (x, y, z) in enumerate(places, start=1)
-        ] or [item]
-    names = {item.name for item in objects}
+        ] or [scene_object]
+    names = {part.name for part in objects}
     top.require(len(names) == len(objects), "objects", "objects must have names of their own")
     return tuple(objects)
 

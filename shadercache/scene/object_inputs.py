@@ -110,7 +110,7 @@ class Inputs:
 
     def with_aliases(self, renamed: Mapping[str, str]) -> Inputs:
         """The same, with everything also under its new name."""
-        return Inputs(*(with_aliases(getattr(self, item.name), renamed) for item in fields(self)))
+        return Inputs(*(with_aliases(getattr(self, group.name), renamed) for group in fields(self)))
 
     @property
     def causes(self) -> dict[str, str]:

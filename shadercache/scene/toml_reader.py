@@ -151,7 +151,7 @@ class Table:
     def tables(self, key: str) -> list[Table]:
         """The tables of an array; none if it is not there."""
         value = self.checked(key, "an array of tables", _list_of(lambda v: isinstance(v, dict)), [])
-        return [self._open(item, f"{self.full(key)}[{at}]") for at, item in enumerate(value)]
+        return [self._open(entry, f"{self.full(key)}[{at}]") for at, entry in enumerate(value)]
 
     def text(self, key: str, default: str | None = None, choices: tuple[str, ...] = ()) -> str:
         """A string, one of ``choices`` if given."""

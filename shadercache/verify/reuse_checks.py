@@ -186,7 +186,7 @@ class Reuse:
         counted = [
             role.drawable.number
             for role in runner.cached
-            if not role.drawable.item.caching.mask
+            if not role.drawable.scene_object.caching.mask
             and role.linked.configuration is not None
             and role.linked.configuration.refresh.period >= PERIOD
         ]

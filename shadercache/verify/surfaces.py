@@ -72,9 +72,9 @@ class Surfaces:
     def before(self, drawable: Drawable, frame: int) -> Positions:
         """Where the frame before drew the corners of an object."""
         was = max(frame - 1, 0)
-        told = self.world.scene.view.engine.jitter_told
+        jitter_told = self.world.scene.view.engine.jitter_told
         # Told of the jitter, passes take the last frame's points with this frame's jitter.
-        return self._captured(drawable, was, frame if told else was)
+        return self._captured(drawable, was, frame if jitter_told else was)
 
     def at(self, drawable: Drawable, inputs: FrameInputs) -> Positions:
         """Where the user's shader draws the corners with these uniforms."""

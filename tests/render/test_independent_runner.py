@@ -154,18 +154,18 @@ def test_same_bits_for_several_objects(
         linked = drawn_by(scene, bundle, algorithm)
         for drawable, item in zip(world.drawables, linked, strict=True):
             own = item.bundle
-            folder = tmp_path / drawable.item.name
+            folder = tmp_path / drawable.scene_object.name
             folder.mkdir()
             write(Emission(dict(own.files), own.manifest), folder)
             attributes = {
                 name: drawable.mesh.arrays[array]
-                for name, array in drawable.item.inputs.attributes.items()
+                for name, array in drawable.scene_object.inputs.attributes.items()
             }
             assert own.cache == bundle.cache
-            how = algorithm if drawable.item.caching.on else "original"
+            how = algorithm if drawable.scene_object.caching.on else "original"
             made = IndependentRunner(
                 *(gpu.ctx, folder, how, world.size, attributes, drawable.mesh.index, {}),
-                cull=drawable.item.cull,
+                cull=drawable.scene_object.cull,
                 canvas=canvas,
                 number=drawable.number,
             )
@@ -176,8 +176,8 @@ def test_same_bits_for_several_objects(
                 Turn(
                     other,
                     values_of(drawable.values(frame)) if drawable.is_there(frame) else None,
-                    min(drawable.item.caching.period or 5, 5),
-                    drawable.item.caching.block or 4,
+                    min(drawable.scene_object.caching.period or 5, 5),
+                    drawable.scene_object.caching.block or 4,
                 )
                 for drawable, other in others
             ]

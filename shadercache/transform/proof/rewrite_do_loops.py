@@ -24,7 +24,7 @@ from shadercache.transform.trees import declared, replace_nodes
 
 def rewrite_do_loops(module: n.Module, prefix: str) -> n.Module:
     """The module without ``do`` loops that a ``continue`` leads to the condition of."""
-    loops = {item for item in walk(module) if isinstance(item, n.DoWhile) and _goes_on(item.body)}
+    loops = {node for node in walk(module) if isinstance(node, n.DoWhile) and _goes_on(node.body)}
     if not loops:
         return module
     names = FreshNames(all_names(module))

@@ -174,7 +174,9 @@ def truth_of(world: RenderScene, frame: int) -> Truth:
     for drawable in world.drawables:
         if not drawable.is_there(frame):
             continue
-        values = semantic_values(world.scene.view, drawable.item.motion, frame, width / height)
+        values = semantic_values(
+            world.scene.view, drawable.scene_object.motion, frame, width / height
+        )
         matrices[drawable.number] = values["model-view-projection"]
         mine = number == drawable.number
         points = position[mine][:, :3].astype(np.float64)
@@ -184,7 +186,7 @@ def truth_of(world: RenderScene, frame: int) -> Truth:
             np.linalg.norm(view, axis=-1) * np.linalg.norm(facet[mine][:, :3], axis=-1), 1e-30
         )
         # The lengths below are in object space.
-        cosine[mine] = np.abs(facing) * drawable.item.motion.scale
+        cosine[mine] = np.abs(facing) * drawable.scene_object.motion.scale
     pixel = 2.0 * np.tan(np.radians(camera.fov_degrees) / 2.0) * np.abs(w) / height
     return Truth(
         covered=covered,

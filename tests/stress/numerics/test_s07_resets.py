@@ -160,7 +160,7 @@ def test_what_a_reset_costs(gpu: Gpu, stress: Criteria, scene: str, algorithm: s
 def test_a_cut_that_was_not_told_is_noticed(gpu: Gpu, stress: Criteria, degrees: float) -> None:
     with subject(gpu, "trashcan") as made:
         (drawable,) = made.world.drawables
-        drawable.item = altered(drawable.item, degrees_per_frame=degrees)
+        drawable.scene_object = altered(drawable.scene_object, degrees_per_frame=degrees)
         jump = round(160.0 / degrees)
         with variant(made.world, made.bundle, "2-pass", period=32) as runner:
             hits = runner.bundle.mask_values["hit"]

@@ -125,7 +125,7 @@ def test_much_lies_behind_something(gpu: Gpu, scene: Scene) -> None:
         covered = (runner.image(0)[..., 3] > 0).sum()
         drawn = 0
         for drawable in world.drawables:
-            alone = replace(scene, objects=(drawable.item,))
+            alone = replace(scene, objects=(drawable.scene_object,))
             with (
                 RenderScene(gpu, alone, SIZE, "rgba32f") as one,
                 OriginalRunner(one, proof()) as single,
