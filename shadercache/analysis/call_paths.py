@@ -175,8 +175,8 @@ def find_instances(table: EffectTable, source: Source) -> tuple[Instance, ...]:
     instances = [main]
     for instance in instances:  # grows while it runs
         instances.extend(_callees(instance, places, source))
-    nodes = sum(len(item.places.all) for item in instances)
-    steps = sum(len(item.places.reaching.steps) for item in instances)
+    nodes = sum(len(path.places.all) for path in instances)
+    steps = sum(len(path.places.reaching.steps) for path in instances)
     for what, count, limit in (
         ("expressions", nodes, MAX_NODES),
         ("statements", steps, MAX_STEPS),
@@ -190,9 +190,9 @@ def find_instances(table: EffectTable, source: Source) -> tuple[Instance, ...]:
 def by_call(instances: Iterable[Instance]) -> dict[tuple[Instance, n.Call], Instance]:
     """The instance that each call of a user's function leads to."""
     return {
-        (item.parent, item.call): item
-        for item in instances
-        if item.parent is not None and item.call is not None
+        (instance.parent, instance.call): instance
+        for instance in instances
+        if instance.parent is not None and instance.call is not None
     }
 
 
@@ -230,14 +230,16 @@ def _callees(caller: Instance, places: dict[str, Places], source: Source) -> Ite
 
 def path_to(instance: Instance, place: Place, source: Source) -> str:
     """The path to an expression as people read it, with its trip: ``main [i=3, j=2]``."""
-    trip = ", ".join(f"{_user_name(item, source)}={_number(item.init)}" for item in place.trip)
+    trip = ", ".join(
+        f"{_user_name(counter, source)}={_number(counter.init)}" for counter in place.trip
+    )
     return f"{instance.label} [{trip}]" if trip else instance.label
 
 
-def _user_name(item: n.Declarator, source: Source) -> str:
+def _user_name(variable: n.Declarator, source: Source) -> str:
     """A variable's name in the source; each trip has one of its own by now."""
-    name = re.match(r"\w+", source.excerpt(item.span))
-    return name[0] if name and item.name.startswith(name[0]) else item.name
+    name = re.match(r"\w+", source.excerpt(variable.span))
+    return name[0] if name and variable.name.startswith(name[0]) else variable.name
 
 
 def _number(init: n.Expr | None) -> str:

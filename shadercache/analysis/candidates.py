@@ -189,7 +189,7 @@ def varyings(module: n.Module) -> set[str]:
     names: set[str] = set()
     for decl in module.decls:
         if isinstance(decl, n.VarDecl) and decl.qualifiers.has("in"):
-            names |= {item.name for item in decl.declarators}
+            names |= {variable.name for variable in decl.declarators}
         elif isinstance(decl, n.BlockDecl) and decl.qualifiers.has("in"):
             names |= {decl.instance or ""} | {i.name for f in decl.fields for i in f.declarators}
     return {name for name in names if name and not name.startswith("gl_")}
@@ -229,12 +229,14 @@ def _digest(*parts: str) -> str:
 def _digests(instances: tuple[Instance, ...], printed: Mapping[str, str]) -> dict[Instance, str]:
     """A digest of every call path: the functions on it as written, and which calls it takes."""
     digests: dict[Instance, str] = {}
-    for item in instances:
-        own = printed[item.places.function.name] + (" unrolled" if item.places.unrolled else "")
+    for instance in instances:
+        own = printed[instance.places.function.name] + (
+            " unrolled" if instance.places.unrolled else ""
+        )
         above: tuple[str, ...] = ()
-        if item.parent is not None and item.place is not None:
-            above = (digests[item.parent], str(item.place.ordinal))
-        digests[item] = _digest(*above, own)
+        if instance.parent is not None and instance.place is not None:
+            above = (digests[instance.parent], str(instance.place.ordinal))
+        digests[instance] = _digest(*above, own)
     return digests
 
 
@@ -247,17 +249,17 @@ def _node_id(instance: Instance, place: Place, digests: dict[Instance, str]) -> 
 def _initialisers(module: n.Module, facts: Facts, origin: Origin) -> Iterator[Candidate]:
     """The expressions in initialisers of globals: all refused (law 9: refused means told)."""
     variables = (decl for decl in module.decls if isinstance(decl, n.VarDecl))
-    for item in (item for decl in variables for item in decl.declarators):
-        inside = expressions(item.init) if item.init else ()
+    for owner in (owner for decl in variables for owner in decl.declarators):
+        inside = expressions(owner.init) if owner.init else ()
         for number, expr in enumerate(expr for expr in inside if expr.span != NOWHERE):
             code = Code.CONSTANT if facts.is_constant(expr) else Code.INITIALISER
             yield Candidate(
-                id=f"{item.name}.{number}-{_digest(origin.printed[item.name], str(number))}",
+                id=f"{owner.name}.{number}-{_digest(origin.printed[owner.name], str(number))}",
                 instance=None,
                 place=None,
                 expr=expr,
                 text=_text(origin.source, expr, facts),
-                path=f"(initialiser of {item.name})",
+                path=f"(initialiser of {owner.name})",
                 type=facts.types[expr],
                 cost=0.0,
                 ratio=0.0,

@@ -47,7 +47,7 @@ class Flow:
 
     def expressions(self) -> Iterator[n.Node]:
         """Every expression of the parts."""
-        return (item for part in self.parts for item in walk(part.node))
+        return (node for part in self.parts for node in walk(part.node))
 
 
 class ControlDependence:
@@ -56,7 +56,7 @@ class ControlDependence:
     def __init__(self, stmt: n.Stmt, table: EffectTable) -> None:
         self._table = table
         self.parts = tuple(self._collect(stmt, ()))
-        self._of = {item: part for part in self.parts for item in walk(part.node)}
+        self._of = {node: part for part in self.parts for node in walk(part.node)}
         self._writers: defaultdict[str, list[Part]] = defaultdict(list)
         for part in self.parts:
             for name in part.effects.writes:
@@ -106,8 +106,8 @@ class ControlDependence:
         """What is written in a part before the call, or may be: all that others than it write."""
         if isinstance(own.node, LOOPS):
             return own.effects.writes
-        others = (item for item in walk(own.node) if item is not call)
-        return frozenset[str]().union(*(direct_writes(item, self._table) for item in others))
+        others = (node for node in walk(own.node) if node is not call)
+        return frozenset[str]().union(*(direct_writes(node, self._table) for node in others))
 
     def _closure(
         self,
@@ -124,17 +124,17 @@ class ControlDependence:
         """
         holds = frozenset(given)
 
-        def onward(item: str | Part) -> Iterable[str | Part]:
-            if isinstance(item, Part):
-                return item.effects.reads
-            writers = (part for part in self._writers[item] if part is not later)
+        def onward(name_or_part: str | Part) -> Iterable[str | Part]:
+            if isinstance(name_or_part, Part):
+                return name_or_part.effects.reads
+            writers = (part for part in self._writers[name_or_part] if part is not later)
             return (one for part in writers for one in (part, *part.above) if one not in holds)
 
         start: list[str | Part] = [*reads]
         start += [part for part in (*first, *self._above_of(exits)) if part not in holds]
         flowing = reached(start, onward)
-        names = frozenset(item for item in flowing if isinstance(item, str))
-        return Flow(names, tuple(item for item in flowing if isinstance(item, Part)))
+        names = frozenset(name for name in flowing if isinstance(name, str))
+        return Flow(names, tuple(part for part in flowing if isinstance(part, Part)))
 
     def _above_of(self, exits: Does) -> Iterator[Part]:
         for part in self.parts:
@@ -146,10 +146,10 @@ class ControlDependence:
     def _may_skip_discard(self, node: n.Node) -> bool:
         """Does a choice in an expression decide on a discard, in a function that it calls?"""
         return any(
-            isinstance(item, n.Conditional)
-            or (isinstance(item, n.Binary) and item.op in ("&&", "||"))
-            for item in walk(node)
-            if self._table.of(item).does & Does.DISCARD
+            isinstance(inner, n.Conditional)
+            or (isinstance(inner, n.Binary) and inner.op in ("&&", "||"))
+            for inner in walk(node)
+            if self._table.of(inner).does & Does.DISCARD
         )
 
     def _collect(self, node: n.Node, above: tuple[Part, ...]) -> Iterator[Part]:

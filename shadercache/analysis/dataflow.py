@@ -105,8 +105,8 @@ def reached(start: Iterable[H], onward: Callable[[H], Iterable[H]]) -> dict[H, N
     seen: dict[H, None] = {}
     todo = list(start)
     while todo:
-        item = todo.pop()
-        if item not in seen:
-            seen[item] = None
-            todo += onward(item)
+        node = todo.pop()
+        if node not in seen:
+            seen[node] = None
+            todo += onward(node)
     return seen

@@ -109,7 +109,7 @@ class SharedUses:
 
         In order of evaluation: whatever one of them depends on comes before it.
         """
-        below = {item for item in walk(place.expr) if isinstance(item, n.Call)}
+        below = {call for call in walk(place.expr) if isinstance(call, n.Call)}
         chosen = [use for use in self.all if self._is_inside(use, instance, below, payload)]
         return sorted(chosen, key=evaluation_order)
 
@@ -172,7 +172,7 @@ class SharedUses:
         children = (self._children[caller, call] for _, call, _ in caller.places.calls)
         return any(
             self._slices.entry_bits.get((child, name), 0) & payload.atoms
-            and any(item is inner for item in walk(arg))
+            and any(node is inner for node in walk(arg))
             for child in children
             for name, arg in child.arguments.items()
         )

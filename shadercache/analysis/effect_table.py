@@ -60,11 +60,11 @@ class EffectTable:
         known = self._table.get(node)
         if known is not None:
             return known
-        for item in postorder(node, self._table):
-            effects = self._own(item)
-            if item in self._marks:
-                effects = effects | Effects(frozenset((self._marks[item],)))
-            self._table[item] = effects
+        for part in postorder(node, self._table):
+            effects = self._own(part)
+            if part in self._marks:
+                effects = effects | Effects(frozenset((self._marks[part],)))
+            self._table[part] = effects
         return self._table[node]
 
     def summary(self, name: str) -> Effects:
@@ -90,7 +90,9 @@ class EffectTable:
         own = local_names(function)
         does = inside.does & ~(Does.RETURN | Does.JUMP)
         effects = Effects(inside.reads - own, inside.writes - own, does)
-        params = tuple((item.writes_back, item.type, item.dims) for item in function.proto.params)
+        params = tuple(
+            (param.writes_back, param.type, param.dims) for param in function.proto.params
+        )
         live = _Liveness(self).block(function.body.body, _NO_NAMES) - own
         overwritten = _overwritten_in(function, self) - own
         head = FunctionSummary(effects, live, overwritten, params)
@@ -101,13 +103,13 @@ class EffectTable:
 
     def callees(self, name: str) -> list[str]:
         """The user's functions that the user's function ``name`` calls."""
-        return [item for item in self._called(self.functions[name]) if item in self.functions]
+        return [callee for callee in self._called(self.functions[name]) if callee in self.functions]
 
     def _called(self, function: n.FunctionDef) -> tuple[str, ...]:
         """The names of all functions that a function calls, built-in ones too."""
         kept: dict[n.FunctionDef, tuple[str, ...]] = self._memo.table("callees")
         if function not in kept:
-            calls = (item.name for item in walk(function.body) if isinstance(item, n.Call))
+            calls = (call.name for call in walk(function.body) if isinstance(call, n.Call))
             kept[function] = tuple(dict.fromkeys(calls))
         return kept[function]
 
@@ -174,7 +176,7 @@ class _Liveness(Backward[frozenset[str]]):
 
 def reads_of(node: n.Node, table: EffectTable) -> frozenset[str]:
     """What evaluating an expression or a statement reads, before it is overwritten by a call."""
-    if not any(isinstance(item, n.Call) and item.name in table.functions for item in walk(node)):
+    if not any(isinstance(part, n.Call) and part.name in table.functions for part in walk(node)):
         return table.of(node).reads
     match node:
         case n.Call(name=name, args=args) if name in table.functions:
@@ -194,7 +196,7 @@ def overwritten_by(node: n.Node, table: EffectTable) -> frozenset[str]:
         case n.ExprStmt(expr=n.Call(name=name)) if name in table.functions:
             return table.linked(name).head.overwritten
         case n.DeclStmt(decl=n.VarDecl(declarators=items)):
-            return frozenset(item.name for item in items)
+            return frozenset(variable.name for variable in items)
     return _NO_NAMES
 
 
@@ -226,7 +228,7 @@ def direct_writes(node: n.Node, table: EffectTable) -> frozenset[str]:
             targets = tuple(arg for arg, out in zip(args, outs, strict=True) if out)
             if node.name in table.functions:
                 names = table.summary(node.name).writes
-    return names.union(root for item in targets if (root := root_variable(item)))
+    return names.union(root for expr in targets if (root := root_variable(expr)))
 
 
 def out_arguments(call: n.Call, table: EffectTable) -> tuple[bool, ...]:
@@ -236,12 +238,15 @@ def out_arguments(call: n.Call, table: EffectTable) -> tuple[bool, ...]:
         return tuple(param.writes_back for param in function.proto.params)
     signatures = _signatures(call)
     return tuple(
-        any(item.params[i].direction != "in" for item in signatures) for i in range(len(call.args))
+        any(signature.params[i].direction != "in" for signature in signatures)
+        for i in range(len(call.args))
     )
 
 
 def _signatures(call: n.Call) -> list[Signature]:
-    return [item for item in overloads(call.name) if len(item.params) == len(call.args)]
+    return [
+        signature for signature in overloads(call.name) if len(signature.params) == len(call.args)
+    ]
 
 
 def needs_derivative(call: n.Call, table: EffectTable) -> bool:
@@ -251,10 +256,10 @@ def needs_derivative(call: n.Call, table: EffectTable) -> bool:
 
 def _builtin_does(call: n.Call) -> Does:
     does = Does.NOTHING
-    for item in _signatures(call):
-        if item.derivative:
+    for signature in _signatures(call):
+        if signature.derivative:
             does |= Does.DERIVATIVE
-        if item.implicit_lod:
+        if signature.implicit_lod:
             does |= Does.IMPLICIT_LOD
     return does
 

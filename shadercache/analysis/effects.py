@@ -49,11 +49,11 @@ def union(effects: Iterable[Effects]) -> Effects:
     if len(items) < 2:
         return items[0] if items else NO_EFFECTS
     does = Does.NOTHING
-    for item in items:
-        if item.does is not Does.NOTHING:  # Or-ing flags takes its time.
-            does |= item.does
-    reads = frozenset[str]().union(*(item.reads for item in items))
-    return Effects(reads, frozenset[str]().union(*(item.writes for item in items)), does)
+    for effect in items:
+        if effect.does is not Does.NOTHING:  # Or-ing flags takes its time.
+            does |= effect.does
+    reads = frozenset[str]().union(*(effect.reads for effect in items))
+    return Effects(reads, frozenset[str]().union(*(effect.writes for effect in items)), does)
 
 
 def root_variable(target: n.Expr) -> str | None:
@@ -95,7 +95,7 @@ class Linked:
 def local_names(function: n.FunctionDef) -> frozenset[str]:
     """Names of the parameters and of all variables declared in a function."""
     names = {param.name for param in function.proto.params if param.name}
-    names.update(item.name for item in walk(function.body) if isinstance(item, n.Declarator))
+    names.update(node.name for node in walk(function.body) if isinstance(node, n.Declarator))
     return frozenset(names)
 
 
@@ -104,4 +104,4 @@ def global_names(decl: n.VarDecl | n.BlockDecl) -> list[str]:
     if isinstance(decl, n.BlockDecl) and decl.instance is not None:
         return [decl.instance]
     decls = decl.fields if isinstance(decl, n.BlockDecl) else (decl,)
-    return [item.name for part in decls for item in part.declarators]
+    return [variable.name for part in decls for variable in part.declarators]

@@ -17,11 +17,11 @@ def input_kinds(module: n.Module, facts: Facts) -> dict[str, str]:
     for decl in module.decls:
         if isinstance(decl, n.BlockDecl):
             kind = "varyings" if decl.qualifiers.has("in") else "uniforms"
-            names = [item.name for field in decl.fields for item in field.declarators]
+            names = [member.name for field in decl.fields for member in field.declarators]
             kinds |= dict.fromkeys([decl.instance or "", *names], kind)
         elif isinstance(decl, n.VarDecl):
-            for item in decl.declarators:
-                kinds[item.name] = _kind(decl, facts.declared[item].type.holds_opaque)
+            for variable in decl.declarators:
+                kinds[variable.name] = _kind(decl, facts.declared[variable].type.holds_opaque)
     return kinds
 
 

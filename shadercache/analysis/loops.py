@@ -110,11 +110,11 @@ class _FlowWalker:
     def _readings(self, *parts: n.Node) -> frozenset[str]:
         """What decides on the values of these expressions."""
         readings: set[str] = set()
-        for item in (item for part in parts for item in walk(part)):
-            if isinstance(item, n.Name):
-                readings.add(self._key(item.name))
-            elif isinstance(item, n.Call) and item.name in self._table.functions:
-                readings.add(f"{item.name}()")
+        for node in (node for part in parts for node in walk(part)):
+            if isinstance(node, n.Name):
+                readings.add(self._key(node.name))
+            elif isinstance(node, n.Call) and node.name in self._table.functions:
+                readings.add(f"{node.name}()")
         return frozenset(readings)
 
     def _flow(self, readings: Iterable[str], key: str) -> None:
@@ -165,25 +165,25 @@ class _FlowWalker:
 
     def _decisions(self, stmt: n.Node) -> Iterator[frozenset[str]]:
         """What the conditions in a statement read that decide on its jumps."""
-        for item in walk(stmt):
-            match item:
-                case n.If(condition=first) | n.Switch(selector=first) if self._jumps_out(item):
+        for node in walk(stmt):
+            match node:
+                case n.If(condition=first) | n.Switch(selector=first) if self._jumps_out(node):
                     yield self._readings(first)
-                case n.For() | n.While() | n.DoWhile() if self._jumps_out(item):
-                    yield self._decision(item)
+                case n.For() | n.While() | n.DoWhile() if self._jumps_out(node):
+                    yield self._decision(node)
 
     def _decision(self, loop: Loop) -> frozenset[str]:
         """What decides how long a loop runs: its condition, and those of jumps out of its body."""
         readings = self._readings(loop.condition) if loop.condition is not None else _NOTHING
-        for item in walk(loop.body):
-            if isinstance(item, n.If | n.Switch) and self._table.of(item).does & EXITS:
-                readings |= self._readings(children(item)[0])
+        for node in walk(loop.body):
+            if isinstance(node, n.If | n.Switch) and self._table.of(node).does & EXITS:
+                readings |= self._readings(children(node)[0])
         return readings
 
     def _plain(self, node: n.Node, under: tuple[frozenset[str], ...]) -> None:
         self._under = under
-        for item in walk(node):
-            match item:
+        for part in walk(node):
+            match part:
                 case n.Return(value=value):
                     result = f"{self._function}()"
                     for readings in (*under, self._readings(value) if value else _NOTHING):
@@ -196,11 +196,11 @@ class _FlowWalker:
                     self._depths[name] = len(under)
                     self._write(name, self._readings(init) if init is not None else _NOTHING)
                 case n.Conditional(condition=first):
-                    self._under_operand(first, item)
+                    self._under_operand(first, part)
                 case n.Binary(op="&&" | "||", left=first, right=other):
                     self._under_operand(first, other)
                 case n.Call():
-                    self._call(item)
+                    self._call(part)
 
     def _under_operand(self, first: n.Expr, other: n.Node) -> None:
         """What ``other`` writes is written where ``first`` says so."""

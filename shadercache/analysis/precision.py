@@ -83,8 +83,8 @@ class PrecisionTable:
         definition = self._facts.structs.get(kind.struct) if kind.struct is not None else None
         block = self._facts.symbols[owner].block if isinstance(owner, n.Name) else None
         fields = definition.fields if definition else block.fields if block else ()
-        items = (item for decl in fields for item in decl.declarators)
-        return next((self._declared.get(item) for item in items if item.name == name), None)
+        items = (field for decl in fields for field in decl.declarators)
+        return next((self._declared.get(field) for field in items if field.name == name), None)
 
     def _call(self, call: n.Call) -> str | None:
         callee = self._facts.calls[call]

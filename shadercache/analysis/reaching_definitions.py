@@ -83,9 +83,9 @@ def counters_of(block: n.Block) -> Trip:
     counters: list[n.Declarator] = []
     for stmt in block.body:
         match stmt:
-            case n.DeclStmt(span=span, decl=n.VarDecl(declarators=(item,))) if span == NOWHERE:
-                if item.span != NOWHERE:
-                    counters.append(item)
+            case n.DeclStmt(span=span, decl=n.VarDecl(declarators=(variable,))) if span == NOWHERE:
+                if variable.span != NOWHERE:
+                    counters.append(variable)
                     continue
         break
     return tuple(counters)
@@ -98,7 +98,7 @@ def _overwrites(stmt: n.Stmt) -> frozenset[str]:
     """
     match stmt:
         case n.DeclStmt(decl=n.VarDecl(declarators=items)):
-            return frozenset(item.name for item in items)
+            return frozenset(variable.name for variable in items)
         case n.ExprStmt(expr=n.Assign(target=n.Name(name=name))):
             return frozenset((name,))
     return frozenset()
@@ -118,7 +118,7 @@ def order_matters(stmt: n.Stmt, table: EffectTable) -> bool:
         case n.ExprStmt(expr=last) if last is not None:
             inside = [*children(last)]
         case n.DeclStmt(decl=n.VarDecl(declarators=items)):
-            inits = [item.init for item in items if item.init is not None]
+            inits = [variable.init for variable in items if variable.init is not None]
             inside = [child for init in inits for child in children(init)] + list(inits[1:])
         case n.Return(value=last) if last is not None:
             inside = [*children(last)]

@@ -76,10 +76,10 @@ def find_color(module: n.Module, source: Source) -> str:
     """
     problems = [*_unsupported(module, source), *busy_initialisers(module, source)]
     outputs = [
-        (item, decl)
+        (variable, decl)
         for decl in module.decls
         if isinstance(decl, n.VarDecl) and decl.qualifiers.has("out")
-        for item in decl.declarators
+        for variable in decl.declarators
     ]
     if len(outputs) != 1 or outputs[0][1].type.name != "vec4" or outputs[0][0].dims:
         message = "a shader to cache in has exactly one output, a vec4 colour"
@@ -113,12 +113,12 @@ def busy_initialisers(module: n.Module, source: Source) -> Iterator[Diagnostic]:
     for decl in module.decls:
         if not isinstance(decl, n.VarDecl):
             continue
-        for item in decl.declarators:
-            effects = table.of(item.init) if item.init is not None else NO_EFFECTS
+        for variable in decl.declarators:
+            effects = table.of(variable.init) if variable.init is not None else NO_EFFECTS
             if effects.writes or effects.does & Does.DISCARD:
-                does = f"the initialiser of '{item.name}' changes a global or discards"
+                does = f"the initialiser of '{variable.name}' changes a global or discards"
                 message = f"{does}, so that the shader cannot be cached"
-                yield Diagnostic("SC424", message, source, item.span, "main may begin with it")
+                yield Diagnostic("SC424", message, source, variable.span, "main may begin with it")
 
 
 def _uses_memory(node: n.Node, own: set[str]) -> bool:
@@ -129,7 +129,7 @@ def _uses_memory(node: n.Node, own: set[str]) -> bool:
         return node.name.startswith("gl_Subgroup")
     if not isinstance(node, n.Call) or node.name in own:
         return False
-    return any(item.memory for item in overloads(node.name))
+    return any(signature.memory for signature in overloads(node.name))
 
 
 def check_user_mapping(module: n.Module, source: Source, table: EffectTable) -> None:

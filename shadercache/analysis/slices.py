@@ -243,9 +243,9 @@ def _global_initialisers(module: n.Module) -> dict[str, n.Expr | None]:
     initialisers: dict[str, n.Expr | None] = {}
     for decl in module.decls:
         if isinstance(decl, n.VarDecl):
-            initialisers |= {item.name: item.init for item in decl.declarators}
+            initialisers |= {variable.name: variable.init for variable in decl.declarators}
         elif isinstance(decl, n.BlockDecl):
-            members = (item.name for field in decl.fields for item in field.declarators)
+            members = (member.name for field in decl.fields for member in field.declarators)
             initialisers |= dict.fromkeys((decl.instance or "", *members))
     for node in walk(module):
         if isinstance(node, n.Name) and node.name.startswith("gl_"):

@@ -80,21 +80,21 @@ def match_stages(fragment: StageSide, vertex: StageSide) -> Pairs:
     Raises :class:`InputError` SC406 for a varying that is read and is missing, or of another type.
     """
     outputs = [*_varyings(vertex, "out")]
-    placed = {item.place: item for item in outputs if item.place is not None}
-    named = {item.key: item for item in outputs}
+    placed = {varying.place: varying for varying in outputs if varying.place is not None}
+    named = {varying.key: varying for varying in outputs}
     used = _used(fragment.module)
     pairs: list[tuple[Varying, Varying]] = []
     problems: list[Diagnostic] = []
-    for item in _varyings(fragment, "in"):
-        output = None if item.place is None else placed.get(item.place)
-        by_place, by_name = output is not None, named.get(item.key)
-        if output is None and by_name is not None and None in (item.place, by_name.place):
+    for varying in _varyings(fragment, "in"):
+        output = None if varying.place is None else placed.get(varying.place)
+        by_place, by_name = output is not None, named.get(varying.key)
+        if output is None and by_name is not None and None in (varying.place, by_name.place):
             output = by_name
-        if output is not None and _same(item.type, output.type, by_place):
-            pairs.append((item, output))
-        elif item.name in used:
-            problem = _problem(item, output, named, vertex.source.name)
-            problems.append(Diagnostic("SC406", problem, fragment.source, item.node.span))
+        if output is not None and _same(varying.type, output.type, by_place):
+            pairs.append((varying, output))
+        elif varying.name in used:
+            problem = _problem(varying, output, named, vertex.source.name)
+            problems.append(Diagnostic("SC406", problem, fragment.source, varying.node.span))
     if problems:
         raise InputError(problems)
     return pairs
@@ -110,16 +110,18 @@ def links_of(pairs: Pairs) -> Links:
 
 
 def _problem(
-    item: Varying, output: Varying | None, named: Mapping[Key, Varying], other: str
+    varying: Varying, output: Varying | None, named: Mapping[Key, Varying], other: str
 ) -> str:
     """Why no output, or not this one, goes with an input."""
     if output is not None:
-        called = f" ('{output.label}')" if output.label != item.label else ""
-        return f"'{item.label}' is {item.type} here and {output.type} in {other}{called}"
-    if item.key not in named and item.block in {block for block, _ in named if block is not None}:
-        return f"the block '{item.block}' has no '{item.label}' in {other}"
-    where = f" at location {item.place[0]}" if item.place and item.key in named else ""
-    return f"{other} does not write '{item.label}'{where}"
+        called = f" ('{output.label}')" if output.label != varying.label else ""
+        return f"'{varying.label}' is {varying.type} here and {output.type} in {other}{called}"
+    if varying.key not in named and varying.block in {
+        block for block, _ in named if block is not None
+    }:
+        return f"the block '{varying.block}' has no '{varying.label}' in {other}"
+    where = f" at location {varying.place[0]}" if varying.place and varying.key in named else ""
+    return f"{other} does not write '{varying.label}'{where}"
 
 
 def _same(one: Type, other: Type, any_name: bool, known: set[object] | None = None) -> bool:
@@ -157,11 +159,11 @@ def _used(module: n.Module) -> set[str]:
 def _varyings(side: StageSide, word: str) -> Iterator[Varying]:
     for decl in side.module.decls:
         if isinstance(decl, n.VarDecl) and decl.qualifiers.has(word):
-            for item in decl.declarators:
-                if not item.name.startswith("gl_"):
-                    kind = of_one_vertex(side.facts.declared[item].type, decl.qualifiers)
+            for variable in decl.declarators:
+                if not variable.name.startswith("gl_"):
+                    kind = of_one_vertex(side.facts.declared[variable].type, decl.qualifiers)
                     place = _place(decl.qualifiers, side.facts)
-                    yield Varying(item.name, item.name, kind, place, decl, item)
+                    yield Varying(variable.name, variable.name, kind, place, decl, variable)
         elif isinstance(decl, n.BlockDecl) and decl.qualifiers.has(word) and not _is_builtin(decl):
             yield from _members(decl, side.facts)
 
@@ -176,25 +178,25 @@ def _members(block: n.BlockDecl, facts: Facts) -> Iterator[Varying]:
     at = None if array else _place(block.qualifiers, facts)
     for decl in block.fields:
         at = (None if array else _place(decl.qualifiers, facts)) or at
-        for item in decl.declarators:
-            kind = of_one_vertex(_member_type(block, item, facts), decl.qualifiers)
-            yield Varying(item.name, block.instance or item.name, kind, at, block, item)
+        for field in decl.declarators:
+            kind = of_one_vertex(_member_type(block, field, facts), decl.qualifiers)
+            yield Varying(field.name, block.instance or field.name, kind, at, block, field)
             at = at and (at[0] + kind.slots, 0)
 
 
-def _member_type(block: n.BlockDecl, item: n.Declarator, facts: Facts) -> Type:
+def _member_type(block: n.BlockDecl, field: n.Declarator, facts: Facts) -> Type:
     if block.instance is None:
-        return facts.declared[item].type
+        return facts.declared[field].type
     held = facts.declared[block].type.struct
     assert held is not None
-    return held.fields[item.name]
+    return held.fields[field.name]
 
 
 def _place(qualifiers: n.Qualifiers, facts: Facts) -> Place | None:
     places = {
-        item.name.lower(): int(facts.constants[item.value])
-        for item in qualifiers.layout or ()
-        if item.value is not None and item.name.lower() in _PLACES
+        entry.name.lower(): int(facts.constants[entry.value])
+        for entry in qualifiers.layout or ()
+        if entry.value is not None and entry.name.lower() in _PLACES
     }
     return (places["location"], places.get("component", 0)) if "location" in places else None
 
@@ -205,14 +207,14 @@ def _place(qualifiers: n.Qualifiers, facts: Facts) -> Place | None:
 def aligned(vertex: StageSide, fragment: StageSide) -> n.Module:
     """The vertex shader with places where the fragment shader has them: drivers may not find what
     only one of them places, though the names are the same."""
-    theirs = {item.key: item for item in _varyings(fragment, "in")}
+    theirs = {varying.key: varying for varying in _varyings(fragment, "in")}
     changed: dict[n.Decl, n.Decl] = {}
-    for item in _varyings(vertex, "out"):
-        other = theirs.get(item.key)
-        if other is None or (item.place is None) == (other.place is None):
+    for varying in _varyings(vertex, "out"):
+        other = theirs.get(varying.key)
+        if other is None or (varying.place is None) == (other.place is None):
             continue
         if other.place is None or _takes_places(vertex.module):
-            changed[item.decl] = _placed_like(item.decl, other.decl)
+            changed[varying.decl] = _placed_like(varying.decl, other.decl)
     if not changed:
         return vertex.module
     decls = tuple(changed.get(decl, decl) for decl in vertex.module.decls)
@@ -239,6 +241,6 @@ def _placed_like(decl: n.VarDecl | n.BlockDecl, other: n.VarDecl | n.BlockDecl) 
 
 
 def _with_places(ours: n.Qualifiers, theirs: n.Qualifiers) -> n.Qualifiers:
-    placed = tuple(item for item in theirs.layout or () if item.name.lower() in _PLACES)
-    kept = tuple(item for item in ours.layout or () if item.name.lower() not in _PLACES)
+    placed = tuple(entry for entry in theirs.layout or () if entry.name.lower() in _PLACES)
+    kept = tuple(entry for entry in ours.layout or () if entry.name.lower() not in _PLACES)
     return replace(ours, layout=(*placed, *kept) or None)

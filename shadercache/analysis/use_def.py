@@ -129,8 +129,8 @@ class Definitions:
 
     def _assigned(self, instance: Instance, step: Step) -> Definition | None:
         match step.stmt:
-            case n.DeclStmt(decl=n.VarDecl(declarators=(item,))) if item.init is not None:
-                value, kind = item.init, self.facts.declared[item].type
+            case n.DeclStmt(decl=n.VarDecl(declarators=(variable,))) if variable.init is not None:
+                value, kind = variable.init, self.facts.declared[variable].type
             case n.ExprStmt(expr=n.Assign(op="=", target=n.Name() as target, value=value)):
                 kind = self.facts.types[target]
             case _:

@@ -147,7 +147,7 @@ def writes_memory(name: str) -> bool:
 
 def is_unsteady(name: str) -> bool:
     """May the built-in function of that name have another value in the next frame, or pass?"""
-    return any(function_fate(item) is Fate.REFUSED for item in overloads(name))
+    return any(function_fate(signature) is Fate.REFUSED for signature in overloads(name))
 
 
 def kept_numbers(names: Iterable[str]) -> Iterator[str]:

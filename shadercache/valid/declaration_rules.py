@@ -201,11 +201,11 @@ def block(node: n.BlockDecl, suspect: Suspect) -> Iterator[Finding]:
         yield from _members(decl, node, storage, suspect)
     if suspect.language.es:
         # Arrays without a size stand only at the end of a buffer (ES 3.10 section 4.1.9).
-        names = [item for decl in node.fields for item in decl.declarators]
-        for item in names[:-1] if storage == "buffer" else names:
-            kind = suspect.tables.fields[node][item.name]
+        names = [field for decl in node.fields for field in decl.declarators]
+        for field in names[:-1] if storage == "buffer" else names:
+            kind = suspect.tables.fields[node][field.name]
             if kind is not ERROR and kind.is_unsized:
-                yield Finding("SC215", f"'{item.name}' has no size", item)
+                yield Finding("SC215", f"'{field.name}' has no size", field)
 
 
 def _has_blocks(storage: Kind, suspect: Suspect) -> bool:
@@ -224,19 +224,19 @@ def _builtin_block(node: n.BlockDecl, suspect: Suspect) -> Iterator[Finding]:
     if not language.at_least(410, 320) and language.extensions.isdisjoint(extensions):
         yield Finding("SC221", "this version of GLSL has gl_PerVertex as it is", node)
         return
-    for item in (item for decl in node.fields for item in decl.declarators):
-        if language.builtin_variable(item.name) is None:
-            yield Finding("SC202", f"gl_PerVertex has no member '{item.name}'", item)
+    for field in (field for decl in node.fields for field in decl.declarators):
+        if language.builtin_variable(field.name) is None:
+            yield Finding("SC202", f"gl_PerVertex has no member '{field.name}'", field)
 
 
 def _members(
     decl: n.VarDecl, owner: n.BlockDecl, storage: Kind, suspect: Suspect
 ) -> Iterator[Finding]:
     words = decl.qualifiers.words
-    for item in decl.declarators:
-        kind = suspect.tables.fields[owner][item.name]
+    for field in decl.declarators:
+        kind = suspect.tables.fields[owner][field.name]
         if kind is not ERROR and suspect.language.only_handles(kind):
-            yield Finding("SC221", f"the member '{item.name}' of a block cannot be {kind}", item)
+            yield Finding("SC221", f"the member '{field.name}' of a block cannot be {kind}", field)
     other = [word for word in words if word in STORAGE and word != storage]
     if other:
         message = f"'{other[0]}' does not apply to a member of a '{storage}' block"

@@ -68,7 +68,9 @@ def _of_es(
     hidden = suspect.language.builtin_functions(proto.name)
     if suspect.language.version < 300:  # other parameters make another function
         hidden = tuple(
-            item for item in hidden if tuple(param.type for param in item.params) == head.params
+            signature
+            for signature in hidden
+            if tuple(param.type for param in signature.params) == head.params
         )
     if hidden:
         yield Finding("SC202", f"'{proto.name}' is a built-in function", proto)
@@ -116,7 +118,7 @@ def recursion(_: n.Module, suspect: Suspect) -> Iterator[Finding]:
                 done.add(function)
             elif function in path and call is not None:
                 cycle = [*path[path.index(function) :], function]
-                names = " > ".join(item.name for item in cycle)
+                names = " > ".join(caller.name for caller in cycle)
                 yield Finding("SC216", f"recursion is not allowed: {names}", call)
             elif function not in done:
                 path.append(function)
@@ -129,7 +131,7 @@ def recursion(_: n.Module, suspect: Suspect) -> Iterator[Finding]:
 
 def definitions(_: n.Module, suspect: Suspect) -> Iterator[Finding]:
     """What is called is defined here, or in another part of the program."""
-    callees = {item for item in suspect.tables.calls.values() if isinstance(item, Overload)}
+    callees = {callee for callee in suspect.tables.calls.values() if isinstance(callee, Overload)}
     for function in callees:
         if function.definition is None:
             message = f"'{function.proto.name}' is called but not defined here"
@@ -140,12 +142,12 @@ def entry_point(suspect: Suspect, needed: bool) -> Iterator[Finding]:
     """There is one ``void main()``; a part of a program may leave it to another part (section 3.8
     of 4.60)."""
     heads = suspect.tables.functions.values()
-    mains = {item for item in heads if item.proto.name == "main"}
-    if not any(item.definition for item in mains):
-        toy = any(item.proto.name == "mainImage" for item in heads)
+    mains = {head for head in heads if head.proto.name == "main"}
+    if not any(head.definition for head in mains):
+        toy = any(head.proto.name == "mainImage" for head in heads)
         hint = "files of Shadertoy are read with --dialect shadertoy" if toy else None
         message = "there is no function 'void main()'"
         yield Finding("SC217", message, suspect.module, hint, warning=not needed)
-    for item in mains:
-        if item.params or item.result not in (VOID, ERROR):
-            yield Finding("SC217", "'main' takes no parameters and returns void", item.proto)
+    for main in mains:
+        if main.params or main.result not in (VOID, ERROR):
+            yield Finding("SC217", "'main' takes no parameters and returns void", main.proto)

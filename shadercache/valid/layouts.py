@@ -49,21 +49,21 @@ class _Layouts:
     def _check(self, qualifiers: n.Qualifiers, place: LayoutPlace) -> Values:
         """The values by name; each is a constant integer, not negative. The last one counts."""
         values: dict[str, int] = {}
-        for item in qualifiers.layout or ():
+        for entry in qualifiers.layout or ():
             # Compilers do not tell small letters from capitals, in GLSL ES neither.
-            word = item.name.lower()
-            problem = word_problem(word, item.value is not None, place, self._suspect.language)
+            word = entry.name.lower()
+            problem = word_problem(word, entry.value is not None, place, self._suspect.language)
             of_extension = unsupported.explained(word) if word not in WORDS else None
             if of_extension is not None:
-                self.findings.append(Finding("SC111", of_extension[0], item, of_extension[1]))
+                self.findings.append(Finding("SC111", of_extension[0], entry, of_extension[1]))
             elif problem is not None:
-                self._error(problem, item, None if word in WORDS else did_you_mean(word, WORDS))
-            number = None if item.value is None else self._number(item, word, item.value)
+                self._error(problem, entry, None if word in WORDS else did_you_mean(word, WORDS))
+            number = None if entry.value is None else self._number(entry, word, entry.value)
             if number is not None and problem is None:
                 values[word] = number
         return values
 
-    def _number(self, item: n.LayoutItem, name: str, value: n.Expr) -> int | None:
+    def _number(self, entry: n.LayoutItem, name: str, value: n.Expr) -> int | None:
         kind, number = self._suspect.type_of(value), self._suspect.value(value)
         if kind is ERROR:
             return None
@@ -77,7 +77,7 @@ class _Layouts:
             self._error(message, value)
             return None
         if number > _MOST.get(name, number):
-            self._error(f"the layout value of '{name}' is at most {_MOST[name]} here", item)
+            self._error(f"the layout value of '{name}' is at most {_MOST[name]} here", entry)
         return number
 
     def variables(self, decl: n.VarDecl, storage: str) -> None:
@@ -103,11 +103,11 @@ class _Layouts:
         self._locations.place_block(block, storage, own.get("location"), members)
         if storage not in self._defaults:
             return
-        words = {item.name.lower() for item in block.qualifiers.layout or ()}
+        words = {entry.name.lower() for entry in block.qualifiers.layout or ()}
         packing = _packing(words) or _packing(self._defaults[storage]) or "shared"
         # Offsets behind matrices that are stored by rows are left alone.
         parts = [words, self._defaults[storage]]
-        parts += [{item.name for item in decl.qualifiers.layout or ()} for decl in block.fields]
+        parts += [{entry.name for entry in decl.qualifiers.layout or ()} for decl in block.fields]
         if not any("row_major" in part for part in parts):
             self._offsets(block, packing, own.get("align", 0), members)
 
@@ -115,7 +115,7 @@ class _Layouts:
         """``layout(std140) uniform;``: for what follows."""
         self._check(qualifiers, LayoutPlace("default", storage))
         known = self._defaults.get(storage, set())
-        for word in (item.name.lower() for item in qualifiers.layout or ()):
+        for word in (entry.name.lower() for entry in qualifiers.layout or ()):
             if word in PACKINGS:
                 known.difference_update(PACKINGS)
             elif word in ORDERS:

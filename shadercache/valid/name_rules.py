@@ -46,7 +46,7 @@ def given_names(_: n.Module, suspect: Suspect) -> Iterator[Finding]:
         yield from _reserved(proto.name, proto, suspect)
     for owner in owners:
         yield from _reserved(owner.name, owner, suspect)
-    for field in (item for owner in owners for decl in owner.fields for item in decl.declarators):
+    for field in (field for owner in owners for decl in owner.fields for field in decl.declarators):
         if field.name.startswith("gl_"):
             yield from _reserved(field.name, field, suspect)
     for node, symbol in suspect.tables.declared.items():
@@ -113,8 +113,8 @@ def _may_be_redeclared(name: str, suspect: Suspect) -> bool:
     desktop, es, *extensions = _REDECLARED_SINCE.get(name, (NEVER, NEVER))
     if suspect.language.at_least(desktop, es):
         return True
-    return any(f"GL_{item}" in suspect.language.extensions for item in extensions)
+    return any(f"GL_{extension}" in suspect.language.extensions for extension in extensions)
 
 
 def _layout(symbol: Symbol) -> set[str]:
-    return {item.name for item in symbol.qualifiers.layout or ()}
+    return {entry.name for entry in symbol.qualifiers.layout or ()}

@@ -66,20 +66,26 @@ def _mistakes(module: Module, source: Source, stage: Stage, offset: int) -> tupl
     try:
         validate(module, source, stage)
     except InputError as error:
-        return tuple(item for item in _in_front(error, offset) if _stays(item, module))
+        return tuple(
+            diagnostic for diagnostic in _in_front(error, offset) if _stays(diagnostic, module)
+        )
     return ()
 
 
-def _stays(item: Diagnostic, module: Module) -> bool:
+def _stays(diagnostic: Diagnostic, module: Module) -> bool:
     """Is it a mistake whatever follows?"""
     last = module.decls[-1].span.start if module.decls else 0
-    in_last = item.span is not None and item.span.start >= last
-    return item.code not in _OF_WHOLE_FILES and not (in_last and item.code in _OF_WHOLE_FUNCTIONS)
+    in_last = diagnostic.span is not None and diagnostic.span.start >= last
+    return diagnostic.code not in _OF_WHOLE_FILES and not (
+        in_last and diagnostic.code in _OF_WHOLE_FUNCTIONS
+    )
 
 
 def _in_front(error: InputError, offset: int) -> tuple[Diagnostic, ...]:
     return tuple(
-        item
-        for item in error.diagnostics
-        if item.severity is Severity.ERROR and item.span and item.span.start < offset
+        diagnostic
+        for diagnostic in error.diagnostics
+        if diagnostic.severity is Severity.ERROR
+        and diagnostic.span
+        and diagnostic.span.start < offset
     )

@@ -40,7 +40,7 @@ class Question:
 
     source: Source
     stage: Stage
-    told: Sequence[Diagnostic] = ()
+    diagnostics: Sequence[Diagnostic] = ()
 
 
 def find_compiler() -> str | None:
@@ -97,7 +97,11 @@ def _findings(question: Question, places: list[Span], said: str) -> tuple[Diagno
     if _LACKS.search(said):
         return ()
     source, findings = question.source, []
-    errors = [item.span for item in question.told if item.severity is Severity.ERROR]
+    errors = [
+        diagnostic.span
+        for diagnostic in question.diagnostics
+        if diagnostic.severity is Severity.ERROR
+    ]
     seen = {_line(source, span.start) for span in errors if span is not None}
     for match in _ERROR.finditer(said):
         span = places[min(int(match[1]), len(places)) - 1]

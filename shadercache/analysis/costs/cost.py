@@ -53,11 +53,11 @@ class CostTable:
     def of(self, node: n.Node) -> float:
         """Cost of an expression or a statement with everything it calls."""
         if node not in self._table:
-            for item in postorder(node, self._table):
-                cost = sum(self._table[child] for child in children(item))
-                if isinstance(item, n.For | n.While | n.DoWhile):
+            for part in postorder(node, self._table):
+                cost = sum(self._table[child] for child in children(part))
+                if isinstance(part, n.For | n.While | n.DoWhile):
                     cost *= UNKNOWN_TRIPS
-                self._table[item] = cost + self._own(item)
+                self._table[part] = cost + self._own(part)
         return self._table[node]
 
     def function(self, function: n.FunctionDef) -> float:

@@ -130,11 +130,11 @@ class SharedWorkTable:
                 at = at.parent
             cuts = root
             function = self._main.places.function
-            for item in reversed(path):
-                assert item.call is not None
-                self._touch(function, item.call, cuts)
-                cuts = cuts.below.setdefault(item.call, (item, _Cuts()))[1]
-                function = item.places.function
+            for instance in reversed(path):
+                assert instance.call is not None
+                self._touch(function, instance.call, cuts)
+                cuts = cuts.below.setdefault(instance.call, (instance, _Cuts()))[1]
+                function = instance.places.function
             self._touch(function, node.expr, cuts)
             cuts.here.add(node.expr)
         return root
@@ -189,9 +189,9 @@ class _NeedWalker(Backward[Names]):
         if not self.goal or stmt not in self.cuts.touched:
             return self.plain(stmt, fact)
 
-        def before(item: n.Stmt, at: Names) -> Names:
+        def before(child: n.Stmt, at: Names) -> Names:
             # Each group falls through to the next, or leads to the end.
-            return at if isinstance(item, n.Case) else fact | self.statement(item, at)
+            return at if isinstance(child, n.Case) else fact | self.statement(child, at)
 
         return self.taken(stmt.selector, before_cases(NAMES, stmt.body, fact, before))
 
@@ -262,15 +262,15 @@ class _NeedWalker(Backward[Names]):
         """What the nodes inside a statement, or below its calls, need."""
         stack = [node]
         while stack:
-            item = stack.pop()
-            if item in self.cuts.here:
+            part = stack.pop()
+            if part in self.cuts.here:
                 self.reached += 1
-                yield self.need(item)
-            elif item in self.cuts.below:
+                yield self.need(part)
+            elif part in self.cuts.below:
                 self.reached += 1
-                yield self.call(cast("n.Call", item), self.after, False)
-            elif item in self.cuts.touched:
-                stack.extend(children(item))
+                yield self.call(cast("n.Call", part), self.after, False)
+            elif part in self.cuts.touched:
+                stack.extend(children(part))
 
     def need(self, node: n.Node) -> Need:
         """What evaluating an expression or a plain statement needs."""
@@ -280,17 +280,19 @@ class _NeedWalker(Backward[Names]):
             return _NOTHING
         if node in self.cuts.below:
             function = self.cuts.below[node][0].places.function
-            back = (item.name for item in function.proto.params if item.writes_back and item.name)
+            back = (
+                param.name for param in function.proto.params if param.writes_back and param.name
+            )
             return self.call(cast("n.Call", node), self.after.union(back), True)
         parts = children(node)
         if isinstance(node, n.Assign) and node.op == "=" and isinstance(node.target, n.Name):
             parts = (node.value,)
         needs = [self.need(part) for part in parts]
         cost = self.costs.of(node) - sum(self.costs.of(part) for part in parts)
-        reads = _NONE.union(*(item.reads for item in needs))
+        reads = _NONE.union(*(need.reads for need in needs))
         if isinstance(node, EXPRESSIONS) and not parts:
             reads |= self.table.of(node).reads
-        return Need(cost + sum(item.cost for item in needs), reads)
+        return Need(cost + sum(need.cost for need in needs), reads)
 
     def call(self, call: n.Call, at_exit: Names, returns: bool) -> Need:
         """A call on the way to a node: the function as it is left, and the arguments for that."""
@@ -301,8 +303,8 @@ class _NeedWalker(Backward[Names]):
             needs = [self.need(arg)] if param.name in inside.reads else []
             if not needs and self.goal and arg in self.cuts.touched:
                 needs += self.goals(arg)
-            cost += sum(item.cost for item in needs)
-            reads = reads.union(*(item.reads for item in needs))
+            cost += sum(need.cost for need in needs)
+            reads = reads.union(*(need.reads for need in needs))
         return Need(cost, reads)
 
 

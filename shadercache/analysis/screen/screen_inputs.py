@@ -68,7 +68,7 @@ def _interpolated_on_screen(module: n.Module) -> Iterator[tuple[Key, Components]
         owner = decl.instance if isinstance(decl, n.BlockDecl) else None
         for part in decl.fields if isinstance(decl, n.BlockDecl) else (decl,):
             if decl.qualifiers.has("noperspective") or part.qualifiers.has("noperspective"):
-                yield from (((owner, item.name), WHOLE) for item in part.declarators)
+                yield from (((owner, variable.name), WHOLE) for variable in part.declarators)
 
 
 def _used(node: n.Node) -> Key:

@@ -75,7 +75,7 @@ def _outputs(module: n.Module, evaluator: Evaluator) -> Iterator[tuple[Key, Term
         owner = decl.name if isinstance(decl, n.BlockDecl) else None
         instance = decl.instance if isinstance(decl, n.BlockDecl) else None
         fields = decl.fields if isinstance(decl, n.BlockDecl) else (decl,)
-        for name in (item.name for part in fields for item in part.declarators):
+        for name in (variable.name for part in fields for variable in part.declarators):
             if instance is None and name in env:
                 yield (owner, name), env[name]
             elif instance in env:
@@ -135,18 +135,18 @@ class _Screen:
         """Which components of a term depend on where on the screen the position is."""
         todo = [term]
         while todo:
-            item = todo[-1]
-            if item not in self._known and self._is_position(item):
+            subterm = todo[-1]
+            if subterm not in self._known and self._is_position(subterm):
                 # The screen has two components, whatever else the position has.
-                limited = frozenset(_SCREEN & set(range(item.width))) if item.width else WHOLE
-                self._known[item] = limited
-            elif item not in self._known:
-                below = (*item.args, *item.decides)
+                limited = frozenset(_SCREEN & set(range(subterm.width))) if subterm.width else WHOLE
+                self._known[subterm] = limited
+            elif subterm not in self._known:
+                below = (*subterm.args, *subterm.decides)
                 missing = [part for part in below if part not in self._known]
                 if missing:
                     todo += missing
                     continue
-                self._known[item] = self._components(item)
+                self._known[subterm] = self._components(subterm)
             todo.pop()
         return self._known[term]
 
@@ -223,7 +223,7 @@ def _projection(product: Term) -> Iterator[tuple[Term, bool]]:
     for *factors, vector in (product.args, product.args[::-1]):
         if vector.type is not None and vector.type.is_vector and not _is_direction(vector):
             # Constant factors before the first that a uniform moves turn axes or mirror.
-            moving = next((item for item in factors if item.moves), None)
+            moving = next((factor for factor in factors if factor.moves), None)
             if moving is not None:
                 yield moving, vector is product.args[-1]
             return

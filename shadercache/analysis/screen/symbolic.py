@@ -68,11 +68,11 @@ class Evaluator:
         return True
 
     def _declare(self, decl: n.VarDecl) -> None:
-        for item in decl.declarators:
-            if item.init is not None:
-                self.env[item.name] = self.value(item.init)
+        for variable in decl.declarators:
+            if variable.init is not None:
+                self.env[variable.name] = self.value(variable.init)
             else:
-                self.env.pop(item.name, None)
+                self.env.pop(variable.name, None)
 
     def _branch(self, stmt: n.If) -> bool:
         condition = self.value(stmt.condition)
@@ -163,12 +163,12 @@ class Evaluator:
         while isinstance(left := chain[-1].left, n.Binary) and left not in self.facts.constants:
             chain.append(left)
         term = self.value(chain[-1].left)
-        for item in reversed(chain):
-            term = self._binary(item.op, term, self.value(item.right), self.facts.types.get(item))
+        for node in reversed(chain):
+            term = self._binary(node.op, term, self.value(node.right), self.facts.types.get(node))
         return term
 
     def _binary(self, op: str, one: Term, other: Term, kind: Type | None) -> Term:
-        kinds = [item.type for item in (one, other) if item.type is not None]
+        kinds = [term.type for term in (one, other) if term.type is not None]
         matrices = any(k.is_matrix for k in kinds) and not any(k.is_scalar for k in kinds)
         if op == "*" and kind is not None and len(kinds) == 2 and matrices:
             return self.terms.multiply(one, other, kind)

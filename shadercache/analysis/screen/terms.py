@@ -86,7 +86,7 @@ class Terms:
 
     def multiply(self, one: Term, other: Term, kind: Type) -> Term:
         """``one * other``, where at least one of the two is a matrix and none a scalar."""
-        parts = [item.args if item.op == "product" else (item,) for item in (one, other)]
+        parts = [term.args if term.op == "product" else (term,) for term in (one, other)]
         return self.make("product", None, parts[0] + parts[1], kind)
 
     def join(self, ways: Iterable[Term], decides: Iterable[Term] = ()) -> Term:
