@@ -79,7 +79,9 @@ def run(world: RenderScene, linker: Linker, configuration: Configuration) -> Cas
     objects = linker.link(linker.assign(configuration))
     subject = Watched("cached", configuration, objects).watch(start)
     with CoverageRunner(world, *linker.originals()) as cover:
-        covered = np.stack([cover.coverage(frame) for frame in (0, *frames)]).all(axis=0)
+        covered = cover.coverage(0)
+        for frame in frames:
+            covered &= cover.coverage(frame)
     truth = [
         image[..., :3].astype(np.float64)
         for image in render_original(world, linker.originals(), frames)
