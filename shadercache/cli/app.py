@@ -32,6 +32,7 @@ COMMANDS = {
     "verify": "verify",
     "run": "run",
     "bench": "bench",
+    "sweep": "sweep",
     "demo": "demo",
     "assets": "assets",
     "doctor": "doctor",

@@ -9,6 +9,7 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 from shadercache.measure.measurement import Shot
+from shadercache.measure.shown import picture
 from shadercache.report import images
 from shadercache.report.debug_views import with_legend
 
@@ -62,7 +63,7 @@ def contact_sheet(title: str, rows: Sequence[SheetRow], cell: int = 400) -> imag
 def _draw_row(sheet: Image.Image, row: SheetRow, y: int, size: tuple[int, int]) -> None:
     shot, draw = row.shot, ImageDraw.Draw(sheet)
     smooth, exact = Image.Resampling.LANCZOS, Image.Resampling.NEAREST
-    original, cached = images.picture(shot.original), images.picture(shot.cached)
+    original, cached = picture(shot.original), picture(shot.cached)
     outcomes = images.hit_picture(shot.probe.mask, shot.probe.values)
     difference = images.difference_picture(original, cached)
     # Neither the difference nor the hit map may be averaged: single pixels are what they show.

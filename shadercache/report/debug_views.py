@@ -15,7 +15,8 @@ from PIL import Image, ImageDraw, ImageFont
 from shadercache.diagnostics import usage_error
 from shadercache.measure.measurement import Probe, Shot
 from shadercache.report import images
-from shadercache.report.images import LEGEND, Color, Picture, hit_picture, outcome_color
+from shadercache.measure.shown import Picture, picture
+from shadercache.report.images import LEGEND, Color, hit_picture, outcome_color
 
 ALL, HITS, AGE = "all", "hits", "age"
 
@@ -36,7 +37,7 @@ def write_pictures(folder: Path, shot: Shot, views: Sequence[str]) -> list[Path]
     Raises :class:`UsageError` SC025 where the folder cannot be written, SC442 for an unknown view.
     """
     stem = f"{re.sub(r'[^A-Za-z0-9._-]+', '-', shot.label)}-{shot.configuration.algorithm}"
-    original, cached = images.picture(shot.original), images.picture(shot.cached)
+    original, cached = picture(shot.original), picture(shot.cached)
     pictures = {
         "original": original,
         "cached": cached,

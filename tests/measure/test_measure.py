@@ -25,6 +25,7 @@ from shadercache.measure.result_files import (
     to_json,
     write_json,
 )
+from shadercache.measure.shown import picture
 from shadercache.measure.subjects import OriginalSubject, VariantSubject
 from shadercache.render.bundle import Bundle
 from shadercache.render.pass_runners import GeometryRunner
@@ -34,7 +35,6 @@ from shadercache.report.images import (
     LEGEND,
     difference_picture,
     hit_picture,
-    picture,
     write_png,
 )
 from shadercache.report.plots import plot_error, plot_time

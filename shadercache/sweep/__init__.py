@@ -1,0 +1,1 @@
+"""Sweeps: plans of trials, carried out by workers, kept in a result store."""

@@ -1,0 +1,36 @@
+"""How long a plan will take, roughly: before anything of it is drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from shadercache.sweep.plan import Trial
+
+COMPILING = 1.5
+"""Seconds that compiling and the pictures of a configuration take here (two cores, llvmpipe)."""
+
+BESIDE = 2.5
+"""Originals' worth that a turn draws beside the configurations: the original, its geometry, parts
+of the floor."""
+
+PROBES = 1.5
+"""Times that a configuration is drawn in a fixed frame, masks and reading back included."""
+
+
+def trial_seconds(trial: Trial, original: float) -> float:
+    """What a trial takes if a frame of the original takes ``original`` seconds.
+
+    Frames past the fixed ones are counted as one half of the cap: some ratios are known at once,
+    others never.
+    """
+    count = len(trial.configurations)
+    turn = original * (BESIDE + PROBES * count)
+    fixed = trial.scene.frames * turn
+    return COMPILING * count + fixed + 0.5 * min(trial.limits.seconds, 4.0 * fixed)
+
+
+def plan_seconds(trials: Sequence[Trial], originals: dict[object, float]) -> float:
+    """The same of a plan; scenes whose original cannot be drawn take nothing."""
+    return sum(
+        trial_seconds(trial, originals[trial.file]) for trial in trials if trial.file in originals
+    )

@@ -1,0 +1,187 @@
+"""Where trials are carried out: an OpenGL context, and the scene that was drawn last.
+
+One process has one room. Nothing here knows the store; rows and pictures are handed out.
+"""
+
+from __future__ import annotations
+
+import os
+import platform
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from statistics import median
+
+from msgspec import structs
+
+from shadercache.caching.configuration import Configuration
+from shadercache.diagnostics import DiagnosticError
+from shadercache.gpu.clock import pick_clock
+from shadercache.gpu.context import open_context
+from shadercache.gpu.resource import Resource
+from shadercache.linking.linker import Linker
+from shadercache.linking.user_places import at_home
+from shadercache.measure.image_error import Pixels
+from shadercache.measure.measure import measure
+from shadercache.measure.measurement import MeasureOptions
+from shadercache.measure.result_files import environment
+from shadercache.measure.statistics import StopRule
+from shadercache.measure.subjects import VariantSubject, subjects_of
+from shadercache.render.pass_runners import OriginalRunner, PayloadRunner
+from shadercache.render.render_scene import RenderScene
+from shadercache.sweep.pictures import payload_picture
+from shadercache.sweep.plan import SceneFile, Trial
+from shadercache.sweep.results import Blobs, failure_row, result_rows
+from shadercache.sweep.row import Failure, FailureKind, Machine, Row
+
+Say = Callable[[str, float], None]
+"""Called with what is going on, and a number: ("original", seconds a frame), ("step", 0)."""
+
+DRAWN_FIRST = 3
+"""Frames of the original that are timed before anything else is drawn."""
+
+
+@dataclass(frozen=True, slots=True)
+class Finished:
+    """The rows of a trial, and the shaders and pictures that they name."""
+
+    rows: tuple[Row, ...]
+    blobs: Mapping[str, bytes]
+
+
+class TrialRoom(Resource):
+    """Carries out trials, one after another."""
+
+    def __init__(self) -> None:
+        """Raises :class:`GraphicsError` SC601: there is no OpenGL here."""
+        self._gpu = open_context()
+        self._clock = pick_clock(self._gpu)
+        self._opened: tuple[tuple[SceneFile, tuple[int, int]], Linker, RenderScene] | None = None
+        self._seconds = 0.0
+
+    @property
+    def machine(self) -> Machine:
+        """Where the numbers come from."""
+        where = environment(self._gpu)
+        return Machine(
+            renderer=self._gpu.renderer,
+            driver=self._gpu.version,
+            clock=self._clock.name,
+            processor=where["cpu"],
+            cores=os.cpu_count() or 1,
+            system=f"{where['system']}, Python {platform.python_version()}",
+        )
+
+    def original_seconds(self, file: SceneFile, size: tuple[int, int]) -> float:
+        """What a frame of the original takes; the scene stays open for trials.
+
+        Raises as :meth:`SceneFile.open` and ``OriginalRunner``.
+        """
+        if self._opened is None or self._opened[0] != (file, size):
+            self._close()
+            linker = file.open()
+            world = RenderScene(self._gpu, linker.scene, size)
+            self._opened = (file, size), linker, world
+            with at_home(linker.analysis), OriginalRunner(world, *linker.originals()) as runner:
+                runner.draw(0)  # compiles
+                times = [self._clock.time(lambda: runner.draw(0)) for _ in range(DRAWN_FIRST)]
+            self._seconds = median(times)
+        return self._seconds
+
+    def carry_out(self, trial: Trial, say: Say) -> Finished:
+        """Draw the trial's configurations in turns; one that fails has a row that says why.
+
+        Raises as :meth:`original_seconds`: then nothing of the scene can be drawn.
+        """
+        say("original", self.original_seconds(trial.file, trial.scene.size))
+        failed: dict[Configuration, Failure] = {}
+        fitting: list[VariantSubject] = []
+        for configuration in trial.configurations:
+            compiled = self._compile(trial, configuration)
+            if isinstance(compiled, Failure):
+                failed[configuration] = compiled
+            else:
+                fitting.append(compiled)
+            say("step", 0.0)
+        finished = self._measured(trial, fitting, say) if fitting else Finished((), {})
+        rows = [failure_row(trial, one, failure) for one, failure in failed.items()]
+        return Finished((*finished.rows, *rows), finished.blobs)
+
+    def _compile(self, trial: Trial, configuration: Configuration) -> VariantSubject | Failure:
+        assert self._opened is not None
+        linker, payload = self._opened[1], trial.payload
+        try:
+            subjects = subjects_of(linker, payload.label, [configuration], payload.equal)
+            if subjects:
+                return subjects[0]
+            refused = linker.link(linker.assign(configuration))[0].bundle.refused
+            return Failure("refused", "SC026", refused[configuration.algorithm])
+        except DiagnosticError as error:
+            return _failure("refused", error)
+
+    def _measured(self, trial: Trial, subjects: list[VariantSubject], say: Say) -> Finished:
+        """Measure together; where the driver takes one of them not, each by itself."""
+        try:
+            return self._measure(trial, subjects, say)
+        except DiagnosticError as error:
+            if len(subjects) == 1:
+                failure = _failure("rejected", error)
+                return Finished((failure_row(trial, subjects[0].configuration, failure),), {})
+        alone = [self._measured(trial, [subject], say) for subject in subjects]
+        blobs = {name: data for finished in alone for name, data in finished.blobs.items()}
+        return Finished(tuple(row for finished in alone for row in finished.rows), blobs)
+
+    def _measure(self, trial: Trial, subjects: list[VariantSubject], say: Say) -> Finished:
+        assert self._opened is not None
+        _, linker, world = self._opened
+        options = MeasureOptions(
+            trial.scene.frames,
+            picture_frame=trial.scene.frames - 1,
+            curves=0,
+            # Which objects are worth caching would be a matter of times; rows must not be.
+            weigh=False,
+            stop=StopRule(trial.limits.half_width, trial.limits.seconds),
+        )
+        with at_home(linker.analysis):
+            measurement = measure(
+                world,
+                linker.originals(),
+                subjects,
+                options,
+                lambda done, steps, what: say("step", 0.0),
+            )
+        blobs = Blobs()
+        source, vertex = linker.analysis.fragment, linker.analysis.vertex_source
+        texts = {
+            "source.frag": blobs.add(source.text.encode()),
+            "source.vert": blobs.add(vertex.text.encode()),
+        }
+        shown = {"payload": blobs.add(payload_picture(self._payload(subjects[0], options)))}
+        bundles = {subject.configuration: subject.bundle for subject in subjects}
+        rows = [
+            structs.replace(row, texts={**texts, **row.texts}, pictures={**shown, **row.pictures})
+            for row in result_rows(trial, measurement, bundles, blobs)
+        ]
+        return Finished(tuple(rows), blobs.data)
+
+    def _payload(self, subject: VariantSubject, options: MeasureOptions) -> Pixels:
+        """The payload alone, at the frame of the other pictures."""
+        assert self._opened is not None and options.picture_frame is not None
+        world = self._opened[2]
+        with PayloadRunner(world, *subject.objects) as runner:
+            runner.draw(options.picture_frame)
+            return world.targets.pixels()
+
+    def _close(self) -> None:
+        if self._opened is not None:
+            self._opened[2].release()
+            self._opened = None
+
+    def release(self) -> None:
+        """Give everything on the GPU back."""
+        self._close()
+        self._gpu.release()
+
+
+def _failure(kind: FailureKind, error: DiagnosticError) -> Failure:
+    first = error.diagnostics[0]
+    return Failure(kind, first.code, first.message)
