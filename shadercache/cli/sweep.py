@@ -18,7 +18,7 @@ from shadercache.diagnostics import DiagnosticError, usage_error
 
 if TYPE_CHECKING:
     from shadercache.sweep.choices import Choices
-    from shadercache.sweep.plan import Trial
+    from shadercache.sweep.plan import SweepTrial
     from shadercache.sweep.row import Row
     from shadercache.sweep.store import Store
     from shadercache.sweep.worker import Worker
@@ -172,7 +172,7 @@ def command(
     _print_end(left, failures, output)
 
 
-def _planned(choices: Choices, reading: options.ShaderOptions) -> list[Trial]:
+def _planned(choices: Choices, reading: options.ShaderOptions) -> list[SweepTrial]:
     from shadercache.sweep.plan import SceneFile, plan_scene
 
     read = reading.read_options()
@@ -184,10 +184,10 @@ def _planned(choices: Choices, reading: options.ShaderOptions) -> list[Trial]:
 
 
 def _left(
-    trials: Sequence[Trial], store: Store, where: Sequence[str], force: bool, stale: bool
-) -> list[Trial]:
+    trials: Sequence[SweepTrial], store: Store, where: Sequence[str], force: bool, stale: bool
+) -> list[SweepTrial]:
     """The trials that are to be carried out."""
-    from shadercache.sweep.conditions import chosen, read_conditions
+    from shadercache.sweep.which_trials import chosen, read_conditions
 
     if not trials:
         return []
@@ -207,7 +207,7 @@ def _left(
     )
 
 
-def _print_plan(trials: Sequence[Trial], left: Sequence[Trial], worker: Worker) -> None:
+def _print_plan(trials: Sequence[SweepTrial], left: Sequence[SweepTrial], worker: Worker) -> None:
     from shadercache.sweep.estimate import plan_seconds
 
     originals: dict[object, float] = {}
@@ -239,7 +239,7 @@ def _print_plan(trials: Sequence[Trial], left: Sequence[Trial], worker: Worker) 
     )
 
 
-def _carried_out(trials: Sequence[Trial], worker: Worker, store: Store) -> list[Row]:
+def _carried_out(trials: Sequence[SweepTrial], worker: Worker, store: Store) -> list[Row]:
     """Carry out what is left; returns the rows that are failures."""
     from shadercache.sweep.carry_out import carry_out
 
@@ -258,7 +258,7 @@ def _carried_out(trials: Sequence[Trial], worker: Worker, store: Store) -> list[
     return failures
 
 
-def _print_end(trials: Sequence[Trial], failures: Sequence[Row], output: Path) -> None:
+def _print_end(trials: Sequence[SweepTrial], failures: Sequence[Row], output: Path) -> None:
     count = sum(len(trial.configurations) for trial in trials)
     print(f"{count} rows written to {output}, {len(failures)} of them failures")
     for row in failures:

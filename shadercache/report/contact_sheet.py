@@ -9,7 +9,7 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 from shadercache.measure.measurement import Shot
-from shadercache.measure.shown import picture
+from shadercache.measure.shown import Picture, picture
 from shadercache.report import images
 from shadercache.report.debug_views import with_legend
 
@@ -33,7 +33,7 @@ class SheetRow:
     caption: str
 
 
-def contact_sheet(title: str, rows: Sequence[SheetRow], cell: int = 400) -> images.Picture:
+def contact_sheet(title: str, rows: Sequence[SheetRow], cell: int = 400) -> Picture:
     """The sheet, (h, w, 3) with row 0 at the top.
 
     Args:

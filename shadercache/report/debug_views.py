@@ -14,8 +14,8 @@ from PIL import Image, ImageDraw, ImageFont
 
 from shadercache.diagnostics import usage_error
 from shadercache.measure.measurement import Probe, Shot
-from shadercache.report import images
 from shadercache.measure.shown import Picture, picture
+from shadercache.report import images
 from shadercache.report.images import LEGEND, Color, hit_picture, outcome_color
 
 ALL, HITS, AGE = "all", "hits", "age"

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from shadercache.diagnostics import DiagnosticError
-from shadercache.sweep.plan import Trial
+from shadercache.sweep.plan import SweepTrial
 from shadercache.sweep.results import failure_row
 from shadercache.sweep.row import Failure, Row
 from shadercache.sweep.store import Store
@@ -17,7 +17,7 @@ Heard = Callable[[Row], None]
 """Called with each row once it is in the store."""
 
 
-def carry_out(trials: Sequence[Trial], worker: Worker, store: Store, heard: Heard) -> None:
+def carry_out(trials: Sequence[SweepTrial], worker: Worker, store: Store, heard: Heard) -> None:
     """Carry out trials in their order. A failure is a row, and the next trial follows.
 
     Raises as ``Store.keep``; what was finished before is kept.
@@ -32,7 +32,9 @@ def carry_out(trials: Sequence[Trial], worker: Worker, store: Store, heard: Hear
             _keep(store, part, heard)
 
 
-def _parts(trial: Trial, worker: Worker, hopeless: dict[object, Failure]) -> Sequence[Finished]:
+def _parts(
+    trial: SweepTrial, worker: Worker, hopeless: dict[object, Failure]
+) -> Sequence[Finished]:
     try:
         return [worker.carry_out(trial)]
     except DiagnosticError as error:  # the original itself cannot be drawn
@@ -50,7 +52,7 @@ def _parts(trial: Trial, worker: Worker, hopeless: dict[object, Failure]) -> Seq
     return [_all_failed(trial, failure)]
 
 
-def _all_failed(trial: Trial, failure: Failure) -> Finished:
+def _all_failed(trial: SweepTrial, failure: Failure) -> Finished:
     return Finished(tuple(failure_row(trial, one, failure) for one in trial.configurations), {})
 
 

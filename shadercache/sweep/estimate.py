@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from shadercache.sweep.plan import Trial
+from shadercache.sweep.plan import SweepTrial
 
 COMPILING = 1.5
 """Seconds that compiling and the pictures of a configuration take here (two cores, llvmpipe)."""
@@ -17,7 +17,7 @@ PROBES = 1.5
 """Times that a configuration is drawn in a fixed frame, masks and reading back included."""
 
 
-def trial_seconds(trial: Trial, original: float) -> float:
+def trial_seconds(trial: SweepTrial, original: float) -> float:
     """What a trial takes if a frame of the original takes ``original`` seconds.
 
     Frames past the fixed ones are counted as one half of the cap: some ratios are known at once,
@@ -29,7 +29,7 @@ def trial_seconds(trial: Trial, original: float) -> float:
     return COMPILING * count + fixed + 0.5 * min(trial.limits.seconds, 4.0 * fixed)
 
 
-def plan_seconds(trials: Sequence[Trial], originals: dict[object, float]) -> float:
+def plan_seconds(trials: Sequence[SweepTrial], originals: dict[object, float]) -> float:
     """The same of a plan; scenes whose original cannot be drawn take nothing."""
     return sum(
         trial_seconds(trial, originals[trial.file]) for trial in trials if trial.file in originals

@@ -47,7 +47,7 @@ class Limits:
 
 
 @dataclass(frozen=True, slots=True)
-class Trial:
+class SweepTrial:
     """Configurations of one payload, drawn in turns.
 
     ``fingerprint`` names the scene's content; ``machine`` is known once there is a worker.
@@ -79,13 +79,13 @@ class Trial:
         """What ``--where`` asks about."""
         return words(self.scene.name, self.payload.label, configuration.to_json())
 
-    def only(self, wanted: Callable[[Trial, Configuration], bool]) -> Trial:
+    def only(self, wanted: Callable[[SweepTrial, Configuration], bool]) -> SweepTrial:
         """The trial with those of its configurations that are wanted."""
         chosen = tuple(one for one in self.configurations if wanted(self, one))
         return replace(self, configurations=chosen)
 
 
-def plan_scene(file: SceneFile, choices: Choices) -> list[Trial]:
+def plan_scene(file: SceneFile, choices: Choices) -> list[SweepTrial]:
     """All trials of one scene.
 
     Raises:
@@ -103,7 +103,7 @@ def plan_scene(file: SceneFile, choices: Choices) -> list[Trial]:
         every = list(choices.configurations(payload.ids, several))
         for start in range(0, len(every), IN_TURNS):
             turns = tuple(every[start : start + IN_TURNS])
-            trials.append(Trial(file, entry, payload, turns, limits, fingerprint))
+            trials.append(SweepTrial(file, entry, payload, turns, limits, fingerprint))
     if not trials:
         raise usage_error("SC027", f"{file.path}: no node is offered, so there is nothing to sweep")
     return trials

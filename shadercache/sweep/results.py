@@ -11,12 +11,12 @@ from shadercache.measure.measurement import Group, Measurement, NodeResult, Vari
 from shadercache.measure.result_files import plain
 from shadercache.render.bundle import Bundle
 from shadercache.sweep.pictures import shot_pictures
-from shadercache.sweep.plan import Trial
+from shadercache.sweep.plan import SweepTrial
 from shadercache.sweep.row import (
     Failure,
     ImageErrors,
     RatioEntry,
-    Reuse,
+    ReuseShares,
     Row,
     Samples,
     Times,
@@ -40,7 +40,10 @@ class Blobs:
 
 
 def result_rows(
-    trial: Trial, measurement: Measurement, bundles: Mapping[Configuration, Bundle], blobs: Blobs
+    trial: SweepTrial,
+    measurement: Measurement,
+    bundles: Mapping[Configuration, Bundle],
+    blobs: Blobs,
 ) -> Iterator[Row]:
     """A row for each variant of a measurement.
 
@@ -63,7 +66,7 @@ def result_rows(
                 result = TrialResult(
                     _times(group, node, variant),
                     _image(variant),
-                    Reuse(
+                    ReuseShares(
                         variant.hit_rate,
                         variant.burst,
                         dict(variant.outcomes),
@@ -75,13 +78,13 @@ def result_rows(
                 yield _row(trial, configuration, result, texts, images)
 
 
-def failure_row(trial: Trial, configuration: Configuration, failure: Failure) -> Row:
+def failure_row(trial: SweepTrial, configuration: Configuration, failure: Failure) -> Row:
     """The row of a configuration that has no result."""
     return _row(trial, configuration, failure, {}, {})
 
 
 def _row(
-    trial: Trial,
+    trial: SweepTrial,
     configuration: Configuration,
     outcome: Failure | TrialResult,
     texts: dict[str, str],

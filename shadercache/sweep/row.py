@@ -112,7 +112,7 @@ class ImageErrors(msgspec.Struct, frozen=True):
     perceived: dict[str, Any] | None = None
 
 
-class Reuse(msgspec.Struct, frozen=True):
+class ReuseShares(msgspec.Struct, frozen=True):
     """What became of the covered visible pixels: shares by outcome, fragments by pass.
 
     ``values``: outcome -> its number in the picture ``outcomes``.
@@ -130,7 +130,7 @@ class TrialResult(msgspec.Struct, frozen=True, tag="result"):
 
     times: Times
     image: ImageErrors
-    reuse: Reuse | None
+    reuse: ReuseShares | None
     covered: float
 
 

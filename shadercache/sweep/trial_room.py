@@ -29,7 +29,7 @@ from shadercache.measure.subjects import VariantSubject, subjects_of
 from shadercache.render.pass_runners import OriginalRunner, PayloadRunner
 from shadercache.render.render_scene import RenderScene
 from shadercache.sweep.pictures import payload_picture
-from shadercache.sweep.plan import SceneFile, Trial
+from shadercache.sweep.plan import SceneFile, SweepTrial
 from shadercache.sweep.results import Blobs, failure_row, result_rows
 from shadercache.sweep.row import Failure, FailureKind, Machine, Row
 
@@ -87,7 +87,7 @@ class TrialRoom(Resource):
             self._seconds = median(times)
         return self._seconds
 
-    def carry_out(self, trial: Trial, say: Say) -> Finished:
+    def carry_out(self, trial: SweepTrial, say: Say) -> Finished:
         """Draw the trial's configurations in turns; one that fails has a row that says why.
 
         Raises as :meth:`original_seconds`: then nothing of the scene can be drawn.
@@ -106,7 +106,7 @@ class TrialRoom(Resource):
         rows = [failure_row(trial, one, failure) for one, failure in failed.items()]
         return Finished((*finished.rows, *rows), finished.blobs)
 
-    def _compile(self, trial: Trial, configuration: Configuration) -> VariantSubject | Failure:
+    def _compile(self, trial: SweepTrial, configuration: Configuration) -> VariantSubject | Failure:
         assert self._opened is not None
         linker, payload = self._opened[1], trial.payload
         try:
@@ -118,7 +118,7 @@ class TrialRoom(Resource):
         except DiagnosticError as error:
             return _failure("refused", error)
 
-    def _measured(self, trial: Trial, subjects: list[VariantSubject], say: Say) -> Finished:
+    def _measured(self, trial: SweepTrial, subjects: list[VariantSubject], say: Say) -> Finished:
         """Measure together; where the driver takes one of them not, each by itself."""
         try:
             return self._measure(trial, subjects, say)
@@ -130,7 +130,7 @@ class TrialRoom(Resource):
         blobs = {name: data for finished in alone for name, data in finished.blobs.items()}
         return Finished(tuple(row for finished in alone for row in finished.rows), blobs)
 
-    def _measure(self, trial: Trial, subjects: list[VariantSubject], say: Say) -> Finished:
+    def _measure(self, trial: SweepTrial, subjects: list[VariantSubject], say: Say) -> Finished:
         assert self._opened is not None
         _, linker, world = self._opened
         options = MeasureOptions(

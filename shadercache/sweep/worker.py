@@ -13,7 +13,7 @@ from typing import Any
 
 from shadercache.diagnostics import DiagnosticError
 from shadercache.gpu.resource import Resource
-from shadercache.sweep.plan import SceneFile, Trial
+from shadercache.sweep.plan import SceneFile, SweepTrial
 from shadercache.sweep.row import Failure, FailureKind, Machine
 from shadercache.sweep.trial_room import Finished, TrialRoom
 
@@ -58,7 +58,7 @@ class Worker(Resource):
         seconds: float = self._ask("original", file, size)
         return seconds
 
-    def carry_out(self, trial: Trial) -> Finished:
+    def carry_out(self, trial: SweepTrial) -> Finished:
         """As :meth:`TrialRoom.carry_out`. Raises :class:`WorkerLostError` as well."""
         finished: Finished = self._ask("trial", trial)
         return finished

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 from shadercache.caching.configuration import Configuration
 from shadercache.diagnostics import usage_error
-from shadercache.sweep.plan import Trial
+from shadercache.sweep.plan import SweepTrial
 
 Condition = Callable[[Mapping[str, str]], bool]
 
@@ -29,7 +29,9 @@ def read_conditions(texts: Sequence[str], known: Mapping[str, str]) -> Condition
     return lambda words: all(words[key] in values for key, values in wanted)
 
 
-def chosen(trials: Sequence[Trial], wanted: Callable[[Trial, Configuration], bool]) -> list[Trial]:
+def chosen(
+    trials: Sequence[SweepTrial], wanted: Callable[[SweepTrial, Configuration], bool]
+) -> list[SweepTrial]:
     """The trials with the configurations that are wanted; those without any are left out."""
     cut = [trial.only(wanted) for trial in trials]
     return [trial for trial in cut if trial.configurations]
