@@ -183,6 +183,12 @@ class Analysis:
             raise usage_error("SC010", f"'{ids}' lacks an id beside a '+'")
         return tuple(self.node(node_id) for node_id in parts)
 
+    def static_ratio(self, nodes: Sequence[Candidate]) -> float:
+        """P/T by static costs, where the values of ``nodes`` are cached together."""
+        if len(nodes) == 1:
+            return nodes[0].ratio
+        return self.shared_work.parts(nodes).payload / (self.shared_work.whole or 1.0)
+
     def require_all(self, nodes: Sequence[Candidate], unprofitable: bool = False) -> None:
         """Raise :class:`InputError` with the refusal's code if a node may not be cached.
 

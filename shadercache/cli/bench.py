@@ -13,14 +13,14 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from shadercache.cli import options
-from shadercache.cli.measuring import measured, result_table, summary
+from shadercache.cli.measuring import TrialOptions, measured, result_table, summary
 from shadercache.cli.scenes import choose_nodes, one_by_one
 from shadercache.cli.tables import shorten
 
 if TYPE_CHECKING:
     from shadercache.measure.measurement import Measurement, NodeResult
 
-SMALL = options.DrawOptions(size="512")
+SMALL, TRIAL = options.DrawOptions(size="512"), TrialOptions()
 
 
 def command(
@@ -39,7 +39,7 @@ def command(
     ] = "all",
     period: Annotated[str, typer.Option(metavar="N,...", help="Refresh periods, frames.")] = "32",
     block: Annotated[str, typer.Option(metavar="K,...", help="Block edges, pixels.")] = "4",
-    frames: Annotated[int, typer.Option(min=2, help="Frames of each run.")] = 16,
+    trial: TrialOptions = TRIAL,
     draw: options.DrawOptions = SMALL,
     out: Annotated[Path, options.output("For JSON, CSV and plots.")] = Path("out/bench"),
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON, not a table.")] = False,
@@ -78,7 +78,7 @@ def command(
     for payload in payloads:
         chosen = [replace(kind, nodes=payload.ids) for kind in kinds]
         subjects += subjects_of(linker, payload.label, chosen, payload.equal)
-    how = MeasureOptions(frames, weigh=draw.weigh)
+    how = MeasureOptions(trial.frames, weigh=draw.weigh, stop=trial.stop)
     results, where = measured(linker, subjects, how, draw, scene.name)
     report = to_json(results, where)
     _store(out, results, report)

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
 
 from shadercache.cli.options import PictureOptions, parse_size
 from shadercache.cli.progress import progress
@@ -19,13 +22,14 @@ if TYPE_CHECKING:
         NodeResult,
         VariantResult,
     )
+    from shadercache.measure.statistics import StopRule
     from shadercache.measure.subjects import VariantSubject
 
 _FIGURES: Mapping[str, Callable[[VariantResult], str]] = {
     "time ms": lambda variant: f"{variant.timing.median * 1e3:.1f}",
-    "p95/p99": lambda variant: f"{variant.timing.p95 * 1e3:.0f}/{variant.timing.p99 * 1e3:.0f}",
     "reset": lambda variant: f"{variant.reset:.2f}x",
     "ratio": lambda variant: f"{variant.speedup.median:.2f}x",
+    "tail": lambda variant: f"{variant.timing.tail:.2f}",
     "interval": lambda variant: f"{variant.speedup.low:.2f}-{variant.speedup.high:.2f}",
     "hits": lambda variant: f"{variant.hit_rate:.1%}",
     "RMSE": lambda variant: f"{variant.error.rmse:.4f}",
@@ -36,8 +40,38 @@ _FIGURES: Mapping[str, Callable[[VariantResult], str]] = {
 """Columns of the table of results, and what stands in them for a variant."""
 
 FIGURES = tuple(_FIGURES)
-FEW_FIGURES = ("time ms", "ratio", "interval", "hits", "RMSE", "PSNR dB")
+FEW_FIGURES = ("time ms", "ratio", "tail", "interval", "hits", "RMSE", "PSNR dB")
 """The figures that a first look needs."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class TrialOptions:
+    """How long is measured, in ``bench`` and whatever else measures many variants."""
+
+    frames: Annotated[
+        int, typer.Option(min=2, help="Frames of each run; the error is of these.")
+    ] = 16
+    until: Annotated[
+        float,
+        typer.Option(
+            min=0.0,
+            max=100.0,
+            metavar="PERCENT",
+            help="Repeat them, only to time them, until every ratio is known to within this; 0: "
+            "never.",
+        ),
+    ] = 3.0
+    seconds: Annotated[
+        float,
+        typer.Option(min=0.0, metavar="CAP", help="End the timing of a batch of variants by then."),
+    ] = 30.0
+
+    @property
+    def stop(self) -> StopRule | None:
+        """The rule that is asked for."""
+        from shadercache.measure.statistics import StopRule
+
+        return StopRule(self.until / 100.0, self.seconds) if self.until else None
 
 
 def measured(
@@ -90,13 +124,17 @@ def result_table(
     """All variants of all nodes, nodes in ascending P/T, as text."""
     rows = []
     for node in sorted(measurement.nodes, key=lambda node: node.ratio or 0.0):
-        head = (label(node), "" if node.ratio is None else f"{node.ratio:.3f}")
+        head = (label(node), *(_share(ratio) for ratio in (node.ratio, node.static_ratio)))
         for variant in node.variants:
             name = measurement.name(variant.configuration)
             rows.append((*head, name, *(_FIGURES[figure](variant) for figure in figures)))
-            head = ("", "")
-    header = ("node", "P/T", "variant", *figures)
-    return format_table(header, rows, right="P/T ratio hits RMSE eff.")
+            head = ("", "", "")
+    header = ("node", "P/T", "static", "variant", *figures)
+    return format_table(header, rows, right="P/T static ratio tail hits RMSE eff.")
+
+
+def _share(ratio: float | None) -> str:
+    return "" if ratio is None else f"{ratio:.3f}"
 
 
 def summary(measurement: Measurement) -> str:
@@ -121,11 +159,32 @@ def summary(measurement: Measurement) -> str:
         for numbers in zip(*measurement.refreshes, strict=True)
     )
     lines.append(
-        f"{size[0]}x{size[1]}, {measurement.frames} frames, period {periods}, "
+        f"{size[0]}x{size[1]}, {options.frames} frames, period {periods}, "
         f"block {blocks}; errors over covered pixels of frames "
-        f"{options.first_compared + 1}-{measurement.frames}; clock: {measurement.clock}"
+        f"{options.first_compared + 1}-{options.frames}; clock: {measurement.clock}"
     )
+    lines.append(_reached(measurement))
+    correlation = measurement.rank_correlation
+    if correlation is not None:
+        lines.append(f"P/T as measured and by static costs: rank correlation {correlation:.2f}")
     return "\n".join([*lines, *(f"note: {note}" for note in measurement.notes)])
+
+
+def _reached(measurement: Measurement) -> str:
+    """How well the ratios are known, and after how much."""
+    reached, stop = [group.reached for group in measurement.groups], measurement.options.stop
+    width = max(batch.half_width for batch in reached)
+    counts = [batch.frames for batch in reached]
+    frames = "-".join(str(count) for count in dict.fromkeys((min(counts), max(counts))))
+    told = (
+        f"every ratio to within {width:.1%} (half of its 95 % interval), from {frames} timed "
+        f"frames in {sum(batch.seconds for batch in reached):.0f} s"
+    )
+    capped = sum(batch.capped for batch in reached)
+    if stop is None or not capped:
+        return told
+    which = f"{capped} of {len(reached)} batches" if len(reached) > 1 else "the run"
+    return f"{told}; {which} ran out of time before {stop.half_width:.1%}"
 
 
 def _worth(gain: CachingGain) -> str:

@@ -54,7 +54,7 @@ def command(
     from shadercache.emit.depth_range import depth_warnings
     from shadercache.linking.linker import Linker
     from shadercache.measure.measurement import MeasureOptions
-    from shadercache.measure.subjects import VariantSubject
+    from shadercache.measure.subjects import PayloadFacts, VariantSubject
     from shadercache.report.debug_views import write_pictures
 
     [edge] = options.parse_blocks(str(block))
@@ -67,7 +67,8 @@ def command(
     context.obj.show(depth_warnings(cached, scene.view.camera.near, scene.view.camera.far))
     linker = Linker(scene, analysis)
     assignment = linker.assign(cached)
-    subject = VariantSubject(payload.label, cached, linker.link(assignment), assignment)
+    facts = PayloadFacts(static_ratio=analysis.static_ratio(payload.nodes))
+    subject = VariantSubject(payload.label, cached, linker.link(assignment), assignment, facts)
     how = MeasureOptions(frame + 1, picture_frame=frame, weigh=draw.weigh)
     results, _ = measured(linker, [subject], how, draw, f"running {payload.label}")
     print(f"mapping: {analysis.mapping}")

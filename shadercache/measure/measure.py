@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack
 from functools import partial
-from itertools import groupby
+from itertools import count, groupby
 from time import monotonic
 
 import numpy as np
@@ -19,7 +19,7 @@ from shadercache.diagnostics import usage_error
 from shadercache.gpu.clock import Clock, no_collection, pick_clock
 from shadercache.gpu.resource import Resource
 from shadercache.measure import measurement as results
-from shadercache.measure.statistics import COMPARED, timing
+from shadercache.measure.statistics import FEWEST, LOOK_EVERY, Reached, StopRule, timing, widest
 from shadercache.measure.subjects import Subject, VariantSubject
 from shadercache.measure.timed_runs import TimedOriginal, TimedParts, TimedSubject, TimedVariant
 from shadercache.measure.worth_caching import weigh
@@ -67,12 +67,15 @@ def measure(
     runs: list[_GroupRun] = []
     groups: list[results.Group] = []
     batches = list(_batches(drawn, options.group))
-    steps = options.frames + 1  # one for the warm-up
-    for number, batch in enumerate(batches):
+    # One for the warm-up, and as many for all repetitions: nobody knows how many there will be.
+    steps = (options.frames + 1) * (1 if options.stop is None else 2)
+    for number, batch in enumerate(batches, start=1):
         with _GroupRun(world, original, batch, options, clock) as run:
-            for step, what in enumerate(run.draw_all(), start=number * steps):
+            for step, what in run.draw_all():
                 if progress is not None:
-                    progress(step, len(batches) * steps, what)
+                    progress((number - 1) * steps + step, len(batches) * steps, what)
+            if progress is not None:
+                progress(number * steps, len(batches) * steps, "timing")
             groups.append(run.result(with_curves))
             runs.append(run)
     covered = [share for run in runs for share in run.covered]
@@ -118,6 +121,7 @@ class _GroupRun(Resource):
         clock: Clock,
     ) -> None:
         self._world, self._options, self._clock = world, options, clock
+        self._begun = self._seconds = 0.0
         self.shots: list[results.Shot] = []
         self.covered: list[float] = []
         self._parts: dict[str, TimedParts] = {}
@@ -151,22 +155,23 @@ class _GroupRun(Resource):
         """What the runs gave away."""
         return [str(seen) for timed in self._variants for seen in timed.runner.cuts.suspicions]
 
-    def draw_all(self) -> Iterator[str]:
-        """Warm up, then run all frames; says before each step what it does."""
-        yield "compiling programs"
+    def draw_all(self) -> Iterator[tuple[int, str]]:
+        """Warm up, then run all frames; says before each step which it is and what it does."""
+        yield 0, "compiling programs"
         self._reference.warm_up(0)
         for timed in self._subjects:
             timed.warm_up(0)
         for parts in self._parts.values():
             parts.warm_up(0, self._clock)
-        yield "timing"
-        begun = monotonic()
+        yield 1, "timing"
+        self._begun = monotonic()
         with no_collection():  # Python's garbage collector would stop some frame for milliseconds.
             for frame in range(self._options.frames):
                 self._draw(frame)
-                yield "timing"
-                if self._may_stop(frame, monotonic() - begun):
-                    break
+                yield frame + 1, "timing"
+            if self._options.stop is not None:
+                yield from self._time_on(self._options.stop)
+            self._seconds = monotonic() - self._begun
             for frame in self._few_frames:
                 for variant in self._variants:
                     variant.time_reset(self._clock, frame, self._reference)
@@ -175,8 +180,8 @@ class _GroupRun(Resource):
         options, reference = self._options, self._reference
         compared, probed = frame >= options.first_compared, options.is_probed(frame)
         shown = frame == options.picture_frame
-        reference.time_geometry(self._clock, frame)
-        reference.time_original(self._clock, frame)
+        reference.time_geometry(self._clock, frame, frame)
+        reference.time_original(self._clock, frame, frame)
         if compared or shown:
             reference.keep_image(frame)
             self.covered.append(float(reference.covered.mean()))
@@ -187,7 +192,7 @@ class _GroupRun(Resource):
                     timed.probe(frame)
                 elif shown:
                     timed.look(frame)
-            timed.time(self._clock, frame)
+            timed.time(self._clock, frame, frame)
             if compared:
                 timed.compare(reference)
             if shown and isinstance(timed, TimedVariant):
@@ -198,12 +203,40 @@ class _GroupRun(Resource):
             if probed:
                 parts.probe(self._clock, frame)
 
-    def _may_stop(self, frame: int, elapsed: float) -> bool:
-        stop = self._options.stop
-        # Fewer images would say too little of the error, however well the times are known.
-        if stop is None or frame + 1 < self._options.first_compared + COMPARED:
-            return False
-        return stop.is_met(elapsed, (timed.speedup(self._reference) for timed in self._subjects))
+    def _time_on(self, stop: StopRule) -> Iterator[tuple[int, str]]:
+        """Repeat the run, only to time it, until the rule is met."""
+        frames = self._options.frames
+        for further in count():
+            elapsed = monotonic() - self._begun
+            if stop.is_over(elapsed):
+                return
+            timed_enough = len(self._subjects[0].times) > FEWEST
+            if further % LOOK_EVERY == 0 and timed_enough and stop.is_met(self._half_width):
+                return
+            self._time(frames + further)
+            yield frames + 1 + int(frames * elapsed / stop.seconds), "timing again"
+
+    def _time(self, step: int) -> None:
+        """Time one frame of a repetition, which begins with a reset as the run did."""
+        frame = step % self._options.frames
+        if frame == 0:
+            for timed in self._subjects:
+                timed.begin_again()
+            return
+        self._reference.time_geometry(self._clock, frame, step)
+        self._reference.time_original(self._clock, frame, step)
+        for timed in self._subjects:
+            timed.time(self._clock, frame, step)
+
+    @property
+    def _half_width(self) -> float:
+        return widest(timed.speedup(self._reference) for timed in self._subjects)
+
+    @property
+    def _reached(self) -> Reached:
+        stop, width = self._options.stop, self._half_width
+        capped = stop is not None and not stop.is_met(width)
+        return Reached(width, len(self._subjects[0].times) - 1, self._seconds, capped)
 
     @property
     def _few_frames(self) -> list[int]:
@@ -223,6 +256,7 @@ class _GroupRun(Resource):
         return results.Group(
             original=timing([time for frame, time in reference.original.items() if frame > 0]),
             geometry=timing(list(reference.geometry.values())),
+            reached=self._reached,
             nodes=tuple(nodes),
             others=tuple(
                 timed.beside(reference)

@@ -11,22 +11,32 @@ from numpy.typing import NDArray
 
 from shadercache.caching.configuration import Assignment, Configuration
 from shadercache.measure.image_error import ErrorStats, Pixels
-from shadercache.measure.statistics import Ratio, StopRule, Timing
+from shadercache.measure.statistics import (
+    Ratio,
+    Reached,
+    StopRule,
+    Timing,
+    rank_correlation,
+)
+
+LAST_COMPARED = 8
+"""So many images at the end of a short run say enough of its error."""
 
 
 @dataclass(frozen=True, slots=True)
 class MeasureOptions:
     """How to measure. Frames are counted from 0, so the papers' frames 33-64 are 32 to 63.
 
-    ``frames``: how many are drawn; frame 0 is a reset and is not timed.
-    ``error_from``: images are compared from this frame on (half of ``frames`` if that is less).
+    ``frames``: how many are drawn and compared; frame 0 is a reset and is not timed.
+    ``error_from``: images are compared from this frame on; of short runs all but the last eight
+    frames come before, or half of the frames if that is less.
     ``probe_every``: every so many frames of that range, hit masks, work and the parts of the floor
     are taken as well (they cost extra draws); more often in a short run, so that there are eight.
     ``group``: how many variants are interleaved at once; more need more memory for caches.
     ``picture_frame``: the frame whose pictures are kept; None keeps none.
     ``curves``: of at most so many payloads what becomes of the pixels is counted in every frame.
     ``weigh``: first find out which objects with shaders of their own are worth caching.
-    ``stop``: end before the last frame, but not before eight images have been compared.
+    ``stop``: then repeat these frames, only to time them, until every ratio is known well enough.
     """
 
     frames: int = 64
@@ -41,7 +51,8 @@ class MeasureOptions:
     @property
     def first_compared(self) -> int:
         """The first frame whose image is compared; never the reset frame."""
-        return max(1, min(self.error_from, self.frames // 2))
+        # The error grows over the first period, so a short run is compared at its end.
+        return max(1, min(self.error_from, max(self.frames // 2, self.frames - LAST_COMPARED)))
 
     def is_probed(self, frame: int) -> bool:
         """Whether the costly extras are taken at a frame."""
@@ -121,26 +132,36 @@ class Curve:
 
 
 @dataclass(frozen=True, slots=True)
-class VariantResult:
+class SubjectResult:
+    """What is said of everything that was drawn beside the original.
+
+    ``timing`` of all frames but reset frames. ``speedup`` is original / this, frame by frame.
+    ``error`` over all images that were compared, ``frame_rmse`` of each of them.
+    """
+
+    timing: Timing
+    speedup: Ratio
+    error: ErrorStats
+    frame_rmse: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class VariantResult(SubjectResult):
     """One variant against the original.
 
-    ``speedup`` is original / variant. ``outcomes``: share of the covered visible pixels that were a
-    hit, a refresh, a miss by cause; ``burst`` the largest share of refreshes in any probed frame.
+    ``outcomes``: share of the covered visible pixels that were a hit, a refresh, a miss by cause;
+    ``burst`` the largest share of refreshes in any probed frame.
     ``reset`` is the time of the frame behind a reset over the original's (the median of a few).
     ``work``: fragments per frame by pass, overdraw included. ``floor`` in seconds and
     ``efficiency`` = floor / time as docs/why/measuring.md says, None without parts.
     """
 
     configuration: Configuration
-    timing: Timing
-    speedup: Ratio
     reset: float
     outcomes: Mapping[str, float]
     burst: float
     hit_rates: tuple[float, ...]
     work: Mapping[str, float]
-    error: ErrorStats
-    frame_rmse: tuple[float, ...]
     floor: float | None
     efficiency: float | None
 
@@ -151,23 +172,18 @@ class VariantResult:
 
 
 @dataclass(frozen=True, slots=True)
-class OtherResult:
-    """What is no variant: its time, its ratio to the original, its error."""
+class OtherResult(SubjectResult):
+    """What is no variant."""
 
     label: str
-    timing: Timing
-    speedup: Ratio
-    error: ErrorStats
-    frame_rmse: tuple[float, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class NodeResult:
-    """One node. ``ratio`` is P/T as measured: payload alone over the original, both less geometry.
+class KnownNode:
+    """What a node is, before anything is measured.
 
-    ``payload`` and ``hit`` are the parts measured alone at the probed frames (None if the manifest
-    has no 3-pass or no 2-pass variant). ``equal``: for how many nodes of
-    the same value it stands; ``curves``: one for each period and block.
+    ``equal``: for how many nodes of the same value it stands. ``static_ratio``: P/T by the
+    compiler's static costs, None where nobody asked for them.
     """
 
     label: str
@@ -176,11 +192,22 @@ class NodeResult:
     text: str
     type: str
     mode: str
+    equal: int
+    static_ratio: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class NodeResult(KnownNode):
+    """One node. ``ratio`` is P/T as measured: payload alone over the original, both less geometry.
+
+    ``payload`` and ``hit`` are the parts measured alone at the probed frames (None if the manifest
+    has no 3-pass or no 2-pass variant). ``curves``: one for each period and block.
+    """
+
     ratio: float | None
     payload: Timing | None
     hit: Timing | None
     variants: tuple[VariantResult, ...]
-    equal: int = 1
     curves: tuple[Curve, ...] = ()
 
 
@@ -221,12 +248,13 @@ class CachingGain:
 class Group:
     """Nodes whose frames were interleaved with the same draws of the original.
 
-    ``original`` and ``geometry`` (the vertex work alone) are timed at every frame. ``others`` were
-    drawn in turns with them.
+    ``original`` and ``geometry`` (the vertex work alone) are timed at every frame. ``reached``: how
+    well the ratios are known. ``others`` were drawn in turns with them.
     """
 
     original: Timing
     geometry: Timing
+    reached: Reached
     nodes: tuple[NodeResult, ...]
     others: tuple[OtherResult, ...] = ()
     skipped: Skipped | None = None
@@ -250,9 +278,17 @@ class Measurement:
     assignments: Mapping[Configuration, Assignment] = field(default_factory=dict)
 
     @property
-    def frames(self) -> int:
-        """How many frames were drawn, the reset frame included."""
-        return 1 + max(len(group.original.samples) for group in self.groups)
+    def rank_correlation(self) -> float | None:
+        """Spearman's, of P/T as measured and by static costs, over the nodes that have both.
+
+        None for fewer than three of them.
+        """
+        pairs = [
+            (node.ratio, node.static_ratio)
+            for node in self.nodes
+            if node.ratio is not None and node.static_ratio is not None
+        ]
+        return rank_correlation([one for one, _ in pairs], [other for _, other in pairs])
 
     @cached_property
     def nodes(self) -> tuple[NodeResult, ...]:

@@ -25,7 +25,7 @@ from shadercache.files import write_bytes
 from shadercache.gpu.context import Gpu
 from shadercache.measure.measurement import Group, Measurement, NodeResult, VariantResult
 
-SCHEMA_VERSION = 2
+SCHEMA_VERSION = 3
 
 
 def environment(gpu: Gpu) -> dict[str, Any]:
@@ -60,6 +60,7 @@ def to_json(measurement: Measurement, where: Mapping[str, Any]) -> dict[str, Any
         "covered": measurement.covered,
         "notes": list(measurement.notes),
         "gains": plain(measurement.gains),
+        "rank_correlation": measurement.rank_correlation,
         "groups": plain(measurement.groups),
     }
 
@@ -113,6 +114,7 @@ def _row(group: Group, node: NodeResult, variant: VariantResult) -> dict[str, An
         "block": configuration.refresh.block,
         "configuration": configuration.key,
         "p_over_t": node.ratio,
+        "p_over_t_static": node.static_ratio,
         "original_ms": group.original.median * 1e3,
         "time_ms": variant.timing.median * 1e3,
         "minimum_ms": variant.timing.minimum * 1e3,
@@ -122,6 +124,8 @@ def _row(group: Group, node: NodeResult, variant: VariantResult) -> dict[str, An
         "speedup": variant.speedup.median,
         "speedup_low": variant.speedup.low,
         "speedup_high": variant.speedup.high,
+        "tail": variant.timing.tail,
+        "original_tail": group.original.tail,
         "hit_rate": variant.hit_rate,
         "refresh_burst": variant.burst,
         "rmse": error.rmse,

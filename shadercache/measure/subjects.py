@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from dataclasses import dataclass
 from typing import Protocol
 
 from shadercache.caching.configuration import Assignment, Configuration
@@ -22,7 +23,10 @@ class Subject(Protocol):
         """Compile what it draws with, and take what it needs of the GPU."""
 
     def draw(self, frame: int) -> None:
-        """Draw a frame into the world's colour target; frames come in order, from 0."""
+        """Draw a frame into the world's colour target.
+
+        Frames come in order, from 0. A 0 begins anew: what came before is to be forgotten.
+        """
 
     def release(self) -> None:
         """Give everything back."""
@@ -51,6 +55,21 @@ class OriginalSubject:
             self._runner.release()
 
 
+@dataclass(frozen=True, slots=True)
+class PayloadFacts:
+    """What is known of a payload before it is measured.
+
+    ``equal``: for how many nodes of the same value it stands, itself included. ``static_ratio``:
+    P/T by static costs.
+    """
+
+    equal: int = 1
+    static_ratio: float | None = None
+
+
+UNKNOWN = PayloadFacts()
+
+
 class VariantSubject:
     """Objects drawn by their assignment. Subjects of one label are of one payload."""
 
@@ -60,15 +79,14 @@ class VariantSubject:
         configuration: Configuration,
         objects: Sequence[LinkedObject],
         assignment: Assignment | None = None,
-        equal: int = 1,
+        facts: PayloadFacts = UNKNOWN,
     ) -> None:
         """Args:
         configuration: that of the scene's own shader.
         objects: as ``Linker.link`` gives them; one stands for all.
-        equal: for how many nodes of the same value it stands, itself included.
         """
         self.label, self.configuration, self.objects = label, configuration, tuple(objects)
-        self.assignment, self.equal = assignment, equal
+        self.assignment, self.facts = assignment, facts
         self._runner: VariantRunner | None = None
 
     @property
@@ -112,7 +130,7 @@ class VariantSubject:
             for drawable, linked in zip(world.drawables, many, strict=True)
         ]
         assignment = self.assignment and self.assignment.with_originals(names)
-        return VariantSubject(self.label, self.configuration, objects, assignment, self.equal)
+        return VariantSubject(self.label, self.configuration, objects, assignment, self.facts)
 
     def at_rest(self, period: int) -> tuple[LinkedObject, ...] | None:
         """Its objects by the algorithm that has a pass for hits alone, refreshed that rarely.
@@ -138,10 +156,12 @@ def subjects_of(
     Raises as :meth:`Linker.link`.
     """
     fitting = linker.algorithms(configurations[0])
+    nodes = linker.analysis.nodes_of("+".join(configurations[0].nodes))
+    facts = PayloadFacts(equal, linker.analysis.static_ratio(nodes))
     subjects = []
     for configuration in configurations:
         if configuration.algorithm in fitting:
             assignment = linker.assign(configuration)
             objects = linker.link(assignment)
-            subjects.append(VariantSubject(label, configuration, objects, assignment, equal))
+            subjects.append(VariantSubject(label, configuration, objects, assignment, facts))
     return subjects

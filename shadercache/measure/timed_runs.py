@@ -43,9 +43,9 @@ class TimedOriginal:
         for runner in self._runners:
             runner.draw(frame)
 
-    def time_original(self, clock: Clock, frame: int) -> None:
-        """Time the original; its image stays in the colour target."""
-        self.original[frame] = self.time_again(clock, frame)
+    def time_original(self, clock: Clock, frame: int, step: int) -> None:
+        """Time the original; its image stays in the colour target. ``step`` numbers the sample."""
+        self.original[step] = self.time_again(clock, frame)
 
     def time_again(self, clock: Clock, frame: int) -> float:
         """The time of the original, which is not kept."""
@@ -61,10 +61,10 @@ class TimedOriginal:
         finally:
             self._world.culling = True
 
-    def time_geometry(self, clock: Clock, frame: int) -> None:
-        """Time the bare geometry."""
+    def time_geometry(self, clock: Clock, frame: int, step: int) -> None:
+        """Time the bare geometry. ``step`` numbers the sample."""
         self._world.prepare(frame)
-        self.geometry[frame] = clock.time(partial(self._geometry.draw, frame))
+        self.geometry[step] = clock.time(partial(self._geometry.draw, frame))
 
     def keep_image(self, frame: int) -> None:
         """Keep the original's pixels, which were just drawn, and the mask of covered pixels."""
@@ -100,9 +100,14 @@ class TimedSubject:
         for _ in range(2):
             self.subject.draw(frame)
 
-    def time(self, clock: Clock, frame: int) -> None:
-        """Time the next frame of the run; its image stays in the colour target."""
-        self.times[frame] = clock.time(partial(self.subject.draw, frame))
+    def begin_again(self) -> None:
+        """Draw frame 0 once more; its time is not kept."""
+        self.subject.draw(0)
+
+    def time(self, clock: Clock, frame: int, step: int) -> None:
+        """Time the next frame of the run; its image stays in the colour target. ``step`` numbers
+        the sample."""
+        self.times[step] = clock.time(partial(self.subject.draw, frame))
 
     def compare(self, reference: TimedOriginal) -> None:
         """Add the image in the colour target to the error."""
@@ -165,6 +170,11 @@ class TimedVariant(TimedSubject):
         super().warm_up(frame)
         self.runner.hit_mask(frame)
         self.runner.reset()
+
+    def begin_again(self) -> None:
+        """Forget what is cached, and draw frame 0 once more; its time is not kept."""
+        self.runner.reset()
+        super().begin_again()
 
     def time_reset(self, clock: Clock, frame: int, reference: TimedOriginal) -> None:
         """Time the frame after a reset, beside the original of the same frame."""
@@ -273,7 +283,8 @@ class TimedParts:
             payload=_timing(self.payload),
             hit=_timing(self.hit),
             variants=tuple(timed.result(reference, self.hit) for timed in variants),
-            equal=self.subject.equal,
+            equal=self.subject.facts.equal,
+            static_ratio=self.subject.facts.static_ratio,
             curves=curves,
         )
 

@@ -70,17 +70,18 @@ def test_run_and_bench_without_a_scene(shell: Shell, static: str, tmp_path: Path
     outcome = shell("run", *CLOUDS, "--node", static, "--frame", 3, *small)
     assert outcome.status == 0, outcome.err
     assert list(tmp_path.glob("*.png")) and outcome.out.startswith("mapping: screen\n")
-    options = ("--nodes", static, "--passes", "2", "--frames", 3)
+    options = ("--nodes", static, "--passes", "2", "--frames", 3, "--seconds", 1)
     outcome = shell("bench", *CLOUDS, *options, *small, "--json")
     assert outcome.status == 0, outcome.err
     assert outcome.json["scene"] == "clouds"
+    assert outcome.json["options"]["stop"] == {"half_width": 0.03, "seconds": 1.0}
 
 
 @gl
 def test_periods_and_blocks_are_measured_beside_each_other(
     shell: Shell, static: str, tmp_path: Path
 ) -> None:
-    small = ("--size", "48x32", "--frames", 4, "-o", tmp_path)
+    small = ("--size", "48x32", "--frames", 4, "--until", 0, "-o", tmp_path)
     refreshes = ("--passes", "1,2", "--period", "2,8", "--block", "2,4")
     outcome = shell("bench", *CLOUDS, "--nodes", static, *refreshes, *small, "--json")
     assert outcome.status == 0, outcome.err

@@ -26,7 +26,12 @@ from shadercache.measure.result_files import (
     write_json,
 )
 from shadercache.measure.shown import picture
-from shadercache.measure.subjects import OriginalSubject, VariantSubject
+from shadercache.measure.subjects import (
+    UNKNOWN,
+    OriginalSubject,
+    PayloadFacts,
+    VariantSubject,
+)
 from shadercache.render.bundle import Bundle
 from shadercache.render.pass_runners import GeometryRunner
 from shadercache.render.render_scene import RenderScene
@@ -43,6 +48,11 @@ from tests.configured import drawn_by
 
 pytestmark = pytest.mark.xdist_group("gl")
 
+FACTS = {
+    "payload": PayloadFacts(static_ratio=0.4),
+    "again": PayloadFacts(equal=3, static_ratio=0.5),
+    "third": PayloadFacts(static_ratio=0.6),
+}
 OPTIONS = MeasureOptions(frames=8, error_from=4, probe_every=2, group=4, picture_frame=7)
 
 
@@ -55,7 +65,7 @@ def subjects(
 ) -> list[VariantSubject]:
     """What draws the torus by hand-written programs."""
     return [
-        VariantSubject(label, objects[0].configuration, objects, equal=3 if label == "again" else 1)
+        VariantSubject(label, objects[0].configuration, objects, facts=FACTS.get(label, UNKNOWN))
         for period in periods
         for name in algorithms
         for objects in [drawn_by(world.scene, bundle, name, period=period)]
@@ -171,6 +181,7 @@ def test_periods_originals_and_peers_take_turns_in_one_run(
     assert node.variants[0].hit_rate < node.variants[1].hit_rate
     assert [(curve.period, curve.block) for curve in node.curves] == [(2, 4), (8, 4)]
     again, foreign = group.others
+    assert group.reached.frames == 7 and not group.reached.capped
     assert (again.label, foreign.label) == ("once more", "peer")
     assert again.error.rmse == 0.0 < foreign.error.rmse
     assert peer.told == ["prepare", 0, 0, *range(8), "release"]
@@ -190,6 +201,8 @@ def test_json_holds_everything(gpu: Gpu, measurement: Measurement, tmp_path: Pat
     back = read_json(tmp_path / "new" / "r.json")
     assert back == json.loads(json.dumps(data))
     assert back["environment"]["gl"]["renderer"] == gpu.renderer
+    assert back["rank_correlation"] == measurement.rank_correlation
+    assert [group["reached"]["frames"] for group in back["groups"]] == [7, 7]
     first = back["groups"][0]["nodes"][0]["variants"][0]
     assert len(first["timing"]["samples"]) == OPTIONS.frames - 1
     assert [item.name for item in (tmp_path / "new").iterdir()] == ["r.json"]
@@ -201,6 +214,8 @@ def test_csv_has_a_row_for_each_variant(measurement: Measurement) -> None:
     assert lines[0].endswith("rmse,p99,maximum,psnr_db,floor_ms,efficiency")
     assert len(lines) == 1 + 6 == 1 + len(rows(measurement))
     assert {row["period"] for row in rows(measurement)} == {4}
+    assert {row["p_over_t_static"] for row in rows(measurement)} == {0.4, 0.5, 0.6}
+    assert all(row["tail"] >= 1.0 for row in rows(measurement))
 
 
 def test_results_that_cannot_be_read_or_written(tmp_path: Path) -> None:

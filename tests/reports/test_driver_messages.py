@@ -48,7 +48,7 @@ def test_run_and_bench_name_it_too(
     common = [str(path), "--mapping", "screen", "--size", "32", "-o", str(tmp_path)]
     for line in (
         ["run", *common, "--node", node, "--unprofitable", "--frame", "2"],
-        ["bench", *common, "--nodes", node],
+        ["bench", *common, "--nodes", node, "--until", "0"],
     ):
         assert main(line) == 1
         told = capsys.readouterr().err
