@@ -3,7 +3,8 @@ need be."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -14,14 +15,15 @@ from shadercache.cli import options
 from shadercache.cli.progress import progress
 from shadercache.cli.scenes import find_scene
 from shadercache.cli.tables import format_table
-from shadercache.diagnostics import DiagnosticError, usage_error
+from shadercache.diagnostics import usage_error
 
 if TYPE_CHECKING:
+    from shadercache.caching.configuration import Configuration
     from shadercache.sweep.choices import Choices
-    from shadercache.sweep.plan import SweepTrial
-    from shadercache.sweep.row import Row
+    from shadercache.sweep.crew import Crew
+    from shadercache.sweep.plan import SceneFile, SweepTrial
+    from shadercache.sweep.row import Machine, Row
     from shadercache.sweep.store import Store
-    from shadercache.sweep.worker import Worker
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -104,7 +106,76 @@ class ChoiceOptions:
             raise usage_error("SC008", f"the sweep's choices: {error}") from None
 
 
-CHOICES, READ = ChoiceOptions(), options.ShaderOptions()
+@dataclass(frozen=True, kw_only=True)
+class WhichOptions:
+    """Which trials of a plan are carried out; without any of these those that the store lacks."""
+
+    force: Annotated[bool, typer.Option("--force", help="Also trials that are in the store.")] = (
+        False
+    )
+    where: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="KEY=VALUE,...", help="Only these trials, e.g. passes=2,3; may be repeated."
+        ),
+    ] = None
+    stale: Annotated[
+        bool, typer.Option("--stale", help="Only trials whose sources have changed since.")
+    ] = False
+
+    def left(
+        self, trials: Sequence[SweepTrial], machines: Sequence[Machine], store: Store
+    ) -> list[SweepTrial]:
+        """The trials that are to be carried out. Raises :class:`UsageError` SC008."""
+        from shadercache.sweep.which_trials import chosen, on_each, read_conditions
+
+        done, old = store.keys(), store.stale_identities()
+        condition = read_conditions(self.where or (), trials[0].words(trials[0].configurations[0]))
+
+        def wanted(trial: SweepTrial, one: Configuration) -> bool:
+            places = on_each([trial], machines)
+            return (
+                condition(trial.words(one))
+                and (self.force or not any(place.key(one) in done for place in places))
+                and (not self.stale or any(place.identity(one) in old for place in places))
+            )
+
+        return chosen(trials, wanted)
+
+
+@dataclass(frozen=True, kw_only=True)
+class CrewOptions:
+    """Who carries out trials."""
+
+    cluster: Annotated[
+        str | None,
+        typer.Option(metavar="ADDRESS|local:N", help="Draw on the workers of a Dask cluster."),
+    ] = None
+    patience: Annotated[
+        float,
+        typer.Option(
+            min=1.0,
+            metavar="SECONDS",
+            help="A trial is given up when nothing is drawn for so long and for as long as 100 "
+            "frames of the original.",
+        ),
+    ] = 90.0
+
+    @contextmanager
+    def open(self) -> Iterator[Crew]:
+        """Raises as ``open_cluster`` and ``Worker.machine``."""
+        from shadercache.cluster import open_cluster
+        from shadercache.sweep.crew import ClusterCrew, LocalCrew
+
+        if self.cluster is None:
+            with LocalCrew(self.patience) as crew:
+                yield crew
+        else:
+            with open_cluster(self.cluster) as client:
+                yield ClusterCrew(client, self.patience)
+
+
+CHOICES, READ, WHICH, CREW = ChoiceOptions(), options.ShaderOptions(), WhichOptions(), CrewOptions()
 
 
 def command(
@@ -120,18 +191,8 @@ def command(
     dry_run: Annotated[
         bool, typer.Option("--dry-run", help="Only print the plan and its estimated time.")
     ] = False,
-    force: Annotated[
-        bool, typer.Option("--force", help="Also trials that are in the store.")
-    ] = False,
-    where: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="KEY=VALUE,...", help="Only these trials, e.g. passes=2,3; may be repeated."
-        ),
-    ] = None,
-    stale: Annotated[
-        bool, typer.Option("--stale", help="Only trials whose sources have changed since.")
-    ] = False,
+    which: WhichOptions = WHICH,
+    crew: CrewOptions = CREW,
     export: Annotated[
         list[Path] | None,
         typer.Option(metavar="FILE", help="Write all rows as .json, .csv or .parquet."),
@@ -146,30 +207,20 @@ def command(
     """
     from shadercache.sweep.exports import check_export, write_export
     from shadercache.sweep.store import Store
-    from shadercache.sweep.worker import Worker
 
     exports = [check_export(path) for path in export or ()]
     choices = choice.read(targets or ())
     if not (choices.scenes or exports):
         raise usage_error("SC003", "there is nothing to sweep", "give a scene, or --export")
     trials = _planned(choices, reading)
-    with Worker() as worker:
-        if trials:
-            machine = worker.machine()
-            trials = [replace(trial, machine=machine) for trial in trials]
-        if dry_run and not output.exists():
-            _print_plan(trials, trials, worker)
-            return
-        with Store(output, create=bool(trials)) as store:
-            left = _left(trials, store, where or (), force, stale)
-            if trials:
-                _print_plan(trials, left, worker)
-            if dry_run:
-                return
-            failures = _carried_out(left, worker, store)
-            for path in exports:
-                write_export(path, store.rows())
-    _print_end(left, failures, output)
+    if trials:
+        with crew.open() as workers:
+            _sweep(trials, workers, output, which, dry_run)
+    if exports and not dry_run:
+        with Store(output) as store:
+            rows = store.rows()
+        for path in exports:
+            write_export(path, rows)
 
 
 def _planned(choices: Choices, reading: options.ShaderOptions) -> list[SweepTrial]:
@@ -183,87 +234,95 @@ def _planned(choices: Choices, reading: options.ShaderOptions) -> list[SweepTria
     ]
 
 
-def _left(
-    trials: Sequence[SweepTrial], store: Store, where: Sequence[str], force: bool, stale: bool
-) -> list[SweepTrial]:
-    """The trials that are to be carried out."""
-    from shadercache.sweep.which_trials import chosen, read_conditions
+def _sweep(
+    trials: Sequence[SweepTrial],
+    crew: Crew,
+    output: Path,
+    which: WhichOptions,
+    dry_run: bool,
+) -> None:
+    from shadercache.sweep.store import Store
+    from shadercache.sweep.which_trials import on_each
 
-    if not trials:
-        return []
-    keys = {trial.identity(one): trial.key(one) for trial in trials for one in trial.configurations}
-    count = store.mark_stale(keys)
-    if count:
-        print(f"{count} rows of the store are stale: the scene, or shadercache, has changed since")
-    done, old = store.keys(), store.stale_identities()
-    condition = read_conditions(where, trials[0].words(trials[0].configurations[0]))
-    return chosen(
-        trials,
-        lambda trial, one: (
-            condition(trial.words(one))
-            and (force or trial.key(one) not in done)
-            and (not stale or trial.identity(one) in old)
-        ),
-    )
+    if dry_run and not output.exists():
+        _print_plan(trials, trials, crew)
+        return
+    with Store(output, create=True) as store:
+        everywhere = on_each(trials, crew.machines)
+        planned = {trial.identity(one): trial.key(one) for trial, one in _each(everywhere)}
+        count = store.mark_stale(planned)
+        if count:
+            print(f"{_rows(count)} stale: the scene, or shadercache, has changed since")
+        left = which.left(trials, crew.machines, store)
+        _print_plan(trials, left, crew)
+        if not dry_run:
+            rows = _carried_out(left, crew, store)
+            store.drop_unused()
+            _print_end(rows, frozenset(planned.values()), output)
 
 
-def _print_plan(trials: Sequence[SweepTrial], left: Sequence[SweepTrial], worker: Worker) -> None:
+def _each(trials: Sequence[SweepTrial]) -> Iterator[tuple[SweepTrial, Configuration]]:
+    return ((trial, one) for trial in trials for one in trial.configurations)
+
+
+def _print_plan(trials: Sequence[SweepTrial], left: Sequence[SweepTrial], crew: Crew) -> None:
     from shadercache.sweep.estimate import plan_seconds
 
-    originals: dict[object, float] = {}
+    originals: dict[SceneFile, float] = {}
     rows = []
     for file in dict.fromkeys(trial.file for trial in trials):
         of_scene = [trial for trial in trials if trial.file == file]
         to_do = [trial for trial in left if trial.file == file]
-        entry = of_scene[0].scene
-        frame = "not drawn"
-        try:
-            if to_do:
-                originals[file] = worker.original_seconds(file, entry.size)
-                frame = f"{originals[file] * 1e3:.1f} ms"
-        except DiagnosticError as error:
-            frame = error.diagnostics[0].code
-        except Exception as error:  # the worker is lost; carrying out says so in rows
-            frame = str(error)
+        frame = ""
+        if to_do:
+            seconds = crew.original_seconds(file, to_do[0].scene.size)
+            if isinstance(seconds, float):
+                originals[file], frame = seconds, f"{seconds * 1e3:.1f} ms"
+            else:  # the rows will say so too
+                frame = f"fails: {seconds.code}"
         payloads = len({trial.payload.label for trial in of_scene})
-        every = sum(len(trial.configurations) for trial in of_scene)
-        now = sum(len(trial.configurations) for trial in to_do)
-        rows.append((entry.name, str(payloads), str(every), str(now), frame))
-    header = ("scene", "payloads", "configurations", "to do", "original")
-    print(format_table(header, rows, right="payloads configurations do original"))
-    minutes = plan_seconds(left, originals) / 60.0
+        counts = (payloads, len(list(_each(of_scene))), len(list(_each(to_do))))
+        rows.append((of_scene[0].scene.name, *map(str, counts), frame))
+    header = ("scene", "payloads", "rows", "to do", "original")
+    print(format_table(header, rows, right="payloads rows original"))
     entry = trials[0].scene
-    print(
-        f"{entry.size[0]}x{entry.size[1]}, {entry.frames} frames; "
-        f"about {max(1, round(minutes))} min"
-    )
+    minutes = plan_seconds(left, originals) / 60.0 / len(crew.machines)
+    about = f"about {minutes:.0f} min" if minutes >= 1.0 else "less than a minute"
+    drawn = f"{entry.size[0]}x{entry.size[1]}, {entry.frames} frames and more"
+    print(f"{drawn}; {about if left else 'nothing to do'}")
 
 
-def _carried_out(trials: Sequence[SweepTrial], worker: Worker, store: Store) -> list[Row]:
-    """Carry out what is left; returns the rows that are failures."""
-    from shadercache.sweep.carry_out import carry_out
-
-    failures: list[Row] = []
-    count = sum(len(trial.configurations) for trial in trials)
-    with progress("sweep", count) as advance:
+def _carried_out(trials: Sequence[SweepTrial], crew: Crew, store: Store) -> list[Row]:
+    """Carry out what is left; returns the new rows."""
+    rows: list[Row] = []
+    with progress("sweep", len(list(_each(trials)))) as advance:
 
         def heard(row: Row) -> None:
             advance(1)
-            if row.failure is not None:
-                failures.append(row)
+            rows.append(row)
 
-        carry_out(trials, worker, store, heard)
-    if trials:
-        store.drop_unused()
-    return failures
+        crew.carry_out(trials, store, heard)
+    return rows
 
 
-def _print_end(trials: Sequence[SweepTrial], failures: Sequence[Row], output: Path) -> None:
-    count = sum(len(trial.configurations) for trial in trials)
-    print(f"{count} rows written to {output}, {len(failures)} of them failures")
+def _print_end(rows: Sequence[Row], planned: frozenset[str], output: Path) -> None:
+    failures = [row for row in rows if row.failure is not None]
+    print(f"written to {output}: {len(rows)}, of which failures: {len(failures)}")
     for row in failures:
         failure = row.failure
         assert failure is not None and row.configuration is not None
-        algorithm = row.configuration["algorithm"]
-        where = f"{row.scene.name} {row.label} {algorithm}"
+        where = f"{row.scene.name} {row.label} {row.configuration['algorithm']}"
         print(f"  {where}: {failure.kind}: {failure.message} [{failure.code}]")
+    changed = sum(row.key not in planned for row in rows)
+    if changed:
+        print(
+            f"the scene changed under the sweep: {_rows(changed)} of what it is now; "
+            "the same command brings the others up to date"
+        )
+    where_drawn = sorted({row.machine.name for row in rows})
+    if len(where_drawn) > 1:
+        print(f"drawn on {' and '.join(where_drawn)}: never compare times of different machines")
+
+
+def _rows(count: int) -> str:
+    return "1 row is" if count == 1 else f"{count} rows are"

@@ -26,15 +26,18 @@ def carry_out(trials: Sequence[SweepTrial], worker: Worker, store: Store, heard:
     for trial in trials:
         scene = (trial.file, trial.scene.size)
         if scene in hopeless:
-            _keep(store, _all_failed(trial, hopeless[scene]), heard)
+            keep(store, all_failed(trial, hopeless[scene]), heard)
             continue
-        for part in _parts(trial, worker, hopeless):
-            _keep(store, part, heard)
+        for part in parts(trial, worker, hopeless):
+            keep(store, part, heard)
 
 
-def _parts(
-    trial: SweepTrial, worker: Worker, hopeless: dict[object, Failure]
-) -> Sequence[Finished]:
+def parts(trial: SweepTrial, worker: Worker, hopeless: dict[object, Failure]) -> Sequence[Finished]:
+    """What became of a trial; of one that takes the worker along, each configuration by itself.
+
+    Args:
+        hopeless: scenes whose originals cannot be drawn, and why; may be added to.
+    """
     try:
         return [worker.carry_out(trial)]
     except DiagnosticError as error:  # the original itself cannot be drawn
@@ -44,19 +47,21 @@ def _parts(
         if lost.original_drawn and len(trial.configurations) > 1:
             # Which of them it was shows when they come one by one.
             alone = [replace(trial, configurations=(one,)) for one in trial.configurations]
-            return [part for one in alone for part in _parts(one, worker, hopeless)]
+            return [part for one in alone for part in parts(one, worker, hopeless)]
         failure = lost.failure
         if lost.original_drawn:
-            return [_all_failed(trial, failure)]
+            return [all_failed(trial, failure)]
     hopeless[trial.file, trial.scene.size] = failure
-    return [_all_failed(trial, failure)]
+    return [all_failed(trial, failure)]
 
 
-def _all_failed(trial: SweepTrial, failure: Failure) -> Finished:
+def all_failed(trial: SweepTrial, failure: Failure) -> Finished:
+    """The same failure for every configuration of a trial."""
     return Finished(tuple(failure_row(trial, one, failure) for one in trial.configurations), {})
 
 
-def _keep(store: Store, finished: Finished, heard: Heard) -> None:
+def keep(store: Store, finished: Finished, heard: Heard) -> None:
+    """Write rows into the store, then tell of them. Raises as ``Store.keep``."""
     store.keep(finished.rows, finished.blobs)
     for row in finished.rows:
         heard(row)

@@ -91,7 +91,7 @@ def check_choices(choices: Choices) -> Choices:
             raise usage_error("SC008", f"'{word}' is no algorithm", hint)
     for name in ("scenes", "passes", "periods", "blocks", "formats", "cache"):
         values = getattr(choices, name)
-        if not values:
+        if not values and name != "scenes":  # they may be given apart
             raise usage_error("SC008", f"the sweep has no {name}")
         if len(set(values)) < len(values):
             raise usage_error("SC008", f"the sweep has one of its {name} twice")

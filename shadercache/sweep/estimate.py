@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
-from shadercache.sweep.plan import SweepTrial
+from shadercache.sweep.plan import SceneFile, SweepTrial
 
 COMPILING = 1.5
 """Seconds that compiling and the pictures of a configuration take here (two cores, llvmpipe)."""
@@ -29,7 +29,7 @@ def trial_seconds(trial: SweepTrial, original: float) -> float:
     return COMPILING * count + fixed + 0.5 * min(trial.limits.seconds, 4.0 * fixed)
 
 
-def plan_seconds(trials: Sequence[SweepTrial], originals: dict[object, float]) -> float:
+def plan_seconds(trials: Sequence[SweepTrial], originals: Mapping[SceneFile, float]) -> float:
     """The same of a plan; scenes whose original cannot be drawn take nothing."""
     return sum(
         trial_seconds(trial, originals[trial.file]) for trial in trials if trial.file in originals

@@ -23,14 +23,14 @@ def short_hash(value: Any) -> str:
 def scene_fingerprint(linker: Linker) -> str:
     """A name for all that a scene is drawn from: its file, shaders, meshes, textures, animations.
 
-    Shaders count as they are printed, with includes and macros expanded: comments are free.
+    Shaders count as they stand and as they are printed, with includes and macros expanded.
     """
     shaders = [sorted(bundle.files.items()) for bundle in linker.originals()]
     files = sorted({path for part in linker.scene.parts for path in _files(part)})
     own = [linker.scene.path] if linker.scene.path.suffix == ".toml" else []
     contents = [_content(path) for path in (*own, *files)]
-    places = [list(node.expr.span) for node in linker.analysis.nodes if node.offered]
-    return short_hash([__version__, linker.analysis.mapping, shaders, contents, places])
+    text = linker.analysis.fragment.text
+    return short_hash([__version__, linker.analysis.mapping, text, shaders, contents])
 
 
 def _files(part: SceneObject) -> Iterator[Path]:

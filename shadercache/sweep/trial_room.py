@@ -8,7 +8,7 @@ from __future__ import annotations
 import os
 import platform
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from statistics import median
 
 from msgspec import structs
@@ -28,6 +28,7 @@ from shadercache.measure.statistics import StopRule
 from shadercache.measure.subjects import VariantSubject, subjects_of
 from shadercache.render.pass_runners import OriginalRunner, PayloadRunner
 from shadercache.render.render_scene import RenderScene
+from shadercache.sweep.fingerprint import scene_fingerprint
 from shadercache.sweep.pictures import payload_picture
 from shadercache.sweep.plan import SceneFile, SweepTrial
 from shadercache.sweep.results import Blobs, failure_row, result_rows
@@ -51,14 +52,14 @@ class Finished:
 class TrialRoom(Resource):
     """Carries out trials, one after another."""
 
-    def __init__(self) -> None:
+    def __init__(self, say: Say) -> None:
         """Raises :class:`GraphicsError` SC601: there is no OpenGL here."""
+        self._say = say
         self._gpu = open_context()
         self._clock = pick_clock(self._gpu)
         self._opened: tuple[tuple[SceneFile, tuple[int, int]], Linker, RenderScene] | None = None
-        self._seconds = 0.0
+        self._seconds, self._fingerprint = 0.0, ""
 
-    @property
     def machine(self) -> Machine:
         """Where the numbers come from."""
         where = environment(self._gpu)
@@ -81,18 +82,23 @@ class TrialRoom(Resource):
             linker = file.open()
             world = RenderScene(self._gpu, linker.scene, size)
             self._opened = (file, size), linker, world
+            self._fingerprint = scene_fingerprint(linker)
             with at_home(linker.analysis), OriginalRunner(world, *linker.originals()) as runner:
                 runner.draw(0)  # compiles
                 times = [self._clock.time(lambda: runner.draw(0)) for _ in range(DRAWN_FIRST)]
             self._seconds = median(times)
         return self._seconds
 
-    def carry_out(self, trial: SweepTrial, say: Say) -> Finished:
+    def carry_out(self, trial: SweepTrial) -> Finished:
         """Draw the trial's configurations in turns; one that fails has a row that says why.
+
+        The rows are of this machine, and of what the scene's files hold now.
 
         Raises as :meth:`original_seconds`: then nothing of the scene can be drawn.
         """
-        say("original", self.original_seconds(trial.file, trial.scene.size))
+        self._say("original", self.original_seconds(trial.file, trial.scene.size))
+        # Of what was read here: a file may have changed since the plan was made.
+        trial = replace(trial, machine=self.machine(), fingerprint=self._fingerprint)
         failed: dict[Configuration, Failure] = {}
         fitting: list[VariantSubject] = []
         for configuration in trial.configurations:
@@ -101,8 +107,8 @@ class TrialRoom(Resource):
                 failed[configuration] = compiled
             else:
                 fitting.append(compiled)
-            say("step", 0.0)
-        finished = self._measured(trial, fitting, say) if fitting else Finished((), {})
+            self._say("step", 0.0)
+        finished = self._measured(trial, fitting) if fitting else Finished((), {})
         rows = [failure_row(trial, one, failure) for one, failure in failed.items()]
         return Finished((*finished.rows, *rows), finished.blobs)
 
@@ -118,19 +124,19 @@ class TrialRoom(Resource):
         except DiagnosticError as error:
             return _failure("refused", error)
 
-    def _measured(self, trial: SweepTrial, subjects: list[VariantSubject], say: Say) -> Finished:
+    def _measured(self, trial: SweepTrial, subjects: list[VariantSubject]) -> Finished:
         """Measure together; where the driver takes one of them not, each by itself."""
         try:
-            return self._measure(trial, subjects, say)
+            return self._measure(trial, subjects)
         except DiagnosticError as error:
             if len(subjects) == 1:
                 failure = _failure("rejected", error)
                 return Finished((failure_row(trial, subjects[0].configuration, failure),), {})
-        alone = [self._measured(trial, [subject], say) for subject in subjects]
+        alone = [self._measured(trial, [subject]) for subject in subjects]
         blobs = {name: data for finished in alone for name, data in finished.blobs.items()}
         return Finished(tuple(row for finished in alone for row in finished.rows), blobs)
 
-    def _measure(self, trial: SweepTrial, subjects: list[VariantSubject], say: Say) -> Finished:
+    def _measure(self, trial: SweepTrial, subjects: list[VariantSubject]) -> Finished:
         assert self._opened is not None
         _, linker, world = self._opened
         options = MeasureOptions(
@@ -147,7 +153,7 @@ class TrialRoom(Resource):
                 linker.originals(),
                 subjects,
                 options,
-                lambda done, steps, what: say("step", 0.0),
+                lambda done, steps, what: self._say("step", 0.0),
             )
         blobs = Blobs()
         source, vertex = linker.analysis.fragment, linker.analysis.vertex_source

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 
 from shadercache.caching.configuration import Configuration
 from shadercache.diagnostics import usage_error
 from shadercache.sweep.plan import SweepTrial
+from shadercache.sweep.row import Machine
 
 Condition = Callable[[Mapping[str, str]], bool]
 
@@ -35,3 +37,9 @@ def chosen(
     """The trials with the configurations that are wanted; those without any are left out."""
     cut = [trial.only(wanted) for trial in trials]
     return [trial for trial in cut if trial.configurations]
+
+
+def on_each(trials: Iterable[SweepTrial], machines: Iterable[Machine]) -> list[SweepTrial]:
+    """The trials as they are on each of the machines, which may be alike."""
+    kinds = list(dict.fromkeys(machines))
+    return [replace(trial, machine=machine) for machine in kinds for trial in trials]

@@ -5,10 +5,11 @@ A shader that hangs the driver, or crashes it, takes the worker along and nobody
 
 from __future__ import annotations
 
+import sys
 from dataclasses import dataclass
-from multiprocessing import get_context
+from multiprocessing import Pipe
 from multiprocessing.connection import Connection
-from time import monotonic
+from subprocess import Popen
 from typing import Any
 
 from shadercache.diagnostics import DiagnosticError
@@ -17,18 +18,19 @@ from shadercache.sweep.plan import SceneFile, SweepTrial
 from shadercache.sweep.row import Failure, FailureKind, Machine
 from shadercache.sweep.trial_room import Finished, TrialRoom
 
+ORIGINALS = 100.0
+"""A worker that is silent for as long as so many frames of the original, and a while, hangs."""
+
+PATIENCE = 90.0
+"""That while in seconds, unless told otherwise: programs are compiled in it."""
+
 
 @dataclass(frozen=True, slots=True)
-class Patience:
-    """How long nothing may be heard of a worker, in seconds: ``least`` to begin with, which is for
-    compiling; then also ``frames`` times what a frame of the original takes."""
+class Request:
+    """What a worker is asked: a method of :class:`TrialRoom` and its arguments."""
 
-    least: float = 90.0
-    frames: float = 100.0
-
-    def limit(self, original: float) -> float:
-        """With a frame of the original known to take so many seconds."""
-        return self.least + self.frames * original
+    method: str
+    arguments: tuple[Any, ...] = ()
 
 
 class WorkerLostError(Exception):
@@ -42,58 +44,57 @@ class WorkerLostError(Exception):
 class Worker(Resource):
     """Hands requests to a process and waits for the answer; a lost process is started anew."""
 
-    def __init__(self, patience: Patience | None = None) -> None:
-        self._patience = patience or Patience()
-        self._spawn = get_context("spawn")  # a forked child would share the parent's driver state
-        self._process: Any = None
+    def __init__(self, patience: float = PATIENCE) -> None:
+        """Args: ``patience`` as :data:`PATIENCE`."""
+        self._patience = patience
+        # Not of multiprocessing: a Dask worker, which is daemonic, may have no such children.
+        self._process: Popen[bytes] | None = None
         self._pipe: Connection | None = None
 
     def machine(self) -> Machine:
         """Where it draws. Raises :class:`GraphicsError` SC601, :class:`WorkerLostError`."""
-        machine: Machine = self._ask("machine")
+        machine: Machine = self._ask(Request("machine"))
         return machine
 
     def original_seconds(self, file: SceneFile, size: tuple[int, int]) -> float:
         """As :meth:`TrialRoom.original_seconds`. Raises :class:`WorkerLostError` as well."""
-        seconds: float = self._ask("original", file, size)
+        seconds: float = self._ask(Request("original_seconds", (file, size)))
         return seconds
 
     def carry_out(self, trial: SweepTrial) -> Finished:
         """As :meth:`TrialRoom.carry_out`. Raises :class:`WorkerLostError` as well."""
-        finished: Finished = self._ask("trial", trial)
+        finished: Finished = self._ask(Request("carry_out", (trial,)))
         return finished
 
-    def _ask(self, *request: Any) -> Any:
-        pipe = self._started()
-        limit, original_drawn = self._patience.limit(0.0), False
+    def _ask(self, request: Request) -> Any:
+        limit, original_drawn = self._patience, False
         try:
+            pipe = self._started()
             pipe.send(request)
-            while True:
-                begun = monotonic()
-                if not pipe.poll(limit):
-                    raise self._lost("hung", monotonic() - begun, original_drawn)
+            while pipe.poll(limit):
                 kind, value = pipe.recv()
                 if kind == "original":
-                    limit, original_drawn = self._patience.limit(value), True
+                    limit, original_drawn = self._patience + ORIGINALS * value, True
                 elif kind == "error":
                     raise value
                 elif kind == "answer":
                     return value
         except (EOFError, ConnectionError):
-            raise self._lost("crashed", 0.0, original_drawn) from None
+            message = "the process that drew it died: the driver crashes"
+            raise self._lost("crashed", message, original_drawn) from None
+        message = f"nothing was drawn for {limit:.0f} s: the shader hangs, or nearly so"
+        raise self._lost("hung", message, original_drawn)
 
-    def _lost(self, kind: FailureKind, silent: float, original_drawn: bool) -> WorkerLostError:
+    def _lost(self, kind: FailureKind, message: str, original_drawn: bool) -> WorkerLostError:
         self.release()
-        message = "the process that drew it died: the driver crashes"
-        if kind == "hung":
-            message = f"nothing was drawn for {silent:.0f} s: the shader hangs, or nearly so"
         return WorkerLostError(Failure(kind, "SC606", message), original_drawn)
 
     def _started(self) -> Connection:
         if self._pipe is None:
-            self._pipe, theirs = self._spawn.Pipe()
-            self._process = self._spawn.Process(target=_serve, args=(theirs,), daemon=True)
-            self._process.start()
+            self._pipe, theirs = Pipe()
+            code = "import sys; from shadercache.sweep.worker import serve; serve(int(sys.argv[1]))"
+            number = theirs.fileno()
+            self._process = Popen([sys.executable, "-c", code, str(number)], pass_fds=[number])
             theirs.close()
         return self._pipe
 
@@ -101,27 +102,27 @@ class Worker(Resource):
         """End the process."""
         if self._pipe is not None:
             self._pipe.close()
-            self._process.kill()
-            self._process.join()
             self._pipe = None
+        if self._process is not None:
+            self._process.kill()
+            self._process.wait()
+            self._process = None
 
 
-def _serve(pipe: Connection) -> None:
-    """Answer requests until the other side goes away."""
+def serve(number: int) -> None:
+    """Answer the requests that come through a pipe, until the other side goes away.
+
+    Args:
+        number: the file descriptor of this end of the pipe.
+    """
+    pipe = Connection(number)
     room: TrialRoom | None = None
     try:
         while True:
-            kind, *arguments = pipe.recv()
+            request: Request = pipe.recv()
             try:
-                room = room or TrialRoom()
-                if kind == "machine":
-                    answer: Any = room.machine
-                elif kind == "original":
-                    answer = room.original_seconds(*arguments)
-                else:
-                    (trial,) = arguments
-                    answer = room.carry_out(trial, lambda *said: pipe.send(said))
-                pipe.send(("answer", answer))
+                room = room or TrialRoom(lambda *said: pipe.send(said))
+                pipe.send(("answer", getattr(room, request.method)(*request.arguments)))
             except DiagnosticError as error:
                 pipe.send(("error", error))
     except (EOFError, ConnectionError, KeyboardInterrupt):

@@ -1,0 +1,18 @@
+#version 400 core
+invariant gl_Position;
+
+in vec3 a_position;
+in vec3 a_normal;
+
+uniform mat4 u_modelViewProjection;
+uniform mat4 u_model;
+
+out vec3 v_position;
+out vec3 v_normal;
+
+void main()
+{
+    v_position = a_position;
+    v_normal = mat3(u_model) * a_normal;
+    gl_Position = u_modelViewProjection * vec4(a_position, 1.0);
+}
