@@ -39,6 +39,7 @@ class Targets:
         self._idle: list[CachePair] = []
         self._pairs: list[CachePair] = []
         self._mask: moderngl.Texture | None = None
+        self._surface: moderngl.Texture | None = None
         try:
             self.color = ctx.texture(size, 4, dtype=COLOR_FORMATS[color])
             self.depth = ctx.depth_renderbuffer(size)
@@ -53,6 +54,13 @@ class Targets:
         if self._mask is None:
             self._mask = self.ctx.texture(self.size, 1, dtype="f4")
         return self._mask
+
+    @property
+    def surface(self) -> moderngl.Texture:
+        """Four float channels for what a pixel shows; made when first wanted."""
+        if self._surface is None:
+            self._surface = self.ctx.texture(self.size, 4, dtype="f4")
+        return self._surface
 
     def clear(self, texture: moderngl.Texture, keep_depth: bool = False) -> None:
         """Start drawing into colour or mask: all channels 0, depth empty."""
@@ -110,6 +118,6 @@ class Targets:
             framebuffer.release()
         for pair in self._pairs:
             pair.release()
-        for texture in (self.color, self.depth, self._mask):
+        for texture in (self.color, self.depth, self._mask, self._surface):
             if texture is not None:
                 texture.release()

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from shadercache.caching.configuration import Configuration
 from shadercache.caching.outcomes import INTERPOLATION, SPREAD
-from shadercache.verify.surfaces import Floats, Mask, Surface
+from shadercache.render.surfaces import Floats, Mask, Surface
 
 Outcomes = NDArray[np.uint8]
 

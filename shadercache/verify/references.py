@@ -17,10 +17,10 @@ from shadercache.render.bundle import Bundle
 from shadercache.render.drawable import Drawable
 from shadercache.render.pass_runners import CoverageRunner, render_original
 from shadercache.render.render_scene import RenderScene
+from shadercache.render.surfaces import Surfaces
 from shadercache.render.variant_runner import VariantRunner
 from shadercache.scene.description import Scene
 from shadercache.scene.mesh import Mesh
-from shadercache.verify.surfaces import Surfaces
 from shadercache.verify.verdict import PERIOD, Image
 
 MOVING = range(4)

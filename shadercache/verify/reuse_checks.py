@@ -20,13 +20,14 @@ from shadercache.diagnostics import InputError
 from shadercache.render.bound_pass import BoundPass, FrameInputs, plain_inputs
 from shadercache.render.bundle import Bundle, Naming, PassSpec
 from shadercache.render.draw_items import DrawItem
+from shadercache.render.position_pass import PositionPass, Positions
+from shadercache.render.surfaces import Mask
 from shadercache.render.variant_runner import VariantRunner
 from shadercache.verify import expected_hits as expected
 from shadercache.verify.expected_hits import HitMasks, Hits, Outcomes
 from shadercache.verify.references import References
-from shadercache.verify.surfaces import Mask
 from shadercache.verify.verdict import PERIOD
-from shadercache.verify.vertex_positions import PositionPass, Positions, shaken
+from shadercache.verify.vertex_positions import misplaced, shaken
 
 Texels = NDArray[np.float32]
 
@@ -134,7 +135,7 @@ class Reuse:
             program = PositionPass(world, drawable, spec, role.naming, varying)
         except InputError:
             return f"{spec.vertex.name} does not compute where the vertices were in the last frame"
-        faults = [program.fault(given, truth) for given, truth in asked]
+        faults = [misplaced(program, given, truth) for given, truth in asked]
         program.release()
         return next(filter(None, faults), "")
 

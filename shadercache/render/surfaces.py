@@ -15,13 +15,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.gpu.programs import Program
+from shadercache.gpu.resource import Resource
 from shadercache.render.bound_pass import FrameInputs, plain_inputs
 from shadercache.render.bundle import NO_NAMES, Bundle
 from shadercache.render.drawable import Drawable
 from shadercache.render.pass_runners import OriginalRunner
+from shadercache.render.position_pass import PositionPass, Positions
 from shadercache.render.render_scene import RenderScene
 from shadercache.source import Source
-from shadercache.verify.vertex_positions import PositionPass, Positions
 
 Mask = NDArray[np.bool_]
 Floats = NDArray[np.float64]
@@ -43,8 +44,8 @@ class Surface:
     before: Floats
 
 
-class Surfaces:
-    """The surfaces of one scene, frame by frame. What it draws with ends with the world."""
+class Surfaces(Resource):
+    """The surfaces of one scene, frame by frame."""
 
     def __init__(self, world: RenderScene, originals: Sequence[Bundle]) -> None:
         """Args: ``originals``: one for each object. Raises as ``OriginalRunner``."""
@@ -68,6 +69,19 @@ class Surfaces:
             self._draw(frame)
             self._frames[frame] = self._read(frame)
         return self._frames[frame]
+
+    def forget(self) -> None:
+        """Keep the last frame that was asked for and nothing else: a long run would fill memory."""
+        last = max(self._frames, default=0)
+        self._frames = {frame: seen for frame, seen in self._frames.items() if frame == last}
+        self._positions = {key: at for key, at in self._positions.items() if key[1] == last}
+
+    def release(self) -> None:
+        """Give the programs back."""
+        self._original.release()
+        for capture in self._captures.values():
+            capture.release()
+        self.world.programs.release(self._program)
 
     def before(self, drawable: Drawable, frame: int) -> Positions:
         """Where the frame before drew the corners of an object."""
@@ -102,7 +116,8 @@ class Surfaces:
         ]
         self.lay_depth(frame)
         targets = self.world.targets
-        framebuffer = targets.framebuffer((targets.color, targets.mask), depth_write=False)
+        targets.clear(targets.surface, keep_depth=True)
+        framebuffer = targets.framebuffer((targets.surface, targets.mask), depth_write=False)
         framebuffer.viewport = self.world.viewport(frame)
         framebuffer.use()
         context.depth_func = "=="
@@ -119,9 +134,11 @@ class Surfaces:
     def _read(self, frame: int) -> Surface:
         # As motion.frag writes them: red and green the place in -1 to 1, blue the 1/w before, alpha
         # the number; the mask holds 1/w.
-        color = self.world.targets.image().astype(np.float64)
         width, height = self.world.size
-        raw = np.frombuffer(self.world.targets.mask.read(), np.float32)
+        targets = self.world.targets
+        seen = np.frombuffer(targets.surface.read(), np.float32).reshape(height, width, 4)
+        color = seen.astype(np.float64)
+        raw = np.frombuffer(targets.mask.read(), np.float32)
         x, y, w, h = self.world.viewport(max(frame - 1, 0))
         place = np.array([x, y]) + (0.5 + 0.5 * color[..., :2]) * np.array([w, h])
         return Surface(
