@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from importlib import import_module
 from typing import Any, TypeVar
@@ -30,8 +30,8 @@ def open_cluster(address: str) -> Iterator[Any]:
     """A client of the scheduler at an address, or of N worker processes here: ``local:N``.
 
     Raises:
-        UsageError: SC031, the package is missing; SC036, no scheduler answers, or there are no
-            workers.
+        UsageError: SC031, the package is missing; SC036, no scheduler answers, there are no
+            workers, or one has several threads.
     """
     distributed = _package()
     local = _LOCAL.fullmatch(address)
@@ -43,8 +43,7 @@ def open_cluster(address: str) -> Iterator[Any]:
             message = f"there is no cluster at '{address}': {error}"
             raise usage_error("SC036", message, hint) from None
         with client:
-            if not client.scheduler_info()["workers"]:
-                raise usage_error("SC036", f"the cluster at {address} has no workers")
+            _check_workers(address, client.scheduler_info(n_workers=-1)["workers"])
             yield client
         return
     count = int(local[1])
@@ -83,6 +82,16 @@ def spread(
             future.release()
     finally:
         client.cancel(list(futures))
+
+
+def _check_workers(address: str, workers: Mapping[str, Mapping[str, Any]]) -> None:
+    if not workers:
+        raise usage_error("SC036", f"the cluster at {address} has no workers")
+    for name, worker in workers.items():
+        # Times are true only of what is drawn alone, and OpenGL's contexts belong to one thread.
+        if worker["nthreads"] != 1:
+            message = f"the worker {name} has {worker['nthreads']} threads"
+            raise usage_error("SC036", message, "start it as 'dask worker --nthreads 1'")
 
 
 def _package() -> Any:

@@ -59,6 +59,14 @@ SettingsOption: TypeAlias = Annotated[
 ]
 
 
+ClusterOption: TypeAlias = Annotated[
+    str | None,
+    typer.Option(
+        "--cluster", metavar="ADDRESS|local:N", help="Draw on the workers of a Dask cluster."
+    ),
+]
+
+
 @dataclass(frozen=True, kw_only=True)
 class SourceOptions:
     """How the text of a shader is read."""

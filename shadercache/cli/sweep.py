@@ -147,10 +147,7 @@ class WhichOptions:
 class CrewOptions:
     """Who carries out trials."""
 
-    cluster: Annotated[
-        str | None,
-        typer.Option(metavar="ADDRESS|local:N", help="Draw on the workers of a Dask cluster."),
-    ] = None
+    cluster: options.ClusterOption = None
     patience: Annotated[
         float,
         typer.Option(

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from shadercache.caching.configuration import Configuration
-from shadercache.cli.options import SettingsOption, ShaderOptions
+from shadercache.cli.options import ClusterOption, SettingsOption, ShaderOptions
 from shadercache.cli.progress import progress
 from shadercache.cli.scenes import choose_nodes, configured, find_scene, one_by_one
 from shadercache.cli.tables import format_table, shorten, terminal_width
@@ -63,6 +63,7 @@ def command(
     jobs: Annotated[
         int, typer.Option("-j", "--jobs", min=0, help="Processes; 0 takes one per core.")
     ] = 0,
+    cluster: ClusterOption = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print the verdicts as JSON.")] = False,
     output: Annotated[
         Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write the JSON there.")
@@ -77,10 +78,11 @@ def command(
     Of nodes that have the same value one is checked; the others are counted, and --every-node
     checks them too.
     """
+    from shadercache.cluster import open_cluster
     from shadercache.gpu.context import open_context
     from shadercache.linking.scene_shaders import open_scene
     from shadercache.measure.result_files import environment, write_json
-    from shadercache.verify.parallel import VerifiedScene, verify_in_parallel
+    from shadercache.verify.parallel import VerifiedScene, verify_in_parallel, verify_on
     from shadercache.verify.verifier import Verifier
 
     path, read_options = find_scene(target), reading.read_options()
@@ -98,13 +100,14 @@ def command(
         about = environment(gpu)
         whole = WholeScene(verifier.round_trip(), verifier.references.ties, equal)
     with progress(f"verifying {scene.name}", len(payloads)) as advance:
-        verdicts = verify_in_parallel(
-            VerifiedScene(path, read_options, reading.mapping, configuration),
-            ["+".join(payload.ids) for payload in payloads],
-            min(jobs or os.cpu_count() or 1, max(1, len(payloads))),
-            plain,
-            lambda _: advance(1),
-        )
+        verified = VerifiedScene(path, read_options, reading.mapping, configuration)
+        ids = ["+".join(payload.ids) for payload in payloads]
+        if cluster is None:
+            count = min(jobs or os.cpu_count() or 1, max(1, len(ids)))
+            verdicts = verify_in_parallel(verified, ids, count, plain, lambda _: advance(1))
+        else:
+            with open_cluster(cluster) as client:
+                verdicts = verify_on(client, verified, ids, plain, lambda _: advance(1))
     report = {
         "schema_version": 1,
         "scene": scene.name,

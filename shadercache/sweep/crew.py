@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from threading import Lock
 from typing import Any, Protocol
 
 from shadercache.cluster import LostTaskError, spread
@@ -84,9 +83,6 @@ class ClusterCrew:
                 keep(store, part, heard)
 
 
-_timing = Lock()
-"""Times are true only of what is drawn alone, however many threads a Dask worker has."""
-
 _worker: Worker | None = None
 """That of a Dask worker's process."""
 
@@ -98,19 +94,16 @@ def _here(patience: float) -> Worker:
 
 
 def _machine(patience: float) -> Machine:
-    with _timing:
-        return _here(patience).machine()
+    return _here(patience).machine()
 
 
 def _original(file: SceneFile, size: Size, patience: float) -> float | Failure:
-    with _timing:
-        return _original_seconds(_here(patience), file, size)
+    return _original_seconds(_here(patience), file, size)
 
 
 def _carry_out(trial: SweepTrial, patience: float) -> Sequence[Finished]:
-    with _timing:
-        worker = _here(patience)
-        return parts(replace(trial, machine=worker.machine()), worker, {})
+    worker = _here(patience)
+    return parts(replace(trial, machine=worker.machine()), worker, {})
 
 
 def _original_seconds(worker: Worker, file: SceneFile, size: Size) -> float | Failure:

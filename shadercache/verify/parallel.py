@@ -13,9 +13,11 @@ from contextlib import closing
 from dataclasses import dataclass
 from multiprocessing import get_context
 from pathlib import Path
+from typing import Any
 
 from shadercache.analysis.mapping import MappingKind
 from shadercache.caching.configuration import Configuration
+from shadercache.cluster import LostTaskError, spread
 from shadercache.diagnostics import Diagnostic, GraphicsError
 from shadercache.front.read_options import ReadOptions
 from shadercache.gpu.context import open_context
@@ -25,11 +27,17 @@ from shadercache.verify.verifier import Verifier
 
 CRASHED = "the process that drew it died, twice: the driver crashes"
 
+THREADS = "LP_NUM_THREADS"
+"""The variable by which llvmpipe, once a context is opened, is told how many threads to have."""
+
 MOST_LOST = 3
 """Nodes one after another that may be lost to crashes before the run is given up."""
 
 _verifier: Verifier | None = None
 """The worker process's own; set once when the process starts."""
+
+_verified: VerifiedScene | None = None
+"""Of which scene it is, in a process of a cluster."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,6 +102,27 @@ def verify_in_parallel(
     return [verdicts[node] for node in nodes]
 
 
+def verify_on(
+    client: Any,
+    scene: VerifiedScene,
+    nodes: Sequence[str],
+    plain: bool = True,
+    heard: Callable[[Verdict], None] = lambda verdict: None,
+) -> list[Verdict]:
+    """The same as :func:`verify_in_parallel` on a Dask cluster, whose workers see the same files.
+
+    Args:
+        client: as ``open_cluster`` gives it.
+    """
+    verdicts: dict[str, Verdict] = {}
+    for at, verdict in spread(client, _work_on, [(scene, node, plain) for node in nodes]):
+        if isinstance(verdict, LostTaskError):
+            verdict = Verdict(nodes[at], "", "", True, failure=CRASHED)
+        verdicts[nodes[at]] = verdict
+        heard(verdict)
+    return [verdicts[node] for node in nodes]
+
+
 def _drain(
     pool: ProcessPoolExecutor,
     nodes: Sequence[str],
@@ -114,9 +143,26 @@ def _drain(
 
 def _start(scene: VerifiedScene) -> None:
     global _verifier
-    # One rasteriser thread a process, or llvmpipe's threads fight over the cores.
-    os.environ.setdefault("LP_NUM_THREADS", "1")
-    _verifier = scene.open()
+    # One rasteriser thread a process, or llvmpipe's threads fight over the cores. What else the
+    # process may start, such as a worker that takes times, has all of them.
+    given = os.environ.get(THREADS)
+    os.environ.setdefault(THREADS, "1")
+    try:
+        _verifier = scene.open()
+    finally:
+        if given is None:
+            del os.environ[THREADS]
+
+
+def _work_on(scene: VerifiedScene, node: str, plain: bool) -> Verdict:
+    """The same in a process that may have verified another scene before, one node at a time."""
+    global _verified
+    if _verified != scene:
+        if _verifier is not None:
+            _verifier.close()
+        _start(scene)
+        _verified = scene
+    return _work(node, plain)
 
 
 def _work(node: str, plain: bool) -> Verdict:
