@@ -78,7 +78,9 @@ def command(
     for payload in payloads:
         chosen = [replace(kind, nodes=payload.ids) for kind in kinds]
         subjects += subjects_of(linker, payload.label, chosen, payload.equal)
-    how = MeasureOptions(trial.frames, weigh=draw.weigh, stop=trial.stop)
+    how = MeasureOptions(
+        trial.frames, weigh=draw.weigh, perceptual=trial.perceptual, stop=trial.stop
+    )
     results, where = measured(linker, subjects, how, draw, scene.name)
     report = to_json(results, where)
     _store(out, results, report)

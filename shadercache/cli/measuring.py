@@ -22,6 +22,7 @@ if TYPE_CHECKING:
         NodeResult,
         VariantResult,
     )
+    from shadercache.measure.metrics.perceived import Perceived
     from shadercache.measure.statistics import StopRule
     from shadercache.measure.subjects import VariantSubject
 
@@ -38,6 +39,14 @@ _FIGURES: Mapping[str, Callable[[VariantResult], str]] = {
     "eff.": lambda variant: "" if variant.efficiency is None else f"{variant.efficiency:.2f}",
 }
 """Columns of the table of results, and what stands in them for a variant."""
+
+_PERCEIVED: Mapping[str, Callable[[Perceived], float | None]] = {
+    "SSIM": lambda perceived: perceived.ssim,
+    "FLIP": lambda perceived: perceived.flip,
+    "flicker": lambda perceived: perceived.flicker,
+    "pattern": lambda perceived: perceived.pattern,
+}
+"""The same of what is perceived, where it was measured."""
 
 FIGURES = tuple(_FIGURES)
 FEW_FIGURES = ("time ms", "ratio", "tail", "interval", "hits", "RMSE", "PSNR dB")
@@ -65,6 +74,14 @@ class TrialOptions:
         float,
         typer.Option(min=0.0, metavar="CAP", help="End the timing of a batch of variants by then."),
     ] = 30.0
+
+    perceptual: Annotated[
+        bool,
+        typer.Option(
+            "--perceptual",
+            help="Also SSIM, FLIP, flicker, the error by age and the pattern of blocks.",
+        ),
+    ] = False
 
     @property
     def stop(self) -> StopRule | None:
@@ -127,10 +144,21 @@ def result_table(
         head = (label(node), *(_share(ratio) for ratio in (node.ratio, node.static_ratio)))
         for variant in node.variants:
             name = measurement.name(variant.configuration)
-            rows.append((*head, name, *(_FIGURES[figure](variant) for figure in figures)))
+            told = (_FIGURES[figure](variant) for figure in figures)
+            rows.append((*head, name, *told, *_perceived(variant)))
             head = ("", "", "")
-    header = ("node", "P/T", "static", "variant", *figures)
-    return format_table(header, rows, right="P/T static ratio tail hits RMSE eff.")
+    more = tuple(_PERCEIVED) if measurement.options.perceptual else ()
+    header = ("node", "P/T", "static", "variant", *figures, *more)
+    right = " ".join(("P/T static ratio tail hits RMSE eff.", *more))
+    return format_table(header, rows, right=right)
+
+
+def _perceived(variant: VariantResult) -> tuple[str, ...]:
+    perceived = variant.perceived
+    if perceived is None:
+        return ()
+    figures = (figure(perceived) for figure in _PERCEIVED.values())
+    return tuple("" if figure is None else f"{figure:.4f}" for figure in figures)
 
 
 def _share(ratio: float | None) -> str:

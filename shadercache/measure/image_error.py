@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +16,12 @@ from shadercache.diagnostics import input_error
 
 Pixels = NDArray[np.generic]
 """An image (h, w, 3 or 4): uint8, or floats; alpha is not looked at."""
+
+Floats = NDArray[np.float32]
+"""An image, or the difference of two (h, w, 3), display-encoded 0-1; or of one channel (h, w)."""
+
+Mask = NDArray[np.bool_]
+"""Which pixels count (h, w)."""
 
 _BINS = 1 << 16
 
@@ -74,6 +81,17 @@ class ErrorSum:
         return ErrorStats(rmse, min(p99, self._maximum), self._maximum, psnr, count)
 
 
+def encoded_pair(original: Pixels, image: Pixels) -> tuple[Floats, Floats]:
+    """Both images (h, w, 3) in single precision, display-encoded 0-1, without alpha.
+
+    Raises :class:`InputError` SC604: an image holds NaN or infinity, covered or not, for metrics
+    with windows look at both.
+    """
+    one, other = (_encoded(pixels[..., :3]).astype(np.float32) for pixels in (original, image))
+    _require_finite(one, other)
+    return one, other
+
+
 def _bytes_apart(
     a: Pixels, b: Pixels, covered: NDArray[np.bool_]
 ) -> tuple[float, NDArray[np.int64], float]:
@@ -99,14 +117,18 @@ def _floats_apart(
 ) -> tuple[float, NDArray[np.int64], float]:
     """The same for images of which one or both hold floats."""
     x, y = _encoded(a[covered][:, :3]), _encoded(b[covered][:, :3])
-    bad = int(np.count_nonzero(~np.isfinite(x)) + np.count_nonzero(~np.isfinite(y)))
-    if bad:
-        raise input_error("SC604", f"an image holds {bad} values that are NaN or infinite")
+    _require_finite(x, y)
     difference = np.abs(x - y)
     squares = float(np.einsum("pc,pc->", difference, difference, dtype=np.float64))
     largest = difference.max(axis=1)
     bins = np.minimum(np.rint(largest * (_BINS - 1)), _BINS - 1).astype(np.intp)
     return squares, np.bincount(bins, minlength=_BINS), float(largest.max())
+
+
+def _require_finite(*images: NDArray[np.floating[Any]]) -> None:
+    bad = sum(int(np.count_nonzero(~np.isfinite(image))) for image in images)
+    if bad:
+        raise input_error("SC604", f"an image holds {bad} values that are NaN or infinite")
 
 
 def _encoded(pixels: Pixels) -> NDArray[np.float64]:

@@ -19,6 +19,8 @@ from shadercache.diagnostics import usage_error
 from shadercache.gpu.clock import Clock, no_collection, pick_clock
 from shadercache.gpu.resource import Resource
 from shadercache.measure import measurement as results
+from shadercache.measure.metrics.perceived import missing_extras
+from shadercache.measure.replay import Replay
 from shadercache.measure.statistics import FEWEST, LOOK_EVERY, Reached, StopRule, timing, widest
 from shadercache.measure.subjects import Subject, VariantSubject
 from shadercache.measure.timed_runs import TimedOriginal, TimedParts, TimedSubject, TimedVariant
@@ -68,7 +70,7 @@ def measure(
     groups: list[results.Group] = []
     batches = list(_batches(drawn, options.group))
     # One for the warm-up, and as many for all repetitions: nobody knows how many there will be.
-    steps = (options.frames + 1) * (1 if options.stop is None else 2)
+    steps = (options.frames + 1) * (1 + (options.stop is not None) + options.perceptual)
     for number, batch in enumerate(batches, start=1):
         with _GroupRun(world, original, batch, options, clock) as run:
             for step, what in run.draw_all():
@@ -127,7 +129,7 @@ class _GroupRun(Resource):
         self._parts: dict[str, TimedParts] = {}
         self._subjects: list[TimedSubject] = []
         self._held = ExitStack()
-        self._reference = TimedOriginal(world, original)
+        self._original, self._reference = original, TimedOriginal(world, original)
         self._held.callback(self._reference.release)
         try:
             for subject in subjects:
@@ -153,7 +155,11 @@ class _GroupRun(Resource):
     @property
     def notes(self) -> list[str]:
         """What the runs gave away."""
-        return [str(seen) for timed in self._variants for seen in timed.runner.cuts.suspicions]
+        missing = missing_extras() if self._options.perceptual else []
+        return [
+            *(str(seen) for timed in self._variants for seen in timed.runner.cuts.suspicions),
+            *missing,
+        ]
 
     def draw_all(self) -> Iterator[tuple[int, str]]:
         """Warm up, then run all frames; says before each step which it is and what it does."""
@@ -175,6 +181,8 @@ class _GroupRun(Resource):
             for frame in self._few_frames:
                 for variant in self._variants:
                     variant.time_reset(self._clock, frame, self._reference)
+        if self._options.perceptual:
+            yield from self._look_again()
 
     def _draw(self, frame: int) -> None:
         options, reference = self._options, self._reference
@@ -203,6 +211,13 @@ class _GroupRun(Resource):
             if probed:
                 parts.probe(self._clock, frame)
 
+    def _look_again(self) -> Iterator[tuple[int, str]]:
+        """Draw the frames once more, for the metrics that cost more than a frame does."""
+        before = (self._options.frames + 1) * (1 if self._options.stop is None else 2)
+        with Replay(self._world, self._original, self._options) as replay:
+            for frame in replay.frames(self._reference, self._subjects):
+                yield before + frame, "looking at images"
+
     def _time_on(self, stop: StopRule) -> Iterator[tuple[int, str]]:
         """Repeat the run, only to time it, until the rule is met."""
         frames = self._options.frames
@@ -221,7 +236,8 @@ class _GroupRun(Resource):
         frame = step % self._options.frames
         if frame == 0:
             for timed in self._subjects:
-                timed.begin_again()
+                timed.forget()
+                timed.subject.draw(0)
             return
         self._reference.time_geometry(self._clock, frame, step)
         self._reference.time_original(self._clock, frame, step)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from shadercache.caching.configuration import Assignment, Configuration
 from shadercache.measure.image_error import ErrorStats, Pixels
+from shadercache.measure.metrics.perceived import Perceived
 from shadercache.measure.statistics import (
     Ratio,
     Reached,
@@ -18,6 +19,9 @@ from shadercache.measure.statistics import (
     Timing,
     rank_correlation,
 )
+
+PERCEIVED = 4
+"""Of at most so many frames all metrics are computed."""
 
 LAST_COMPARED = 8
 """So many images at the end of a short run say enough of its error."""
@@ -36,6 +40,8 @@ class MeasureOptions:
     ``picture_frame``: the frame whose pictures are kept; None keeps none.
     ``curves``: of at most so many payloads what becomes of the pixels is counted in every frame.
     ``weigh``: first find out which objects with shaders of their own are worth caching.
+    ``perceptual``: after all timing, draw the frames once more and look at up to four images for
+    what an RMSE hides: SSIM, FLIP, flicker, the error by age, the pattern of blocks.
     ``stop``: then repeat these frames, only to time them, until every ratio is known well enough.
     """
 
@@ -46,6 +52,7 @@ class MeasureOptions:
     picture_frame: int | None = None
     curves: int = 8
     weigh: bool = True
+    perceptual: bool = False
     stop: StopRule | None = None
 
     @property
@@ -61,6 +68,10 @@ class MeasureOptions:
     def times_payload(self, frame: int) -> bool:
         """Whether the payload alone is timed at a frame: sixteen times, or at all that compare."""
         return self._falls_on(frame, self._compared // 16)
+
+    def is_perceived(self, frame: int) -> bool:
+        """Whether the costly metrics of images are taken at a frame."""
+        return self._falls_on(frame, -(-self._compared // PERCEIVED))
 
     @property
     def _compared(self) -> int:
@@ -136,13 +147,15 @@ class SubjectResult:
     """What is said of everything that was drawn beside the original.
 
     ``timing`` of all frames but reset frames. ``speedup`` is original / this, frame by frame.
-    ``error`` over all images that were compared, ``frame_rmse`` of each of them.
+    ``error`` over all images that were compared, ``frame_rmse`` of each of them. ``perceived``:
+    None unless it was asked for (``MeasureOptions.perceptual``).
     """
 
     timing: Timing
     speedup: Ratio
     error: ErrorStats
     frame_rmse: tuple[float, ...]
+    perceived: Perceived | None
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,7 +23,13 @@ from shadercache import foreign_files as foreign
 from shadercache.diagnostics import input_error
 from shadercache.files import write_bytes
 from shadercache.gpu.context import Gpu
-from shadercache.measure.measurement import Group, Measurement, NodeResult, VariantResult
+from shadercache.measure.measurement import (
+    Group,
+    Measurement,
+    NodeResult,
+    SubjectResult,
+    VariantResult,
+)
 
 SCHEMA_VERSION = 3
 
@@ -85,13 +91,23 @@ def read_json(path: Path) -> dict[str, Any]:
 
 
 def rows(measurement: Measurement) -> list[dict[str, Any]]:
-    """One row for each variant, values by column (None where there is none)."""
-    return [
-        _row(group, node, variant)
+    """One row for each variant, values by column (None where there is none).
+
+    Rows of what is no variant come last, and have no node.
+    """
+    variants = [
+        {**_what(node, variant), **_figures(group, variant), **_parts(variant)}
         for group in measurement.groups
         for node in group.nodes
         for variant in node.variants
     ]
+    others = [
+        {"label": other.label, **_figures(group, other)}
+        for group in measurement.groups
+        for other in group.others
+    ]
+    columns = dict.fromkeys(column for row in (*variants, *others) for column in row)
+    return [{**columns, **row} for row in (*variants, *others)]
 
 
 def to_csv(measurement: Measurement) -> str:
@@ -104,8 +120,8 @@ def to_csv(measurement: Measurement) -> str:
     return buffer.getvalue()
 
 
-def _row(group: Group, node: NodeResult, variant: VariantResult) -> dict[str, Any]:
-    configuration, error = variant.configuration, variant.error
+def _what(node: NodeResult, variant: VariantResult) -> dict[str, Any]:
+    configuration = variant.configuration
     return {
         "label": node.label,
         "node": node.node_id,
@@ -115,23 +131,38 @@ def _row(group: Group, node: NodeResult, variant: VariantResult) -> dict[str, An
         "configuration": configuration.key,
         "p_over_t": node.ratio,
         "p_over_t_static": node.static_ratio,
+    }
+
+
+def _figures(group: Group, found: SubjectResult) -> dict[str, Any]:
+    timing, speedup, error, perceived = found.timing, found.speedup, found.error, found.perceived
+    return {
         "original_ms": group.original.median * 1e3,
-        "time_ms": variant.timing.median * 1e3,
-        "minimum_ms": variant.timing.minimum * 1e3,
-        "p95_ms": variant.timing.p95 * 1e3,
-        "p99_ms": variant.timing.p99 * 1e3,
-        "reset_over_original": variant.reset,
-        "speedup": variant.speedup.median,
-        "speedup_low": variant.speedup.low,
-        "speedup_high": variant.speedup.high,
-        "tail": variant.timing.tail,
+        "time_ms": timing.median * 1e3,
+        "minimum_ms": timing.minimum * 1e3,
+        "p95_ms": timing.p95 * 1e3,
+        "p99_ms": timing.p99 * 1e3,
+        "speedup": speedup.median,
+        "speedup_low": speedup.low,
+        "speedup_high": speedup.high,
+        "tail": timing.tail,
         "original_tail": group.original.tail,
-        "hit_rate": variant.hit_rate,
-        "refresh_burst": variant.burst,
         "rmse": error.rmse,
         "p99": error.p99,
         "maximum": error.maximum,
         "psnr_db": error.psnr,
+        "ssim": perceived and perceived.ssim,
+        "flip": perceived and perceived.flip,
+        "flicker": perceived and perceived.flicker,
+        "pattern": perceived and perceived.pattern,
+    }
+
+
+def _parts(variant: VariantResult) -> dict[str, Any]:
+    return {
+        "reset_over_original": variant.reset,
+        "hit_rate": variant.hit_rate,
+        "refresh_burst": variant.burst,
         "floor_ms": None if variant.floor is None else variant.floor * 1e3,
         "efficiency": variant.efficiency,
     }

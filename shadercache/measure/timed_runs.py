@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from shadercache.gpu.clock import Clock
 from shadercache.measure import measurement as results
 from shadercache.measure.image_error import ErrorSum, Pixels
+from shadercache.measure.metrics.perceived import Perceived
 from shadercache.measure.statistics import Ratio, Timing, paired_ratio, timing
 from shadercache.measure.subjects import Subject, VariantSubject
 from shadercache.render import pass_runners
@@ -66,6 +67,11 @@ class TimedOriginal:
         self._world.prepare(frame)
         self.geometry[step] = clock.time(partial(self._geometry.draw, frame))
 
+    def show(self, frame: int) -> None:
+        """Draw the original, untimed, and keep its image."""
+        self._original.draw(frame)
+        self.keep_image(frame)
+
     def keep_image(self, frame: int) -> None:
         """Keep the original's pixels, which were just drawn, and the mask of covered pixels."""
         self.pixels = self._world.targets.pixels()
@@ -93,6 +99,7 @@ class TimedSubject:
         self._world = world
         self._error = ErrorSum()
         self._frame_rmse: list[float] = []
+        self.perceived: Perceived | None = None
         subject.prepare(world)
 
     def warm_up(self, frame: int) -> None:
@@ -100,9 +107,8 @@ class TimedSubject:
         for _ in range(2):
             self.subject.draw(frame)
 
-    def begin_again(self) -> None:
-        """Draw frame 0 once more; its time is not kept."""
-        self.subject.draw(0)
+    def forget(self) -> None:
+        """Frame 0 is drawn next, once more."""
 
     def time(self, clock: Clock, frame: int, step: int) -> None:
         """Time the next frame of the run; its image stays in the colour target. ``step`` numbers
@@ -128,6 +134,7 @@ class TimedSubject:
             speedup=self.speedup(reference),
             error=self._error.stats(),
             frame_rmse=tuple(self._frame_rmse),
+            perceived=self.perceived,
         )
 
 
@@ -171,10 +178,9 @@ class TimedVariant(TimedSubject):
         self.runner.hit_mask(frame)
         self.runner.reset()
 
-    def begin_again(self) -> None:
-        """Forget what is cached, and draw frame 0 once more; its time is not kept."""
+    def forget(self) -> None:
+        """Forget what is cached: frame 0 is drawn next, once more."""
         self.runner.reset()
-        super().begin_again()
 
     def time_reset(self, clock: Clock, frame: int, reference: TimedOriginal) -> None:
         """Time the frame after a reset, beside the original of the same frame."""
@@ -209,6 +215,7 @@ class TimedVariant(TimedSubject):
             work=_mean(self._work),
             error=whole.error,
             frame_rmse=whole.frame_rmse,
+            perceived=whole.perceived,
             floor=None if floor is None else floor * float(original),
             efficiency=None if floor is None else floor * whole.speedup.median,
         )

@@ -115,6 +115,11 @@ class Bundle:
             raise unusable("it tells of no variants")
         return self.manifest
 
+    @property
+    def mapping(self) -> Literal["surface", "screen", "user"]:
+        """Where the variants find what the last frame stored."""
+        return self._variants.mapping.kind
+
     def node(self, key: Literal["id", "path", "text", "type"]) -> str:
         """What the manifest says of the cached nodes.
 

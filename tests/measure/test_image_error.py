@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from shadercache.diagnostics import InputError
-from shadercache.measure.image_error import ErrorStats, ErrorSum, Pixels
+from shadercache.measure.image_error import ErrorStats, ErrorSum, Pixels, encoded_pair
 
 ALL = np.ones((4, 8), bool)
 
@@ -75,3 +75,21 @@ def test_poison_is_never_given_a_score(poison: float) -> None:
     uncovered = ALL.copy()
     uncovered[0, 0] = False
     assert compare(one, other, uncovered).rmse == 0.0
+
+
+def test_images_of_bytes_and_floats_are_encoded_alike() -> None:
+    levels = np.arange(4 * 8 * 4, dtype=np.uint8).reshape(4, 8, 4)
+    one, other = encoded_pair(levels, levels.astype(np.float64) / 255.0)
+    assert one.shape == (4, 8, 3) and one.dtype == other.dtype == np.float32
+    assert np.array_equal(one, other) and one.max() == np.float32(126 / 255)
+
+
+@pytest.mark.parametrize("poison", [np.nan, -np.inf])
+def test_windows_see_poison_everywhere(poison: float) -> None:
+    one = np.zeros((4, 8, 4), np.float32)
+    other = one.copy()
+    other[0, 0, 1] = poison
+    with pytest.raises(InputError, match="SC604"):
+        encoded_pair(one, other)
+    one[0, 0, 3] = poison  # alpha is not looked at
+    encoded_pair(one, np.zeros_like(one))

@@ -185,8 +185,15 @@ def test_periods_originals_and_peers_take_turns_in_one_run(
     assert (again.label, foreign.label) == ("once more", "peer")
     assert again.error.rmse == 0.0 < foreign.error.rmse
     assert peer.told == ["prepare", 0, 0, *range(8), "release"]
-    told = [row["period"] for row in rows(found)]
-    assert told == [2, 8] and len({row["configuration"] for row in rows(found)}) == 2
+    told = [(row["label"], row["period"], row["node"] is None) for row in rows(found)]
+    assert told == [
+        ("payload", 2, False),
+        ("payload", 8, False),
+        ("once more", None, True),
+        ("peer", None, True),
+    ]
+    assert len({row["configuration"] for row in rows(found)}) == 3
+    assert all(row["rmse"] is not None and row["ssim"] is None for row in rows(found))
 
 
 def test_the_clock_fits_the_renderer(gpu: Gpu, measurement: Measurement) -> None:
@@ -211,7 +218,8 @@ def test_json_holds_everything(gpu: Gpu, measurement: Measurement, tmp_path: Pat
 def test_csv_has_a_row_for_each_variant(measurement: Measurement) -> None:
     lines = to_csv(measurement).splitlines()
     assert lines[0].startswith("label,node,algorithm,period,block,configuration,p_over_t,")
-    assert lines[0].endswith("rmse,p99,maximum,psnr_db,floor_ms,efficiency")
+    assert "rmse,p99,maximum,psnr_db,ssim,flip,flicker,pattern" in lines[0]
+    assert lines[0].endswith("floor_ms,efficiency")
     assert len(lines) == 1 + 6 == 1 + len(rows(measurement))
     assert {row["period"] for row in rows(measurement)} == {4}
     assert {row["p_over_t_static"] for row in rows(measurement)} == {0.4, 0.5, 0.6}
