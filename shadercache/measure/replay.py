@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from shadercache.gpu.resource import Resource
 from shadercache.measure.image_error import Floats, Mask, Pixels, encoded_pair
 from shadercache.measure.measurement import MeasureOptions
-from shadercache.measure.metrics.motion import Motion, motion_between
 from shadercache.measure.metrics.perceived import PerceivedSum
+from shadercache.measure.metrics.pixel_motion import PixelMotion, motion_between
 from shadercache.measure.metrics.texel_age import Ages, next_ages
 from shadercache.measure.timed_runs import TimedOriginal, TimedSubject, TimedVariant
 from shadercache.render.bundle import Bundle
@@ -37,7 +37,7 @@ class Seen:
     kept: bool
     original: Pixels
     covered: Mask
-    motion: Motion | None
+    motion: PixelMotion | None
 
 
 class Replay(Resource):
@@ -118,7 +118,7 @@ class Watched:
         if before is not None and seen.motion is not None:
             self.sum.add_change(error, before, seen.motion, seen.covered)
 
-    def _next_ages(self, mask: NDArray[np.uint8], motion: Motion | None) -> Ages | None:
+    def _next_ages(self, mask: NDArray[np.uint8], motion: PixelMotion | None) -> Ages | None:
         """The ages of the frame that was drawn, whose hit mask is given; None if nobody knows."""
         assert self._variant is not None
         stored = self._variant.runner.ages()

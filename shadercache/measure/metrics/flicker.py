@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from shadercache.measure.image_error import Floats, Mask
-from shadercache.measure.metrics.motion import Motion
+from shadercache.measure.metrics.pixel_motion import PixelMotion
 
 
-def flicker(now: Floats, before: Floats, motion: Motion, covered: Mask) -> tuple[float, int]:
+def flicker(now: Floats, before: Floats, motion: PixelMotion, covered: Mask) -> tuple[float, int]:
     """The sum of squares, over channels, of the error of the change; and of how many pixels.
 
     The change of an image is the image less the last one, each point where it is now. The error of

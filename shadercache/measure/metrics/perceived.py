@@ -13,7 +13,7 @@ from shadercache.measure.metrics import flip_error, structural
 from shadercache.measure.metrics.block_pattern import block_pattern
 from shadercache.measure.metrics.flicker import flicker
 from shadercache.measure.metrics.flip_error import flip_error as flip_of
-from shadercache.measure.metrics.motion import Motion
+from shadercache.measure.metrics.pixel_motion import PixelMotion
 from shadercache.measure.metrics.structural import structural_similarity
 from shadercache.measure.metrics.texel_age import AgeError, AgeErrors
 
@@ -73,7 +73,7 @@ class PerceivedSum:
             error = (image - original)[window].mean(axis=-1)
             self._keep("pattern", block_pattern(error, shown[2], self._block))
 
-    def add_change(self, now: Floats, before: Floats, motion: Motion, covered: Mask) -> None:
+    def add_change(self, now: Floats, before: Floats, motion: PixelMotion, covered: Mask) -> None:
         """Add the change of the error from one frame to the next."""
         squares, pixels = flicker(now, before, motion, covered)
         self._changed += squares

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.measure.image_error import Floats, Mask
-from shadercache.measure.metrics.motion import Motion
+from shadercache.measure.metrics.pixel_motion import PixelMotion
 
 Ages = NDArray[np.int64]
 """Frames since a pixel's payload was computed (h, w): 0 in this frame, -1 where none is cached."""
@@ -27,7 +27,7 @@ class AgeError:
     rmse: float
 
 
-def next_ages(before: Ages, hit: Mask, cached: Mask, motion: Motion) -> Ages:
+def next_ages(before: Ages, hit: Mask, cached: Mask, motion: PixelMotion) -> Ages:
     """The ages of a frame, from those of the frame before.
 
     A hit is one frame older than what the pixel nearest to its place was; filters that read four

@@ -11,8 +11,8 @@ from shadercache.measure.image_error import Floats, Mask
 from shadercache.measure.metrics import perceived
 from shadercache.measure.metrics.block_pattern import block_pattern
 from shadercache.measure.metrics.flip_error import flip_error
-from shadercache.measure.metrics.motion import Motion
 from shadercache.measure.metrics.perceived import PerceivedSum, missing_extras
+from shadercache.measure.metrics.pixel_motion import PixelMotion
 from shadercache.measure.metrics.structural import structural_similarity
 
 SIZE = 96
@@ -48,7 +48,7 @@ def test_it_is_the_mean_of_the_frames(covered: Mask) -> None:
 
 def test_flicker_is_a_root_of_the_mean_square(covered: Mask) -> None:
     y, x = np.mgrid[0:SIZE, 0:SIZE] + 0.5
-    motion = Motion(np.stack([x, y], axis=-1), np.ones((SIZE, SIZE), bool))
+    motion = PixelMotion(np.stack([x, y], axis=-1), np.ones((SIZE, SIZE), bool))
     total, zero = PerceivedSum(block=None), np.zeros((SIZE, SIZE, 3), np.float32)
     total.add_change(zero + np.float32(0.5), zero, motion, covered)
     total.add_change(zero, zero, motion, covered)

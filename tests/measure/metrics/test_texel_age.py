@@ -5,15 +5,15 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from shadercache.measure.metrics.motion import Motion
+from shadercache.measure.metrics.pixel_motion import PixelMotion
 from shadercache.measure.metrics.texel_age import AgeError, AgeErrors, next_ages
 
 ROW = np.ones((1, 6), bool)
 
 
-def moved(right: float) -> Motion:
+def moved(right: float) -> PixelMotion:
     x = np.arange(6) + 0.5
-    return Motion(np.stack([x - right, np.full(6, 0.5)], axis=-1)[None], ROW)
+    return PixelMotion(np.stack([x - right, np.full(6, 0.5)], axis=-1)[None], ROW)
 
 
 def test_what_hits_grows_older_where_it_goes() -> None:

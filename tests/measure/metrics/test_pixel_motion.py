@@ -7,7 +7,7 @@ import pytest
 
 from shadercache.measure.image_error import Floats
 from shadercache.measure.metrics.flicker import flicker
-from shadercache.measure.metrics.motion import NEAR, Motion, motion_between
+from shadercache.measure.metrics.pixel_motion import NEAR, PixelMotion, motion_between
 from shadercache.render.surfaces import Surface
 
 HEIGHT, WIDTH = 6, 8
@@ -103,7 +103,7 @@ def test_it_is_the_error_of_the_change() -> None:
     """(cached now - cached before) - (original now - original before), each at the same points."""
     original_before, cached_before = errors(3), errors(4)
     original, cached = errors(5), errors(6)
-    motion = Motion(surface(right=0.3, up=0.6).place, ALL)
+    motion = PixelMotion(surface(right=0.3, up=0.6).place, ALL)
     change = (cached - motion.warped(cached_before)) - (original - motion.warped(original_before))
     squares, _ = flicker(cached - original, cached_before - original_before, motion, ALL)
     assert squares == pytest.approx(float(np.sum(change.astype(np.float64) ** 2)), rel=1e-5)

@@ -16,7 +16,7 @@ still count as the same surface (as the look-ups of the variants have it, times 
 
 
 @dataclass(frozen=True, eq=False)
-class Motion:
+class PixelMotion:
     """Of each pixel of a frame, where its point was in the frame before.
 
     ``place`` (h, w, 2): x and y in pixels of that frame, whose centres are at halves; ``both``
@@ -60,7 +60,7 @@ class Motion:
         return x, y
 
 
-def motion_between(now: Surface, before: Surface) -> Motion:
+def motion_between(now: Surface, before: Surface) -> PixelMotion:
     """The motion from one frame to the next; both are of the same size."""
     height, width = now.number.shape
     place = now.place
@@ -77,4 +77,4 @@ def motion_between(now: Surface, before: Surface) -> Motion:
                 tap = np.minimum(y + up, height - 1), np.minimum(x + right, width - 1)
                 off = before.inverse_w[tap] / now.before - 1.0
                 both &= (before.number[tap] == now.number) & (np.abs(off) <= NEAR)
-    return Motion(place, both)
+    return PixelMotion(place, both)
