@@ -121,9 +121,7 @@ class Watched:
     def _next_ages(self, mask: NDArray[np.uint8], motion: PixelMotion | None) -> Ages | None:
         """The ages of the frame that was drawn, whose hit mask is given; None if nobody knows."""
         assert self._variant is not None
-        stored = self._variant.runner.ages()
-        if stored is not None:
-            return np.where(mask > 0, np.rint(stored), -1).astype(np.int64)
+        # Ages that a cache keeps are no help: after a reset they begin at different numbers.
         bundle = self._variant.bundle
         if bundle.mapping == "user":
             return None

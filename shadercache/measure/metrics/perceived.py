@@ -37,8 +37,7 @@ class Perceived:
     ``ssim`` and ``flip`` are None without the extra ``metrics``. ``flicker`` is None where no pixel
     was visible in two frames. ``pattern`` is None and ``by_age`` empty of what has no cache, and
     ``pattern`` also where the error has no steps, or the objects are less than eight blocks wide;
-    ``by_age`` also where only the shader knows where a point was (``--mapping user``), unless the
-    cache keeps ages.
+    ``by_age`` also where only the shader knows where a point was (``--mapping user``).
     """
 
     frames: int
