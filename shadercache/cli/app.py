@@ -33,6 +33,7 @@ COMMANDS = {
     "run": "run",
     "bench": "bench",
     "sweep": "sweep",
+    "report": "report",
     "demo": "demo",
     "assets": "assets",
     "doctor": "doctor",

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
 from shadercache.diagnostics import usage_error
@@ -76,7 +77,9 @@ def chosen_views(words: Iterable[str], probe: Probe) -> list[str]:
 def view_picture(name: str, probe: Probe) -> Picture:
     """A view with its legend below it."""
     if name == AGE:
-        return with_legend(_age_picture(probe), _age_legend(probe))
+        assert probe.ages is not None
+        shown = age_colors(probe.ages[::-1], probe.mask[::-1] != 0, probe.period)
+        return with_legend(shown, _age_legend(probe))
     if name == HITS:
         shown = hit_picture(probe.mask, probe.values)
         return with_legend(shown, _outcome_legend(probe, probe.values))
@@ -118,13 +121,13 @@ def _outcome_legend(probe: Probe, names: Iterable[str]) -> Iterator[tuple[Color,
         yield color, f"{words} {probe.shares[name]:.1%}"
 
 
-def _age_picture(probe: Probe) -> Picture:
-    assert probe.ages is not None
-    share = np.clip(probe.ages / probe.period, 0.0, 1.0)[..., None]
+def age_colors(ages: NDArray[np.float32], drawn: NDArray[np.bool_], period: int) -> Picture:
+    """Ages (h, w), in frames, as colours from new to a period old; black where nothing is drawn."""
+    share = np.clip(ages / period, 0.0, 1.0)[..., None]
     colors = (1.0 - share) * np.array(YOUNG) + share * np.array(AGED)
-    colors[probe.ages > probe.period] = TOO_OLD
-    colors[probe.mask == 0] = 0.0
-    return np.ascontiguousarray(np.rint(colors[::-1]), np.uint8)
+    colors[ages > period] = TOO_OLD
+    colors[~drawn] = 0.0
+    return np.ascontiguousarray(np.rint(colors), np.uint8)
 
 
 def _age_legend(probe: Probe) -> Iterator[tuple[Color, str]]:

@@ -1,0 +1,1 @@
+"""One page that shows a result store: a file that needs no network."""

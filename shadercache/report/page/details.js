@@ -1,0 +1,97 @@
+"use strict";
+// What was measured of the chosen configuration, and how to measure it again.
+
+function showDetails() {
+  const row = choice.row, place = byId("details");
+  if (!row) return place.replaceChildren();
+  const what = make("p", { class: "what" }, make("code", {}, labelText(row, choice.group)), ` ${wayText(row)}`);
+  if (row.failure) {
+    const { code, message, kind } = row.failure;
+    return place.replaceChildren(
+      make("p", { class: "big" }, "no result"), what,
+      make("p", { class: "failed" }, `${kind}: ${message} [${code}]`), ...repeatParts(row));
+  }
+  const facts = make("dl", { class: "facts" });
+  definitions(facts, factsOf(row));
+  place.replaceChildren(
+    make("p", { class: "big" }, `${row.speedup[0].toFixed(2)}×`,
+      make("small", {}, `as fast, 95 % interval ${row.speedup[1].toFixed(2)}–${row.speedup[2].toFixed(2)}`)),
+    what, facts, ...outcomeParts(row), make("h3", {}, "Time of each frame"), strip(row),
+    ...repeatParts(row));
+}
+
+function factsOf(row) {
+  const facts = [
+    ["time", `${ms(row.ms)} beside ${ms(row.originalMs)} of the original`],
+    ["tail", `p99 is ${row.tail.toFixed(2)} × the median`],
+  ];
+  if (row.floor != null) {
+    facts.push(["floor", `${percent(row.floor)} of the original; efficiency ${row.efficiency.toFixed(2)}`]);
+  }
+  if (row.ratio != null) {
+    const fixed = choice.group.nodes[row.node].staticRatio;
+    facts.push(["P/T", `${percent(row.ratio)} measured, ${percent(fixed)} by static cost`]);
+  }
+  if (row.reset != null) facts.push(["after a reset", `${row.reset.toFixed(2)} × the original’s time`]);
+  const errors = row.errors;
+  facts.push(["RMSE", `${errorText(errors.rmse)}${errors.psnr == null ? "" : ` (PSNR ${errors.psnr.toFixed(1)} dB)`}`]);
+  const more = Object.entries(page.metrics).filter(([name]) => name !== "rmse" && errors[name] != null);
+  facts.push(...more.map(([name, words]) => [words, errorText(errors[name])]));
+  if (errors.ssim != null) facts.push(["SSIM", errors.ssim.toFixed(3)]);
+  facts.push(["worst pixels", `p99 ${errorText(errors.p99)}, largest ${errorText(errors.max)}`]);
+  return facts;
+}
+
+function outcomeParts(row) {
+  if (!row.outcomes) return [];
+  const parts = Object.entries(row.outcomes).sort((a, b) => b[1] - a[1]);
+  const words = parts.map(([name, share]) => `${name} ${percent(share, 1)}`).join(", ");
+  return [
+    make("h3", {}, `What becomes of the pixels: ${percent(row.hits)} are hits`),
+    make("div", { class: "bar", role: "img", "aria-label": words }, ...parts.map(([name, share]) =>
+      make("i", {
+        style: `width:${100 * share}%;background:${(page.legend[name] || ["#888"])[0]}`,
+        title: `${name} ${percent(share, 1)}`,
+      }))),
+  ];
+}
+
+// Two histograms over one scale of milliseconds: original above the line, configuration below.
+function strip(row) {
+  const { start, end, counts } = row.histogram, width = 400, middle = 37, high = 32;
+  const svg = drawing("svg", {
+    viewBox: `0 0 ${width} 92`, role: "img", class: "strip",
+    "aria-label": `Frames took from ${ms(start)} to ${ms(end)} and more`,
+  });
+  const add = (...parts) => svg.append(drawing(...parts));
+  const step = width / counts[0].length;
+  const colored = row.kind === "peer" ? color("peer") : algorithmColor(row.algorithm);
+  counts.forEach((own, side) => {
+    const most = Math.max(...own);
+    own.forEach((count, at) => {
+      const height = (high * count) / most;
+      const y = side ? middle - height : middle + 2;
+      if (count) add("rect", { x: at * step, y, width: step - 1, height, fill: side ? color("faint") : colored });
+    });
+  });
+  add("line", { x1: 0, x2: width, y1: middle + 1, y2: middle + 1, stroke: color("line") });
+  add("text", { x: 0, y: 87 }, ms(start));
+  add("text", { x: width, y: 87, "text-anchor": "end" }, `${ms(end)} or more`);
+  add("text", { x: width / 2, y: 87, "text-anchor": "middle" }, "grey: original");
+  return svg;
+}
+
+function repeatParts(row) {
+  const button = make("button", { type: "button", class: "copy" }, "Copy");
+  const command = make("pre", { class: "command" }, row.repeat);
+  button.addEventListener("click", () => {
+    // A page opened as a file may not use the clipboard; what is selected can be copied by hand.
+    getSelection().selectAllChildren(command);
+    if (document.execCommand("copy")) button.textContent = "Copied";
+  });
+  return [make("h3", {}, "Measure it again"), command, button];
+}
+
+function setUpDetails() {
+  choice.listeners.row.push(showDetails);
+}

@@ -1,0 +1,149 @@
+"""Rows of a store as the page's script reads them.
+
+Times are shares of the original's time in the same turns, so that rows of one machine can stand in
+one picture although they were measured at different hours.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from shadercache.caching.algorithms import algorithm
+from shadercache.caching.configuration import Configuration
+from shadercache.caching.settings import written_settings
+from shadercache.sweep.row import PayloadEntry, Row, TrialResult
+
+BINS = 24
+"""Steps of the histograms of frame times."""
+
+_PLAIN = written_settings(Configuration())
+
+
+def page_row(row: Row, node: int | None) -> dict[str, Any]:
+    """One row; ``node`` is the place of its payload in the page's list of nodes."""
+    found: dict[str, Any] = {"key": row.key, "kind": row.kind, "label": row.label, "node": node}
+    if row.configuration is not None:
+        chosen = Configuration.from_json(row.configuration)
+        found |= {
+            "algorithm": chosen.algorithm,
+            "period": chosen.refresh.period,
+            "block": chosen.refresh.block,
+            "settings": ", ".join(settings_in_words(chosen)),
+        }
+    if row.failure is not None:
+        failure = row.failure
+        return found | {
+            "failure": {"kind": failure.kind, "code": failure.code, "message": failure.message}
+        }
+    assert row.result is not None
+    return found | _result(row.result) | {"written": row.written.date}
+
+
+def page_node(payload: PayloadEntry) -> dict[str, Any]:
+    """What is said of a payload once for all of its rows."""
+    return {
+        "label": payload.label,
+        "ids": list(payload.ids),
+        "path": payload.path,
+        "text": payload.text,
+        "type": payload.type,
+        "places": [list(place) for place in payload.places],
+        "staticRatio": _rounded(payload.static_ratio),
+        "equal": payload.equal,
+    }
+
+
+def settings_in_words(chosen: Configuration) -> Iterator[str]:
+    """What of a cache differs from the default, as the command line has it."""
+    if chosen.storage.format != Configuration().storage.format:
+        yield f"format={chosen.storage.format}"
+    for word, value in written_settings(chosen).items():
+        if value != _PLAIN[word]:
+            yield f"{word}={value}"
+
+
+def repeat_command(row: Row, store: str) -> str:
+    """The command line that measures a row again."""
+    width, height = row.scene.size
+    line = f"shadercache sweep {row.scene.path} -o {store} --size {width}x{height}"
+    line += f" --frames {row.scene.frames}"
+    if row.configuration is None:
+        return f"{line} --where node={row.label} --force"
+    chosen = Configuration.from_json(row.configuration)
+    refresh = chosen.refresh
+    line += f" --nodes {row.label} --passes {algorithm(chosen.algorithm).word}"
+    line += f" --period {refresh.period} --block {refresh.block} --format {chosen.storage.format}"
+    settings = [word for word in settings_in_words(chosen) if not word.startswith("format=")]
+    return f"{line}{' --cache ' + ','.join(settings) if settings else ''} --force"
+
+
+def _result(result: TrialResult) -> dict[str, Any]:
+    times, image = result.times, result.image
+    original = float(np.median(times.samples.original))
+    ratio = times.ratio
+    found: dict[str, Any] = {
+        "speedup": [_rounded(value) for value in (ratio.median, ratio.low, ratio.high)],
+        # The interval of a share is that of the ratio, upside down.
+        "time": [_rounded(1.0 / value) for value in (ratio.median, ratio.high, ratio.low)],
+        "ms": _rounded(float(np.median(times.samples.subject)) * 1e3),
+        "originalMs": _rounded(original * 1e3),
+        "tail": _rounded(times.tail),
+        "reset": _rounded(times.reset),
+        "ratio": _rounded(times.p_over_t),
+        "floor": None if times.floor is None else _rounded(times.floor / original),
+        "efficiency": _rounded(times.efficiency),
+        "histogram": histogram(times.samples.subject, times.samples.original),
+        "errors": {
+            "rmse": _rounded(image.rmse),
+            "p99": _rounded(image.p99),
+            "max": _rounded(image.maximum),
+            "psnr": _rounded(image.psnr),
+        }
+        | perceived(image.perceived or {}),
+    }
+    if result.reuse is not None:
+        found |= {
+            "hits": _rounded(result.reuse.hit_rate),
+            "burst": _rounded(result.reuse.burst),
+            "outcomes": {
+                name: _rounded(share) for name, share in result.reuse.outcomes.items() if share
+            },
+        }
+    return found
+
+
+def perceived(measures: Mapping[str, Any]) -> dict[str, Any]:
+    """The measures that not every store has: numbers by name, and the error by age."""
+    return {
+        name: _rounded(float(value))
+        for name, value in measures.items()
+        if isinstance(value, int | float)
+    }
+
+
+def histogram(subject: Sequence[float], original: Sequence[float]) -> dict[str, Any]:
+    """How often frames took how long: counts of both in the same steps, from ``start`` to ``end``.
+
+    In ms. The slowest fiftieth may lie beyond the end and is counted there.
+    """
+    both = np.array([*subject, *original]) * 1e3
+    start, end = float(both.min()), float(np.quantile(both, 0.98))
+    if end <= start:
+        end = start * 1.01 + 1e-6
+    edges = np.linspace(start, end, BINS + 1)
+    counts = [
+        np.histogram(np.minimum(np.array(samples) * 1e3, end), edges)[0].tolist()
+        for samples in (subject, original)
+    ]
+    return {"start": _rounded(start), "end": _rounded(end), "counts": counts}
+
+
+def _rounded(value: float | None) -> float | None:
+    """Four significant digits: more are noise, and the page is read by many rows at once."""
+    if value is None or not math.isfinite(value):
+        return None
+    return float(f"{value:.4g}")

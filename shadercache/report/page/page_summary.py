@@ -1,0 +1,172 @@
+"""What a group of rows says, in sentences.
+
+Text in asterisks is to be emphasised, text in backquotes is code.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+
+from shadercache.caching.algorithms import NAMES
+from shadercache.diagnostics import shortened
+from shadercache.report.page.page_group import Measured, PageGroup
+
+SMALL_ERROR = 0.01
+"""An RMSE up to which a difference is hard to see: two and a half levels of 255."""
+
+_WORDS = {"1-pass": "one pass", "2-pass": "two passes", "3-pass": "three passes"}
+_KINDS = {
+    "refused": "the compiler refuses",
+    "rejected": "the driver does not take",
+    "hung": "took too long",
+    "crashed": "crashed the driver",
+}
+
+
+def summary(group: PageGroup) -> list[str]:
+    """The sentences, the most important one first."""
+    if not group.measured:
+        failed = "No configuration of this sweep has a result, so there is nothing to draw."
+        return [failed, *_failures(group)]
+    return [
+        *_best(group),
+        *_against_peers(group),
+        *_by_algorithm(group),
+        *_certainty(group),
+        *_failures(group),
+    ]
+
+
+def best_variant(group: PageGroup) -> Measured | None:
+    """The fastest variant with a small error, or the nearest where there is none."""
+    variants = group.variants
+    small = [one for one in variants if one.result.image.rmse <= SMALL_ERROR]
+    if small:
+        return min(small, key=lambda one: one.time)
+    return min(variants, key=lambda one: one.result.image.rmse, default=None)
+
+
+def variant_in_words(one: Measured) -> str:
+    """Such as "`albedo` in two passes, refreshed every 32 frames"."""
+    if one.row.configuration is None:
+        return one.row.label
+    words = _WORDS.get(one.algorithm or "", str(one.algorithm))
+    period = one.row.configuration["refresh"]["period"]
+    often = "in every frame" if period == 1 else f"every {period} frames"
+    return f"`{_cached(one)}` in {words}, refreshed {often}"
+
+
+def _cached(one: Measured) -> str:
+    """The name of what is cached, or its text where it has no name but its id."""
+    payload = one.row.payload
+    unnamed = payload is not None and one.row.label in payload.ids
+    return shortened(payload.text) if payload is not None and unnamed else one.row.label
+
+
+def speed_in_words(one: Measured) -> str:
+    """Such as "1.70× as fast [1.67–1.75] at an RMSE of .0060"."""
+    ratio, error = one.result.times.ratio, error_in_words(one.result.image.rmse)
+    return f"{ratio.median:.2f}× as fast [{ratio.low:.2f}–{ratio.high:.2f}] at an RMSE of {error}"
+
+
+def error_in_words(error: float) -> str:
+    """An error between 0 and 1 with two significant digits and without the nought."""
+    return "0" if error == 0.0 else f"{error:.2g}".removeprefix("0")
+
+
+def _best(group: PageGroup) -> Iterator[str]:
+    best = best_variant(group)
+    if best is None:
+        return
+    if best.result.times.ratio.median > 1.0 and best.result.image.rmse <= SMALL_ERROR:
+        limit = error_in_words(SMALL_ERROR)
+        yield (
+            f"*{_capital(variant_in_words(best))}, is {speed_in_words(best)}*: "
+            f"the fastest of {len(group.variants)} variants whose error stays below {limit}."
+        )
+    else:
+        yield (
+            f"*No variant is faster than the original at an RMSE below "
+            f"{error_in_words(SMALL_ERROR)}.* The nearest image is that of "
+            f"{variant_in_words(best)}: {speed_in_words(best)}."
+        )
+    fastest = min(group.variants, key=lambda one: one.time)
+    if fastest is not best:
+        yield (
+            f"The fastest variant of all, {variant_in_words(fastest)}, "
+            f"is {speed_in_words(fastest)}."
+        )
+
+
+def _against_peers(group: PageGroup) -> Iterator[str]:
+    """Who is on the front of all that was measured, from the smallest error to the largest."""
+    if not group.peers or not group.variants:
+        return
+    front = group.front("rmse", group.measured)[::-1]
+    stretches: list[tuple[bool, list[Measured]]] = []
+    for one in front:
+        if not stretches or stretches[-1][0] != one.is_peer:
+            stretches.append((one.is_peer, []))
+        stretches[-1][1].append(one)
+    parts = []
+    for number, (is_peer, members) in enumerate(stretches):
+        names = list(dict.fromkeys(one.row.label for one in members))
+        who = _listed(names) if is_peer else "caching"
+        if len(stretches) == 1:
+            yield f"*{_capital(who)} wins everywhere*: no other method is as fast and as near."
+            return
+        if number == 0:
+            parts.append(f"up to an RMSE of {_largest(members)} the fastest is {who}")
+        elif number == len(stretches) - 1:
+            parts.append(f"beyond it {who}")
+        else:
+            parts.append(f"then up to {_largest(members)} {who}")
+    yield f"Beside what one would do instead: {', '.join(parts)}."
+
+
+def _largest(members: Sequence[Measured]) -> str:
+    return error_in_words(max(one.result.image.rmse for one in members))
+
+
+def _by_algorithm(group: PageGroup) -> Iterator[str]:
+    labels: dict[str, list[Measured]] = {}
+    for one in group.variants:
+        labels.setdefault(one.row.label, []).append(one)
+    several = [same for same in labels.values() if len({one.algorithm for one in same}) > 1]
+    if len(several) > 1:
+        won = Counter(min(same, key=lambda one: one.time).algorithm for same in several)
+        counts = [f"{_WORDS.get(name, name)} for {won[name]}" for name in NAMES if won[name]]
+        yield f"Of {len(several)} cached values the fastest is {_listed(counts)}."
+    slower = sum(one.result.times.ratio.high < 1.0 for one in group.variants)
+    if slower:
+        yield f"{slower} of {len(group.variants)} variants are slower than the original."
+
+
+def _certainty(group: PageGroup) -> Iterator[str]:
+    ratios = [one.result.times.ratio for one in group.measured]
+    widths = sorted((one.high - one.low) / (2.0 * one.median) for one in ratios)
+    middle, widest = widths[len(widths) // 2], widths[-1]
+    yield (
+        f"Every ratio has a 95 % interval: half of them are known to ±{middle:.1%}, "
+        f"the least certain to ±{widest:.1%}."
+    )
+
+
+def _failures(group: PageGroup) -> Iterator[str]:
+    counts = Counter(row.failure.kind for row in group.rows if row.failure is not None)
+    if counts:
+        parts = [f"{number} that {_KINDS[kind]}" for kind, number in counts.most_common()]
+        total = counts.total()
+        are = "is 1 configuration" if total == 1 else f"are {total} configurations"
+        yield f"There {are} without a result: {_listed(parts)}."
+
+
+def _listed(parts: Sequence[str]) -> str:
+    if len(parts) < 2:
+        return "".join(parts)
+    return f"{', '.join(parts[:-1])} and {parts[-1]}"
+
+
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]
