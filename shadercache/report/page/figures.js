@@ -98,7 +98,7 @@ function level(at, yref, dash) {
 function levelNote(at, text) {
   return {
     xref: "paper", x: 1, y: at, text, showarrow: false, xanchor: "right", yanchor: "bottom",
-    font: { size: 12, color: color("soft") }, bgcolor: color("paper"), opacity: 0.85, borderpad: 1,
+    font: { size: 12, color: color("soft") }, bgcolor: veil(), borderpad: 1,
   };
 }
 

@@ -43,10 +43,13 @@ function layout(place, more) {
     font: { family: getComputedStyle(document.body).fontFamily, size: 13, color: color("ink") },
     paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)", hovermode: "closest",
     dragmode: false, ...more,
+    modebar: { bgcolor: "rgba(0,0,0,0)", color: color("faint"), activecolor: color("ink") },
   };
 }
 
-const PLOT_OPTIONS = { displaylogo: false, modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"] };
+const PLOT_OPTIONS = {
+  displaylogo: false, modeBarButtons: [["toImage", "zoom2d", "pan2d", "zoomIn2d", "zoomOut2d", "resetScale2d"]],
+};
 
 // Draws into a place, with a key above it, and sees to it that the card tells of what is pointed at.
 function draw(place, traces, shape) {
@@ -189,10 +192,16 @@ function placeLabels(place, { farthest, limits }, points, crowd, strokes) {
     const [dx, dy, xanchor, yanchor] = best.side;
     notes.push({
       x: point.x, y: Math.log10(point.y), text: escaped(point.text), showarrow: false, xshift: dx, yshift: dy,
-      xanchor, yanchor, borderpad: 0, font: { size: 12, color: point.color },
+      xanchor, yanchor, borderpad: 0, font: { size: 12, color: point.color }, bgcolor: veil(),
     });
   }
   return notes;
+}
+
+// What lies under a label shines through a little.
+function veil() {
+  const [red, green, blue] = color("paper").match(/[0-9a-f]{2}/gi).map((part) => parseInt(part, 16));
+  return `rgba(${red},${green},${blue},0.72)`;
 }
 
 // Plotly reads some markup in texts.
