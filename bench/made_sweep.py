@@ -11,6 +11,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from msgspec import structs
@@ -90,7 +91,7 @@ class _Maker:
                     time = self._time(chosen.algorithm, node.ratio, period, number)
                     outcome: kept.Failure | kept.TrialResult
                     outcome = self._outcome(time, error, node.ratio, period)
-                    if number == 4 and chosen.algorithm == "1-pass":
+                    if number == 1 and chosen.algorithm == "1-pass":
                         message = "the program took more than 20 times as long as the original"
                         outcome = kept.Failure("hung", "SC038", message)
                     own = {k: v for k, v in texts.items() if k.startswith(("s", chosen.algorithm))}
@@ -159,7 +160,13 @@ class _Maker:
             samples=kept.Samples(subject, original, geometry),
         )
         psnr = None if error == 0.0 else -20.0 * math.log10(error)
-        perceived = {"flip": error * 1.9, "flicker": error * 0.7, "ssim": 1.0 - 2.0 * error}
+        perceived: dict[str, Any] = {
+            "flip": error * 1.9,
+            "flicker": error * 0.7,
+            "ssim": 1.0 - 2.0 * error,
+            "pattern": None if period is None else 1.0 + 0.1 * period,
+            "by_age": [] if period is None else _by_age(error, period),
+        }
         image = kept.ImageErrors(error, 3 * error, 9 * error, psnr, (error,) * 12, perceived)
         return kept.TrialResult(times, image, None if period is None else _reuse(period), 0.46)
 
@@ -224,6 +231,20 @@ def _payload(analysis: Analysis, node: Candidate, equal: int) -> kept.PayloadEnt
     label = "albedo" if node.text.startswith("marble(") else node.id
     named = node.id, node.path, node.text, node.type.name
     return kept.PayloadEntry(label, (named[0],), *named[1:], (place,), node.ratio, equal)
+
+
+def _by_age(error: float, period: int) -> list[dict[str, float]]:
+    """The error grows with the age; ages are put together by powers of two."""
+    spans = [(2**power // 2 + 1, 2**power) for power in range(1, period.bit_length())]
+    return [
+        {
+            "youngest": youngest,
+            "oldest": oldest,
+            "share": (oldest - youngest + 1) / period,
+            "rmse": error * math.sqrt(2.0 * oldest / period),
+        }
+        for youngest, oldest in spans
+    ]
 
 
 def _reuse(period: int) -> kept.ReuseShares:

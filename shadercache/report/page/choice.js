@@ -14,7 +14,8 @@ const choice = {
   chooseGroup(place) {
     this.group = page.groups[place];
     this.metric = "rmse";
-    this.row = this.group.chosen == null ? null : this.group.rows[this.group.chosen];
+    // Where nothing has a result, the first row says why.
+    this.row = this.group.rows[this.group.chosen ?? 0];
     this.tell("group");
     this.tell("row");
   },

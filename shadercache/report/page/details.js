@@ -16,7 +16,7 @@ function showDetails() {
   place.replaceChildren(
     make("p", { class: "big" }, `${row.speedup[0].toFixed(2)}×`,
       make("small", {}, `as fast, 95 % interval ${row.speedup[1].toFixed(2)}–${row.speedup[2].toFixed(2)}`)),
-    what, facts, ...outcomeParts(row), make("h3", {}, "Time of each frame"), strip(row),
+    what, facts, ...outcomeParts(row), make("h3", {}, "Time of each frame"), strip(row), ...ageParts(row),
     ...repeatParts(row));
 }
 
@@ -38,6 +38,7 @@ function factsOf(row) {
   const more = Object.entries(page.metrics).filter(([name]) => name !== "rmse" && errors[name] != null);
   facts.push(...more.map(([name, words]) => [words, errorText(errors[name])]));
   if (errors.ssim != null) facts.push(["SSIM", errors.ssim.toFixed(3)]);
+  if (errors.pattern != null) facts.push(["block pattern", `${errors.pattern.toFixed(1)} × the noise around it`]);
   facts.push(["worst pixels", `p99 ${errorText(errors.p99)}, largest ${errorText(errors.max)}`]);
   return facts;
 }
@@ -53,6 +54,21 @@ function outcomeParts(row) {
         style: `width:${100 * share}%;background:${(page.legend[name] || ["#888"])[0]}`,
         title: `${name} ${percent(share, 1)}`,
       }))),
+  ];
+}
+
+// A bar for each span of ages: its error, as wide as its share of the pixels.
+function ageParts(row) {
+  const ages = row.errors.byAge;
+  if (!ages.length) return [];
+  const most = Math.max(...ages.map(([, , , rmse]) => rmse)) || 1;
+  const name = ([youngest, oldest]) => (youngest === oldest ? `${youngest}` : `${youngest}–${oldest}`);
+  return [
+    make("h3", {}, "Error by the age of what is reused, frames"),
+    make("div", { class: "ages" }, ...ages.map((age) => make("div", {
+      style: `flex-grow:${Math.max(age[2], 0.04)}`,
+      title: `${name(age)} frames old: ${percent(age[2], 1)} of the pixels, RMSE ${errorText(age[3])}`,
+    }, make("i", { style: `height:${(56 * age[3]) / most}px` }), make("small", {}, name(age))))),
   ];
 }
 
@@ -82,6 +98,7 @@ function strip(row) {
 }
 
 function repeatParts(row) {
+  if (!row.repeat) return [];
   const button = make("button", { type: "button", class: "copy" }, "Copy");
   const command = make("pre", { class: "command" }, row.repeat);
   button.addEventListener("click", () => {

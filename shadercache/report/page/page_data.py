@@ -15,7 +15,7 @@ from shadercache.report.images import LEGEND, Color
 from shadercache.report.page.page_contents import Blob
 from shadercache.report.page.page_group import METRICS, PageGroup
 from shadercache.report.page.page_rows import page_node, page_row, repeat_command
-from shadercache.report.page.page_summary import best_variant, summary
+from shadercache.report.page.page_summary import summary
 from shadercache.sweep.row import Row
 
 
@@ -69,7 +69,7 @@ def _group(group: PageGroup, store: str) -> dict[str, Any]:
         "rows": rows,
     }
     if group.measured:
-        best = best_variant(group) or group.measured[0]
+        best = group.best or group.measured[0]
         found |= {
             "chosen": best.place,
             "geometry": group.geometry,

@@ -39,12 +39,12 @@ def page_file(source: PageSource, progress: Progress | None = None) -> bytes:
     """The page of a store, as UTF-8.
 
     Raises:
-        InputError: SC036, the store has no rows.
-        UsageError: SC037, plotly is not installed.
+        InputError: SC037, the store has no rows.
+        UsageError: SC031, plotly is not installed.
     """
     if not source.rows:
         hint = "shadercache sweep SCENE -o STORE fills one"
-        raise input_error("SC036", f"{source.name} has no rows, so there is no report", hint)
+        raise input_error("SC037", f"{source.name} has no rows, so there is no report", hint)
     groups = page_groups(source.rows)
     texts = page_texts(groups, source.blob)
     fixed = {
@@ -65,7 +65,7 @@ def page_file(source: PageSource, progress: Progress | None = None) -> bytes:
 def plotly_script() -> str:
     """The text of plotly.js, as the Python package brings it.
 
-    Raises :class:`UsageError` SC037: it is not installed.
+    Raises :class:`UsageError` SC031: it is not installed.
     """
     # Only looked for: to import plotly takes half a second.
     found = find_spec("plotly")
@@ -76,7 +76,7 @@ def plotly_script() -> str:
             # Ends of a script element would end it here too.
             return path.read_text(encoding="utf-8").replace("</script", "<\\/script")
     hint = "pip install 'shadercache[report]'"
-    raise usage_error("SC037", "the report draws with plotly, which is not installed", hint)
+    raise usage_error("SC031", "a report needs the package plotly", hint)
 
 
 def _part(name: str) -> str:

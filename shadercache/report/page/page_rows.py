@@ -7,6 +7,7 @@ one picture although they were measured at different hours.
 from __future__ import annotations
 
 import math
+import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
@@ -66,19 +67,21 @@ def settings_in_words(chosen: Configuration) -> Iterator[str]:
             yield f"{word}={value}"
 
 
-def repeat_command(row: Row, store: str) -> str:
-    """The command line that measures a row again."""
-    width, height = row.scene.size
-    line = f"shadercache sweep {row.scene.path} -o {store} --size {width}x{height}"
-    line += f" --frames {row.scene.frames}"
+def repeat_command(row: Row, store: str) -> str | None:
+    """The command line that measures a row again; None of a peer, which no sweep draws."""
     if row.configuration is None:
-        return f"{line} --where node={row.label} --force"
+        return None
     chosen = Configuration.from_json(row.configuration)
     refresh = chosen.refresh
-    line += f" --nodes {row.label} --passes {algorithm(chosen.algorithm).word}"
-    line += f" --period {refresh.period} --block {refresh.block} --format {chosen.storage.format}"
+    width, height = row.scene.size
+    words = ["shadercache", "sweep", row.scene.path, "-o", store, "--nodes", row.label]
+    words += ["--passes", algorithm(chosen.algorithm).word]
+    words += ["--period", str(refresh.period), "--block", str(refresh.block)]
+    words += ["--format", chosen.storage.format]
     settings = [word for word in settings_in_words(chosen) if not word.startswith("format=")]
-    return f"{line}{' --cache ' + ','.join(settings) if settings else ''} --force"
+    words += ["--cache", ",".join(settings)] if settings else []
+    words += ["--size", f"{width}x{height}", "--frames", str(row.scene.frames), "--force"]
+    return shlex.join(words)
 
 
 def _result(result: TrialResult) -> dict[str, Any]:
@@ -103,7 +106,7 @@ def _result(result: TrialResult) -> dict[str, Any]:
             "max": _rounded(image.maximum),
             "psnr": _rounded(image.psnr),
         }
-        | perceived(image.perceived or {}),
+        | _perceived(image.perceived or {}),
     }
     if result.reuse is not None:
         found |= {
@@ -116,12 +119,14 @@ def _result(result: TrialResult) -> dict[str, Any]:
     return found
 
 
-def perceived(measures: Mapping[str, Any]) -> dict[str, Any]:
-    """The measures that not every store has: numbers by name, and the error by age."""
+def _perceived(measures: Mapping[str, Any]) -> dict[str, Any]:
+    """The measures that not every store has (``measure.metrics.perceived``)."""
     return {
-        name: _rounded(float(value))
-        for name, value in measures.items()
-        if isinstance(value, int | float)
+        **{name: _rounded(measures.get(name)) for name in ("ssim", "flip", "flicker", "pattern")},
+        "byAge": [
+            [one["youngest"], one["oldest"], _rounded(one["share"]), _rounded(one["rmse"])]
+            for one in measures.get("by_age", ())
+        ],
     }
 
 

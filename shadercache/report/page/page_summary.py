@@ -10,10 +10,7 @@ from collections.abc import Iterator, Sequence
 
 from shadercache.caching.algorithms import NAMES
 from shadercache.diagnostics import shortened
-from shadercache.report.page.page_group import Measured, PageGroup
-
-SMALL_ERROR = 0.01
-"""An RMSE up to which a difference is hard to see: two and a half levels of 255."""
+from shadercache.report.page.page_group import SMALL_ERROR, Measured, PageGroup
 
 _WORDS = {"1-pass": "one pass", "2-pass": "two passes", "3-pass": "three passes"}
 _KINDS = {
@@ -36,15 +33,6 @@ def summary(group: PageGroup) -> list[str]:
         *_certainty(group),
         *_failures(group),
     ]
-
-
-def best_variant(group: PageGroup) -> Measured | None:
-    """The fastest variant with a small error, or the nearest where there is none."""
-    variants = group.variants
-    small = [one for one in variants if one.result.image.rmse <= SMALL_ERROR]
-    if small:
-        return min(small, key=lambda one: one.time)
-    return min(variants, key=lambda one: one.result.image.rmse, default=None)
 
 
 def variant_in_words(one: Measured) -> str:
@@ -76,7 +64,7 @@ def error_in_words(error: float) -> str:
 
 
 def _best(group: PageGroup) -> Iterator[str]:
-    best = best_variant(group)
+    best = group.best
     if best is None:
         return
     if best.result.times.ratio.median > 1.0 and best.result.image.rmse <= SMALL_ERROR:

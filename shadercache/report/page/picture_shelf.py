@@ -47,7 +47,7 @@ class PictureShelf:
         """The name of a row's small picture, if there is one; more than two fifths of the room are
         not given to them."""
         hashed = row.pictures.get("thumbnail") or row.pictures.get("cached")
-        if hashed is None or self._room < self._reserve:
+        if hashed is None or self._room <= self._reserve:
             return None
         name = f"small-{hashed}"
         if name not in self.uris:
