@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
-PACKAGE_DATA = (".glsl", ".vert", ".json", ".txt", ".typed")
+PACKAGE_DATA = (".glsl", ".vert", ".json", ".txt", ".typed", ".html", ".css", ".js")
 
 
 @pytest.fixture(scope="module")
