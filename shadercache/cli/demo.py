@@ -115,8 +115,8 @@ def _subjects(
 def _write_pictures(out: Path, scene: Scene, results: Measurement, full: bool) -> None:
     """A sheet with the fastest variant of each node; if ``full`` all pictures of all variants."""
     from shadercache.report.contact_sheet import SheetRow, contact_sheet
-    from shadercache.report.debug_views import write_pictures
     from shadercache.report.images import write_png
+    from shadercache.report.variant_pictures import write_pictures
 
     if full:
         for shot in results.shots:

@@ -47,7 +47,7 @@ def command(
     ] = None,
     out: Annotated[Path, options.output("Folder for the pictures.")] = Path("out/run"),
 ) -> None:
-    """Run a variant from a reset up to a frame; write original, cached, 10x difference, hit map.
+    """Run a variant from a reset up to a frame; write original, cached, error, hit map.
 
     The hit map, and each further --view, shows in false colours what became of each pixel.
     """
@@ -55,7 +55,7 @@ def command(
     from shadercache.linking.linker import Linker
     from shadercache.measure.measurement import MeasureOptions
     from shadercache.measure.subjects import PayloadFacts, VariantSubject
-    from shadercache.report.debug_views import write_pictures
+    from shadercache.report.variant_pictures import write_pictures
 
     [edge] = options.parse_blocks(str(block))
     scene, analysis = source.open()

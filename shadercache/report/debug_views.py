@@ -5,18 +5,15 @@ Input arrays have row 0 at the bottom (OpenGL); pictures have row 0 at the top.
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Iterator, Sequence
-from pathlib import Path
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
 from shadercache.diagnostics import usage_error
-from shadercache.measure.measurement import Probe, Shot
-from shadercache.measure.shown import Picture, picture
-from shadercache.report import images
+from shadercache.measure.measurement import Probe
+from shadercache.measure.shown import Picture
 from shadercache.report.images import LEGEND, Color, hit_picture, outcome_color
 
 ALL, HITS, AGE = "all", "hits", "age"
@@ -30,25 +27,6 @@ YOUNG, AGED, TOO_OLD = (24, 44, 110), (250, 216, 96), (220, 60, 160)
 _FAINT = (72, 72, 78)
 _PAPER, _INK = (250, 250, 248), (32, 32, 36)
 _PAD = 6
-
-
-def write_pictures(folder: Path, shot: Shot, views: Sequence[str]) -> list[Path]:
-    """Write original, cached, 10x difference and the views as PNG; return their paths.
-
-    Raises :class:`UsageError` SC025 where the folder cannot be written, SC442 for an unknown view.
-    """
-    stem = f"{re.sub(r'[^A-Za-z0-9._-]+', '-', shot.label)}-{shot.configuration.algorithm}"
-    original, cached = picture(shot.original), picture(shot.cached)
-    pictures = {
-        "original": original,
-        "cached": cached,
-        "difference": images.difference_picture(original, cached),
-        **{name: view_picture(name, shot.probe) for name in chosen_views(views, shot.probe)},
-    }
-    paths = {folder / f"{stem}-{kind}.png": pixels for kind, pixels in pictures.items()}
-    for path, pixels in paths.items():
-        images.write_png(path, pixels)
-    return list(paths)
 
 
 def view_names(probe: Probe) -> tuple[str, ...]:

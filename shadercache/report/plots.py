@@ -8,19 +8,27 @@ matplotlib takes half a second to import, so it is imported when a plot is made.
 
 from __future__ import annotations
 
-import io
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable, Mapping
+from typing import Any
 
 import numpy as np
 
 from shadercache.caching.algorithms import NAMES
 from shadercache.caching.configuration import Configuration
-from shadercache.measure.measurement import Curve, Measurement, NodeResult, VariantResult
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
+from shadercache.measure.measurement import (
+    Curve,
+    Measurement,
+    NodeResult,
+    SubjectResult,
+    VariantResult,
+)
+from shadercache.report.axes import (
+    PointLabel,
+    label_points,
+    make_logarithmic,
+    new_axes,
+    to_png,
+)
 
 _SHAPES, _COLORS = "os^Dv*", ("#26849a", "#d6573c", "#6a58a8", "#7a8b2f", "#b8860b", "#555555")
 MARKERS = dict(zip(NAMES, zip(_SHAPES, _COLORS, strict=True), strict=False))
@@ -37,7 +45,7 @@ def plot_time(measurement: Measurement) -> bytes:
 
     The original's time is a line, its geometry's a dotted one; bars span the speed-up's interval.
     """
-    figure, axes = _axes(f"{measurement.scene}: time against payload share")
+    figure, axes = new_axes(f"{measurement.scene}: time against payload share")
     for name, drawn in _by_kind(measurement).items():
         known = [(node.ratio, variant) for node, variant in drawn if node.ratio is not None]
         if not known:
@@ -54,27 +62,51 @@ def plot_time(measurement: Measurement) -> bytes:
     axes.set_ylabel("median time of a frame (ms)")
     axes.set_xlim(min(0.0, axes.get_xlim()[0]), max(1.0, axes.get_xlim()[1]))
     axes.set_ylim(bottom=0.0)
-    return _png(figure, axes)
+    label_points(figure, axes, _fastest(measurement))
+    return to_png(figure, axes)
 
 
 def plot_error(measurement: Measurement) -> bytes:
     """RMSE of every variant against its median frame time (ms); a PNG file.
 
-    The error is on a logarithmic scale; images without error stand on its lower edge.
+    The error is on a logarithmic scale; images without error stand at its lower end. What is no
+    variant is a cross. The line joins those that nothing beats in both.
     """
-    figure, axes = _axes(f"{measurement.scene}: error against time")
+    figure, axes = new_axes(f"{measurement.scene}: error against time")
+    points = []
     for name, drawn in _by_kind(measurement).items():
-        x = [variant.timing.median * 1e3 for _, variant in drawn]
-        y = [max(variant.error.rmse, _LEAST_ERROR) for _, variant in drawn]
+        here = [_point(node.label, variant) for node, variant in drawn]
         look = _look(measurement, drawn[0][1].configuration)
+        x, y = [point.x for point in here], [point.y for point in here]
         axes.plot(x, y, **look, ls="", ms=4, alpha=0.8, label=name)
+        points += here
+    others = [_point(other.label, other) for group in measurement.groups for other in group.others]
+    x, y = [point.x for point in others], [point.y for point in others]
+    axes.plot(x, y, marker="x", color="#333333", ls="", ms=5)
+    points += others
+    best = pareto_front(points)
+    axes.plot([p.x for p in best], [p.y for p in best], color="#bbbbbb", lw=0.8, zorder=0)
     original, _ = _medians(measurement)
     axes.axvline(original, color="#333333", lw=1.2, label=f"original, {original:.1f} ms")
-    axes.set_yscale("log")
-    axes.set_xlim(left=0.0)
+    axes.set_xlim(0.0, 1.1 * max(original, *(point.x for point in points)))
+    make_logarithmic(axes, [point.y for point in points])
     axes.set_xlabel("median time of a frame (ms)")
     axes.set_ylabel("RMSE over covered pixels (display-encoded, 0-1)")
-    return _png(figure, axes)
+    label_points(figure, axes, [*best, *others, *points])
+    return to_png(figure, axes)
+
+
+def pareto_front(points: Iterable[PointLabel]) -> list[PointLabel]:
+    """The points that no other is both left of and below of, from left to right."""
+    front: list[PointLabel] = []
+    for point in sorted(points, key=lambda point: (point.x, point.y)):
+        if not front or point.y < front[-1].y:
+            front.append(point)
+    return front
+
+
+def _point(label: str, found: SubjectResult) -> PointLabel:
+    return PointLabel(found.timing.median * 1e3, max(found.error.rmse, _LEAST_ERROR), label)
 
 
 def plot_hits(measurement: Measurement) -> bytes | None:
@@ -92,7 +124,7 @@ def plot_hits(measurement: Measurement) -> bytes | None:
 
 def plot_curves(title: str, curves: Mapping[str, Curve]) -> bytes:
     """The share of hits in every frame of each curve, by name; a PNG file."""
-    figure, axes = _axes(title)
+    figure, axes = new_axes(title)
     for label, curve in curves.items():
         rates = f"mean {curve.hit_rate:.1%}, {curve.found_rate:.1%} of what was not due"
         axes.plot(range(1, len(curve.hit)), curve.hit[1:], lw=1.2, label=f"{label}: {rates}")
@@ -103,7 +135,16 @@ def plot_curves(title: str, curves: Mapping[str, Curve]) -> bytes:
     axes.set_xlabel("frame")
     axes.set_ylabel("share of the visible pixels of cached objects")
     axes.set_ylim(0.0, 1.0)
-    return _png(figure, axes)
+    return to_png(figure, axes)
+
+
+def _fastest(measurement: Measurement) -> list[PointLabel]:
+    """The fastest variant of each node, those of much P/T first."""
+    known = [(node, node.ratio) for node in measurement.nodes if node.ratio is not None]
+    return [
+        PointLabel(ratio, min(of.timing.median for of in node.variants) * 1e3, node.label)
+        for node, ratio in sorted(known, key=lambda pair: -pair[1])
+    ]
 
 
 def _by_kind(measurement: Measurement) -> dict[str, list[tuple[NodeResult, VariantResult]]]:
@@ -138,25 +179,3 @@ def _medians(measurement: Measurement) -> tuple[float, float]:
     original = np.median([group.original.median for group in groups])
     geometry = np.median([group.geometry.median for group in groups])
     return float(original) * 1e3, float(geometry) * 1e3
-
-
-def _axes(title: str) -> tuple[Figure, Axes]:
-    # Not pyplot: it keeps global state and wants a display.
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(8.0, 5.0), dpi=150, layout="constrained")
-    FigureCanvasAgg(figure)
-    axes = figure.add_subplot()
-    axes.set_title(title, loc="left", fontsize=11)
-    axes.grid(True, color="#dddddd", lw=0.6)
-    axes.set_axisbelow(True)
-    axes.spines[["top", "right"]].set_visible(False)
-    return figure, axes
-
-
-def _png(figure: Figure, axes: Axes) -> bytes:
-    axes.legend(frameon=False, fontsize=9)
-    buffer = io.BytesIO()
-    figure.savefig(buffer, format="png")
-    return buffer.getvalue()

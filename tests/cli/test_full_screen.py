@@ -78,6 +78,25 @@ def test_run_and_bench_without_a_scene(shell: Shell, static: str, tmp_path: Path
 
 
 @gl
+def test_what_is_perceived_is_measured_when_asked(
+    shell: Shell, static: str, tmp_path: Path
+) -> None:
+    small = ("--size", "48x32", "--frames", 4, "--until", 0, "-o", tmp_path)
+    asked = ("bench", *CLOUDS, "--nodes", static, "--passes", "2", *small)
+    outcome = shell(*asked, "--perceptual")
+    assert outcome.status == 0, outcome.err
+    heading = next(line for line in outcome.out.splitlines() if line.startswith("node "))
+    assert heading.split()[-4:] == ["SSIM", "FLIP", "flicker", "pattern"]
+    told = json.loads((tmp_path / "clouds.json").read_text())
+    [variant] = told["groups"][0]["nodes"][0]["variants"]
+    # A screen-sized value of a scene that rests: each pixel is as old as its turn is ago.
+    ages = variant["perceived"]["by_age"]
+    assert ages[0]["rmse"] == 0.0 and sum(age["share"] for age in ages) == pytest.approx(1.0)
+    assert ages[-1]["oldest"] <= 4
+    assert "SSIM" not in shell(*asked).out
+
+
+@gl
 def test_periods_and_blocks_are_measured_beside_each_other(
     shell: Shell, static: str, tmp_path: Path
 ) -> None:

@@ -24,7 +24,7 @@ def kinds(folder: Path) -> set[str]:
 def test_every_view_on_request(shell: Shell, tmp_path: Path) -> None:
     outcome = shell(*RUN, "--view", "all", "--cache", "age=on", "-o", tmp_path)
     assert outcome.status == 0, outcome.err
-    pictures = {"original", "cached", "difference"}
+    pictures = {"original", "cached", "difference", "signed"}
     assert kinds(tmp_path) == pictures | {
         *("hits", "hit", "refresh", "outside", "depth", "poison", "old", "age")
     }
