@@ -124,5 +124,10 @@ def _times(group: Group, node: NodeResult, variant: VariantResult) -> Times:
 def _image(variant: VariantResult) -> ImageErrors:
     error = plain(variant.error)  # the PSNR of equal images has no end
     return ImageErrors(
-        error["rmse"], error["p99"], error["maximum"], error["psnr"], variant.frame_rmse
+        error["rmse"],
+        error["p99"],
+        error["maximum"],
+        error["psnr"],
+        variant.frame_rmse,
+        plain(variant.perceived),
     )

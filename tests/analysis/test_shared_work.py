@@ -148,3 +148,12 @@ def _cost(shader: Shader, prefix: str) -> float:
     functions = {item.name: item for item in module.decls if isinstance(item, n.FunctionDef)}
     look_up = functions.get(f"{prefix}look_up")
     return costs.function(functions["main"]) - (costs.function(look_up) if look_up else 0.0)
+
+
+def test_the_static_ratio_of_a_set_is_that_of_its_payload_pass() -> None:
+    analysis = analysed_body(BODY, NOISE)
+    once, at = find(analysis, ONCE, "main"), find(analysis, AT, "main")
+    assert analysis.static_ratio((once,)) == once.ratio
+    both = analysis.static_ratio((once, at))
+    assert both == analysis.shared_work.parts((once, at)).payload / analysis.shared_work.whole
+    assert 0.9 * max(once.ratio, at.ratio) < both <= 1.0
