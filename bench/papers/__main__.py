@@ -1,0 +1,5 @@
+"""``python -m bench.papers``: see :mod:`bench.papers.suite`."""
+
+from bench.papers.suite import main
+
+raise SystemExit(main())

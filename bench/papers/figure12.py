@@ -1,0 +1,181 @@
+"""FIG12: the examples with their own factors: trash can and chess (N5 to N7).
+
+Section 3.5 and figure 12 of Scherzer et al. 2010.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from bench.papers.claims import Verdict
+from bench.papers.drawing import COLORS, ORIGINAL, SHAPES, panels, png
+from bench.papers.experiment import Experiment, Options
+from bench.papers.rules import written
+from bench.papers.turns import Turns, Variant, as_in_the_papers, take_turns, until_known
+from bench.papers.two_octaves import by_period, label
+from shadercache.caching.algorithms import NAMES
+from shadercache.caching.configuration import by_every_algorithm
+from shadercache.cli.scenes import configured
+from shadercache.cli.tables import format_table
+from shadercache.gpu.context import Gpu
+from shadercache.linking.linker import Linker
+from shadercache.linking.scene_shaders import open_scene
+from shadercache.measure.subjects import Subject, subjects_of
+from shadercache.paths import data_path
+from shadercache.render.render_scene import RenderScene
+
+PERIODS, BLOCK = (2, 4, 8, 16, 32), 4
+FRAMES, SECONDS = 40, 60.0
+
+
+@dataclass(frozen=True, slots=True)
+class Example:
+    """A claim: a scene's node, how many times as fast it shall be, at which period, within which
+    error (RMSE; None: the paper names none)."""
+
+    claim: str
+    scene: str
+    node: str
+    factor: float
+    period: int | None = None
+    most: float | None = None
+
+
+EXAMPLES = (
+    Example("N5", "trashcan", "24 of 25 samples", 2.1, period=4),
+    # "A marginal level of error": one step of eight bits.
+    Example("N6", "chess", "static share", 8.0, most=0.004),
+    Example("N7", "chess", "whole", 15.0),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class ExampleTimes:
+    """One example as it was drawn; all of it in the same turns."""
+
+    claim: str
+    turns: Turns
+
+
+@dataclass(frozen=True, slots=True)
+class Figure12:
+    """What is stored."""
+
+    periods: tuple[int, ...]
+    examples: tuple[ExampleTimes, ...]
+
+
+def gather(gpu: Gpu, options: Options, tell: Callable[[int, int], None]) -> Figure12:
+    """Measure each example that has a scene here."""
+    found = []
+    for number, example in enumerate(EXAMPLES):
+        tell(number, len(EXAMPLES))
+        if data_path("corpus", example.scene, "scene.toml").is_file():
+            found.append(ExampleTimes(example.claim, _drawn(gpu, example, options)))
+    return Figure12(PERIODS, tuple(found))
+
+
+def _drawn(gpu: Gpu, example: Example, options: Options) -> Turns:
+    scene, analysis = open_scene(data_path("corpus", example.scene, "scene.toml"))
+    linker = Linker(scene, analysis)
+    kinds = by_every_algorithm(
+        configured(scene, as_in_the_papers(scene.nodes[example.node].split("+")), [])
+    )
+    subjects: list[Subject] = [
+        Variant(label(subject.configuration.algorithm, period, BLOCK), subject)
+        for period in PERIODS
+        for subject in subjects_of(
+            linker, example.node, [kind.with_refresh(period, BLOCK) for kind in kinds]
+        )
+    ]
+    how = until_known(options.frames(FRAMES), options.seconds(SECONDS))
+    with RenderScene(gpu, linker.scene, (options.size, options.size)) as world:
+        return take_turns(world, linker, subjects, how)
+
+
+def judge(data: Figure12) -> list[Verdict]:
+    """N5 to N7: the fastest variant within the error reaches the factor, interval included."""
+    drawn = {one.claim: one.turns for one in data.examples}
+    return [
+        _reached(example, data, drawn[example.claim])
+        if example.claim in drawn
+        else Verdict(example.claim, None, f"there is no scene {example.scene} yet")
+        for example in EXAMPLES
+    ]
+
+
+def _reached(example: Example, data: Figure12, turns: Turns) -> Verdict:
+    allowed = [one for one in _series(data, turns) if _is_allowed(example, turns, one)]
+    if not allowed:
+        return Verdict(example.claim, False, f"no variant has an RMSE of {example.most} or less")
+    best = max(allowed, key=lambda one: turns.speedup(one).median)
+    speedup, rmse = turns.speedup(best), turns.of(best).rmse
+    words = f"{best}: {written(speedup)} times as fast at RMSE {rmse:.4f}; the paper's factor is"
+    return Verdict(example.claim, speedup.high >= example.factor, f"{words} {example.factor:g}")
+
+
+def _is_allowed(example: Example, turns: Turns, name: str) -> bool:
+    at = example.period is None or name.endswith(f" n{example.period} k{BLOCK}")
+    return at and (example.most is None or turns.of(name).rmse <= example.most)
+
+
+def _series(data: Figure12, turns: Turns) -> list[str]:
+    """The labels of what was drawn."""
+    labels = [one for name in NAMES for one in by_period(name, data.periods, BLOCK)]
+    return [one for one in labels if turns.has(one)]
+
+
+def table(data: Figure12) -> str:
+    """A row for each variant."""
+    header = ("scene", "node", "variant", "ratio", "RMSE")
+    return format_table(header, _rows(data))
+
+
+def _rows(data: Figure12) -> Iterator[tuple[str, ...]]:
+    by_claim = {example.claim: example for example in EXAMPLES}
+    for drawn in data.examples:
+        example = by_claim[drawn.claim]
+        for name in _series(data, drawn.turns):
+            speedup, rmse = written(drawn.turns.speedup(name)), drawn.turns.of(name).rmse
+            yield example.scene, example.node, name, speedup, f"{rmse:.4f}"
+
+
+def draw(data: Figure12) -> dict[str, bytes]:
+    """A panel for each example: error against time, a curve for each algorithm over the period."""
+    by_claim = {example.claim: example for example in EXAMPLES}
+    figure, every = panels(1, len(data.examples), (5.0 * len(data.examples), 4.6))
+    for axes, drawn in zip(every, data.examples, strict=True):
+        turns, example = drawn.turns, by_claim[drawn.claim]
+        original = 1e3 * float(np.median(turns.original))
+        for name in NAMES:
+            labels = [one for one in by_period(name, data.periods, BLOCK) if turns.has(one)]
+            times = [original * turns.share(one) for one in labels]
+            errors = [turns.of(one).rmse for one in labels]
+            axes.plot(times, errors, color=COLORS[name], marker=SHAPES[name], ms=4, label=name)
+            if labels:
+                axes.annotate(
+                    f"n = {data.periods[-1]}",
+                    (times[-1], errors[-1]),
+                    (4, 4),
+                    textcoords="offset points",
+                    fontsize=8,
+                    color=COLORS[name],
+                )
+        axes.axvline(original, color=ORIGINAL, lw=1.2, label=f"original, {original:.1f} ms")
+        wanted = f"the paper's {example.factor:g}x"
+        axes.axvline(original / example.factor, color=ORIGINAL, lw=1.0, ls=":", label=wanted)
+        axes.set_title(f"{example.scene}: {example.node}", loc="left", fontsize=11)
+        axes.set_xlim(left=0.0)
+        axes.set_ylim(bottom=0.0)
+        axes.set_xlabel("time of a frame (ms)")
+    every[0].set_ylabel("RMSE over covered pixels (display-encoded, 0-1)")
+    every[0].legend(frameon=False, fontsize=9)
+    return {"figure12": png(figure)}
+
+
+EXPERIMENT = Experiment(
+    "FIG12", "Trash can and chess by their factors", Figure12, gather, judge, table, draw
+)
