@@ -22,9 +22,17 @@ class Targets:
     """
 
     def __init__(
-        self, ctx: moderngl.Context, size: tuple[int, int], color: str, empty_depth: float = 1.0
+        self,
+        ctx: moderngl.Context,
+        size: tuple[int, int],
+        color: str,
+        empty_depth: float = 1.0,
+        sampled: bool = False,
     ) -> None:
         """Make the colour and depth targets; depth is cleared to ``empty_depth``.
+
+        ``sampled``: shaders read them, depth as a texture of window depths, both clamped to the
+        edge.
 
         Raises:
             InputError: SC603 for an unknown colour format; GraphicsError: SC603 for a size that
@@ -42,7 +50,9 @@ class Targets:
         self._surface: moderngl.Texture | None = None
         try:
             self.color = ctx.texture(size, 4, dtype=COLOR_FORMATS[color])
-            self.depth = ctx.depth_renderbuffer(size)
+            self.depth = _depth_texture(ctx, size) if sampled else ctx.depth_renderbuffer(size)
+            if sampled:
+                self.color.repeat_x = self.color.repeat_y = False
             self.framebuffer((self.color,), depth_write=True)
         except moderngl.Error as error:
             message = f"the driver cannot make a {size[0]}x{size[1]} {color} target: {error}"
@@ -121,3 +131,11 @@ class Targets:
         for texture in (self.color, self.depth, self._mask, self._surface):
             if texture is not None:
                 texture.release()
+
+
+def _depth_texture(ctx: moderngl.Context, size: tuple[int, int]) -> moderngl.Texture:
+    texture = ctx.depth_texture(size)
+    texture.compare_func = ""  # the depths themselves, not what a comparison with them says
+    texture.filter = (moderngl.NEAREST, moderngl.NEAREST)
+    texture.repeat_x = texture.repeat_y = False
+    return texture

@@ -31,7 +31,7 @@ class Linker:
         self._bundles: dict[tuple[object, ...], Bundle] = {}
         self.scene = scene
         named = tuple(
-            replace(part, inputs=part.inputs.with_aliases(self._analysis(part).renamed))
+            replace(part, inputs=part.inputs.with_aliases(self.analysis_of(part).renamed))
             if part.own_shader
             else part
             for part in scene.objects
@@ -93,7 +93,7 @@ class Linker:
 
     def _variants(self, part: SceneObject | None, configuration: Configuration) -> Bundle:
         """Without a part they are the scene's own shader's."""
-        analysis = self.analysis if part is None else self._analysis(part)
+        analysis = self.analysis if part is None else self.analysis_of(part)
         first = replace(configuration.compiled, algorithm=NAMES[0])
         key = (id(analysis), first, configuration.storage.format)
         # All algorithms, since the parts of P/T and of the floor are measured on their passes.
@@ -101,7 +101,7 @@ class Linker:
         return self._bundle(key, lambda: rewrite(analysis, every, unprofitable=True))
 
     def _original(self, part: SceneObject, mode: Mode) -> Bundle:
-        analysis = self._analysis(part)
+        analysis = self.analysis_of(part)
         return self._bundle((id(analysis), mode), lambda: emit_original(analysis, mode))
 
     def _bundle(self, key: tuple[object, ...], emit: Callable[[], Emission[Any]]) -> Bundle:
@@ -110,7 +110,8 @@ class Linker:
             self._bundles[key] = Bundle(emission.manifest, emission.files)
         return self._bundles[key]
 
-    def _analysis(self, part: SceneObject) -> Analysis:
+    def analysis_of(self, part: SceneObject) -> Analysis:
+        """What the compiler makes of an object's shaders."""
         if not part.own_shader:
             return self.analysis
         shaders = (part.fragment, part.vertex)

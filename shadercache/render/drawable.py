@@ -41,14 +41,21 @@ class Drawable:
         self.mesh = self._mesh.mesh
         self._values: OrderedDict[tuple[int, int], Values] = OrderedDict()
         self._outside: dict[int, bool] = {}
+        self._drawn_textures: dict[str, GlTexture] = {}
         self._check_attributes()
 
-    def seen_as(self, scene: Scene) -> Drawable:
-        """The same object as another scene sees it."""
-        return Drawable(self._uploads, scene, self.scene_object, self.number, self._size)
+    def seen_as(self, scene: Scene, size: tuple[int, int] | None = None) -> Drawable:
+        """The same object as another scene sees it, in a target of a size (else of its own)."""
+        return Drawable(self._uploads, scene, self.scene_object, self.number, size or self._size)
+
+    def give(self, name: str, texture: GlTexture) -> None:
+        """A texture that is drawn, not read from a file; it goes before the scene's."""
+        self._drawn_textures[name] = texture
 
     def texture(self, name: str) -> GlTexture | None:
         """A texture by its name in the shader; None if the object has none so named."""
+        if name in self._drawn_textures:
+            return self._drawn_textures[name]
         spec = self.scene_object.inputs.textures.get(name)
         return None if spec is None else self._uploads.texture(spec)
 
@@ -58,7 +65,7 @@ class Drawable:
         ``jittered``: the frame whose jitter they have, if it is another.
         """
         view = self.scene.view
-        key = (frame, frame if jittered is None or not view.engine.jitter else jittered)
+        key = (frame, frame if jittered is None or not view.engine.jittered else jittered)
         values = self._values.get(key)
         if values is None:
             size = view.engine.viewport(frame, self._size)[2:]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from copy import copy
+from dataclasses import replace
 
 import moderngl
 
@@ -14,6 +15,7 @@ from shadercache.gpu.targets import Targets
 from shadercache.render.drawable import Drawable
 from shadercache.render.uploads import Uploads
 from shadercache.scene.description import Scene
+from shadercache.scene.graphics_state import GraphicsState
 from shadercache.scene.mesh import Mesh
 from shadercache.scene.motion import REST, Camera, CameraPath
 
@@ -49,6 +51,7 @@ class RenderScene(Resource):
         self.culling = True
         self.programs = Programs(gpu)
         self._uploads: Uploads | None = Uploads(gpu, mesh)
+        self._owns_targets = True
         self.drawables = tuple(
             Drawable(self._uploads, scene, scene_object, number, size)
             for number, scene_object in enumerate(scene.parts, start=1)
@@ -82,9 +85,31 @@ class RenderScene(Resource):
         views take turns; each has a cache of its own.
         """
         other = copy(self)
-        other._uploads = None
+        other._uploads, other._owns_targets = None, False
         other.scene = self.scene.seen_from(camera, path)
         other.drawables = tuple(drawable.seen_as(other.scene) for drawable in self.drawables)
+        return other
+
+    def drawn_apart(self, size: tuple[int, int], engine: GraphicsState) -> RenderScene:
+        """The same objects before the same camera, drawn into targets of their own, which shaders
+        can read.
+
+        It shares meshes, textures and programs with this world, which must outlive it.
+
+        Args:
+            size: width and height of the targets in pixels.
+            engine: the application's state; the jitter may differ.
+
+        Raises:
+            GraphicsError: SC603 for a size that the driver cannot give.
+        """
+        other = copy(self)
+        other._uploads, other.size = None, size
+        other.scene = replace(self.scene, view=replace(self.scene.view, engine=engine))
+        other.drawables = tuple(drawable.seen_as(other.scene, size) for drawable in self.drawables)
+        empty, color = engine.empty_depth, self.targets.color_format
+        other._owns_targets = True
+        other.targets = Targets(self.gpu.ctx, size, color, empty, sampled=True)
         return other
 
     def begin(self) -> None:
@@ -103,8 +128,9 @@ class RenderScene(Resource):
             change(moderngl.CULL_FACE)
 
     def release(self) -> None:
-        """Free every GL object; what runs here can draw no more. Of a view: nothing."""
+        """Free every GL object; what runs here can draw no more. Of a view: what it has alone."""
         if self._uploads is not None:
             self.programs.release_all()
             self._uploads.release()
+        if self._owns_targets:
             self.targets.release()

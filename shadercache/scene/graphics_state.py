@@ -33,8 +33,9 @@ class GraphicsState:
 
     ``offset``: factor and units of the polygon offset. ``jitter``: over how many places the picture
     is shifted, by less than half a pixel, one a frame (0: it is not). ``jitter_told``: the previous
-    positions have this frame's jitter, so that jitter is no motion. ``viewports``: left, bottom,
-    width and height as shares of the target, in turns of ``hold`` frames each.
+    positions have this frame's jitter, so that jitter is no motion. ``places``: these shifts in
+    pixels, one a frame in turns, in place of those that ``jitter`` counts. ``viewports``: left,
+    bottom, width and height as shares of the target, in turns of ``hold`` frames each.
     """
 
     depth: DepthFunction = "less"
@@ -42,6 +43,7 @@ class GraphicsState:
     clip: ClipSpace = "symmetric"
     jitter: int = 0
     jitter_told: bool = True
+    places: tuple[tuple[float, float], ...] = ()
     viewports: tuple[Rectangle, ...] = (WHOLE,)
     hold: int = 1
 
@@ -81,13 +83,20 @@ class GraphicsState:
                 here[2] = here[3] - here[2]
         elif self.reversed:
             here[2] = -here[2]
-        if self.jitter:
+        if self.jittered:
             here[0] += shift[0] * here[3]
             here[1] += shift[1] * here[3]
         return here
 
+    @property
+    def jittered(self) -> bool:
+        """Is the picture shifted?"""
+        return bool(self.jitter or self.places)
+
     def shift(self, frame: int) -> tuple[float, float]:
         """The jitter of a frame in pixels, each part within half a pixel of none."""
+        if self.places:
+            return self.places[frame % len(self.places)]
         if not self.jitter:
             return 0.0, 0.0
         place = frame % self.jitter + 1

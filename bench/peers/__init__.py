@@ -1,0 +1,1 @@
+"""What a user would do in place of caching a value, drawn and timed beside it: ``./dev peers``."""

@@ -1,0 +1,7 @@
+#version 330
+// One triangle over the whole target: three vertices, without any attribute.
+
+void main() {
+    vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+    gl_Position = vec4(4.0 * corner - 1.0, 0.0, 1.0);
+}
