@@ -9,6 +9,9 @@ from __future__ import annotations
 
 from bench.peers.peer import Peer, PeerShader, planes, read_shader
 
+SEARCH = 4
+"""Places that are tried around a pixel whose point was hidden: five to ten pixels away at most."""
+
 
 class HalfRate(Peer):
     """Even frames are the original, odd ones are made of the frame before."""
@@ -17,13 +20,17 @@ class HalfRate(Peer):
         """See ``Peer``."""
         self._original = self.shaded_apart(self.world.size)
         last = self._original.world.targets
+        self._numbers = {
+            "u_size": self.world.size,
+            "u_planes": planes(self.world),
+            "u_steps": (SEARCH,),
+        }
         shader = PeerShader(
-            read_shader("half_rate.frag", "reproject.glsl", "nearness.glsl"),
-            ("u_size", "u_planes"),
+            read_shader("half_rate.frag", "own_surface.glsl", "reproject.glsl"),
+            tuple(self._numbers),
             {"u_color": last.color, "u_depth": last.depth},
         )
         self._warp = self.over_objects(shader)
-        self._numbers = {"u_size": self.world.size, "u_planes": planes(self.world)}
 
     def draw(self, frame: int) -> None:
         """See ``Peer``."""

@@ -142,10 +142,10 @@ Numbers = Mapping[str, Sequence[float]]
 
 
 def planes(world: RenderScene) -> tuple[float, float]:
-    """What ``nearness.glsl`` computes 1/w from window depths with."""
+    """What ``own_surface.glsl`` makes of window depths how near things are with."""
     camera = world.scene.view.camera
-    depth = camera.far - camera.near
-    return camera.far / depth, camera.far * camera.near / depth
+    far = camera.far / (camera.far - camera.near)
+    return far, far * camera.near
 
 
 def _encoded(numbers: Numbers) -> dict[str, np.ndarray]:

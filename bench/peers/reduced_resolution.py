@@ -1,10 +1,11 @@
 """Shading at half or a quarter of the resolution, brought back to full size in two ways.
 
 *Bilinear*: the small picture is stretched over the screen. *Depth-aware*: the objects are drawn
-again at full size, and each pixel takes of the four texels around it those of its own surface
-(the joint bilateral upsampling of Kopf et al. 2007, with depth as the guide as in Yang et al.
-2008). A texel's depth is compared with the plane of the triangle at hand, so that slanted surfaces
-are no edges.
+again at full size, and each pixel takes of the four texels around it those of its own surface. That
+is the joint bilateral upsampling of Kopf et al. 2007 with depth as the guide, as in Yang et al.
+2008, but texels count or do not, as in Jansen and Bavoil 2011: so one gather and one bilinear fetch
+do. A texel's depth is compared with the plane of the triangle at hand, so that slanted surfaces are
+no edges.
 """
 
 from __future__ import annotations
@@ -45,18 +46,15 @@ class DepthAwareUpsampling(BilinearUpsampling):
     def make(self) -> None:
         """See ``Peer``."""
         self._shaded = self.shaded_apart(smaller(self.world.size, self._divisor))
-        targets = self._shaded.world.targets
+        small, full = self._shaded.world, self.world
+        scale = small.size[0] / full.size[0], small.size[1] / full.size[1]
+        self._numbers = {"u_scale": scale, "u_planes": planes(full)}
         shader = PeerShader(
-            read_shader("depth_aware.frag", "nearness.glsl"),
-            ("u_scale", "u_planes"),
-            {"u_color": targets.color, "u_depth": targets.depth},
+            read_shader("depth_aware.frag", "own_surface.glsl"),
+            tuple(self._numbers),
+            {"u_color": small.targets.color, "u_depth": small.targets.depth},
         )
         self._upsample = self.over_objects(shader)
-        small, full = self._shaded.world.size, self.world.size
-        self._numbers = {
-            "u_scale": (small[0] / full[0], small[1] / full[1]),
-            "u_planes": planes(self.world),
-        }
 
     def draw(self, frame: int) -> None:
         """See ``Peer``."""

@@ -2,8 +2,8 @@
 
 The resolve follows section 5 of the survey of Yang et al. 2020: each pixel blends what the jittered
 samples near its centre say into what its point showed before, the more the nearer a sample is. What
-it showed is fetched by a Catmull-Rom filter (Karis 2014, Jimenez 2016) and clipped to the colours
-around: their mean and deviation (Salvi 2016), in YCoCg (Karis 2014).
+it showed is clipped to the colours around, that is to their mean and deviation (Salvi 2016), in
+YCoCg (Karis 2014).
 """
 
 from __future__ import annotations
@@ -14,8 +14,10 @@ from bench.peers.lod_bias import sharper_textures
 from bench.peers.peer import Peer, PeerShader, read_shader
 from bench.peers.reduced_resolution import smaller
 
-PLACES = 16
-"""Of the jitter: for each of the four pixels that share a sample, four."""
+PLACES = ((0.25, 0.25), (-0.25, -0.25), (-0.25, 0.25), (0.25, -0.25))
+"""Of the jitter, in pixels of the smaller picture: each puts a sample upon one of the four pixels
+that share it. Upscalers take more places and smooth edges with them; what is to be met here is a
+picture that does not."""
 
 
 class TemporalUpscaling(Peer):
@@ -23,7 +25,7 @@ class TemporalUpscaling(Peer):
 
     def make(self) -> None:
         """See ``Peer``."""
-        self._engine = replace(self.world.scene.view.engine, jitter=PLACES)
+        self._engine = replace(self.world.scene.view.engine, places=PLACES)
         self._shaded = self.shaded_apart(smaller(self.world.size, 2), self._engine)
         self._history = self.lent_history()
         shader = PeerShader(

@@ -2,7 +2,7 @@
 // Half of the pixels are this frame's, the others are what the last picture shows of their points.
 
 uniform sampler2D u_lower;    // the fields in even rows of the screen, each row in one of its own
-uniform sampler2D u_upper;    // those in odd rows
+uniform sampler2D u_upper;    // those in odd rows; alpha 0 where nothing was drawn
 uniform sampler2D u_history;  // the last picture; alpha: 16/w
 uniform int u_turn;           // which fields are shaded: those where x + y + turn is even
 uniform int u_begins;         // 1: there is no last picture
@@ -12,40 +12,38 @@ layout(location = 1) out vec4 o_history;
 
 const float SAME = 0.01;  // of the nearness: what is so far off is another surface
 
-// A shaded field, by its pixel on the screen; alpha 0 where nothing was drawn.
-vec4 field(ivec2 pixel) {
-    pixel = clamp(pixel, ivec2(0), ivec2(u_size) - 1);
-    ivec2 cell = pixel >> 1;
-    return (pixel.y & 1) == 0 ? texelFetch(u_lower, cell, 0) : texelFetch(u_upper, cell, 0);
-}
-
-vec3 filled(ivec2 pixel) {
-    vec4 one[4] = vec4[](field(pixel - ivec2(1, 0)), field(pixel + ivec2(1, 0)),
-        field(pixel - ivec2(0, 1)), field(pixel + ivec2(0, 1)));
-    vec4 sum = vec4(0.0);
-    vec3 least = vec3(1.0), most = vec3(0.0);
-    for (int i = 0; i < 4; i++) {
-        sum += vec4(one[i].rgb * one[i].a, one[i].a);
-        least = min(least, one[i].a > 0.0 ? one[i].rgb : vec3(1.0));
-        most = max(most, one[i].rgb);
-    }
-    vec2 place = last_place();
-    vec4 last = textureLod(u_history, place / u_size, 0.0);
-    float expected = 16.0 * last_nearness();
-    bool found = u_begins == 0 && abs(last.a - expected) < SAME * expected
-        && place == clamp(place, vec2(0.0), u_size);
-    if (sum.a == 0.0) {
-        return found ? last.rgb : vec3(0.0);
-    }
-    return found ? clamp(last.rgb, least, most) : sum.rgb / sum.a;
+// The shaded field upon a pixel of the screen.
+vec4 field(sampler2D fields, ivec2 pixel) {
+    return texelFetch(fields, clamp(pixel, ivec2(0), ivec2(u_size) - 1) >> 1, 0);
 }
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     bool fresh = ((pixel.x + pixel.y + u_turn) & 1) == 0;
-    vec4 own = fresh ? field(pixel) : vec4(0.0);
+    bool even = (pixel.y & 1) == 0;
+    // Beside a missing pixel are two fields of its own row, above and below two of the other rows.
+    ivec2 beside = ivec2(fresh ? 0 : 1, 0), above = ivec2(0, 1);
+    ivec2 in_lower = even ? beside : above, in_upper = even ? above : beside;
+    vec4 a = field(u_lower, pixel - in_lower), b = field(u_lower, pixel + in_lower);
+    vec4 c = field(u_upper, pixel - in_upper), d = field(u_upper, pixel + in_upper);
+    vec4 own = even ? a : c;
+
+    vec4 sum = vec4(a.rgb * a.a, a.a) + vec4(b.rgb * b.a, b.a)
+        + vec4(c.rgb * c.a, c.a) + vec4(d.rgb * d.a, d.a);
+    vec4 none = step(vec4(a.a, b.a, c.a, d.a), vec4(0.0));
+    vec3 least = min(min(a.rgb + none.x, b.rgb + none.y), min(c.rgb + none.z, d.rgb + none.w));
+    vec3 most = max(max(a.rgb, b.rgb), max(c.rgb, d.rgb));
+
+    vec2 place = last_place();
+    vec4 last = textureLod(u_history, place / u_size, 0.0);
+    float expected = 16.0 * last_nearness();
+    bool found = u_begins == 0 && abs(last.a - expected) < SAME * expected
+        && place == clamp(place, vec2(0.0), u_size);
+    vec3 filled = sum.a == 0.0 ? last.rgb
+        : found ? clamp(last.rgb, least, most) : sum.rgb / max(sum.a, 1.0);
+
     // At an outline the field and the pixel may disagree about what is covered.
-    vec3 color = own.a > 0.0 ? own.rgb : filled(pixel);
+    vec3 color = fresh && own.a > 0.0 ? own.rgb : filled;
     o_color = vec4(color, 1.0);
     o_history = vec4(color, 16.0 * gl_FragCoord.w);
 }

@@ -9,10 +9,9 @@ uniform int u_begins;         // 1: there is no last picture
 layout(location = 0) out vec4 o_color;
 layout(location = 1) out vec4 o_history;
 
-const float SAME = 0.01;   // of the nearness: what is so far off is another surface
-const float SHARP = 2.0;   // falls off with the square of a sample's distance, in screen pixels
-const float BLEND = 0.25;  // the share of a sample upon the pixel's very centre
-const float WIDE = 1.5;    // deviations from the mean that the history may be off
+const float SAME = 0.01;  // of the nearness: what is so far off is another surface
+const float SHARP = 2.0;  // how a sample's weight falls with the square of its distance in screen pixels
+const float WIDE = 2.0;   // deviations from the mean that the history may be off
 
 vec3 to_ycocg(vec3 c) {
     return vec3(dot(c, vec3(0.25, 0.5, 0.25)), 0.5 * (c.r - c.b), dot(c, vec3(-0.25, 0.5, -0.25)));
@@ -21,25 +20,6 @@ vec3 to_ycocg(vec3 c) {
 vec3 to_rgb(vec3 c) {
     float base = c.x - c.z;
     return vec3(base + c.y, c.x + c.z, base - c.y);
-}
-
-// The history by a Catmull-Rom filter in five bilinear fetches (Jimenez 2016), place in pixels.
-vec3 sharp_history(vec2 place) {
-    vec2 centre = floor(place - 0.5) + 0.5;
-    vec2 f = place - centre;
-    vec2 w0 = f * (-0.5 + f * (1.0 - 0.5 * f));
-    vec2 w1 = 1.0 + f * f * (-2.5 + 1.5 * f);
-    vec2 w2 = f * (0.5 + f * (2.0 - 1.5 * f));
-    vec2 w3 = f * f * (-0.5 + 0.5 * f);
-    vec2 w12 = w1 + w2;
-    vec2 pixel = 1.0 / u_size;
-    vec2 t0 = (centre - 1.0) * pixel, t12 = (centre + w2 / w12) * pixel, t3 = (centre + 2.0) * pixel;
-    vec4 sum = vec4(textureLod(u_history, vec2(t12.x, t0.y), 0.0).rgb, 1.0) * (w12.x * w0.y)
-        + vec4(textureLod(u_history, vec2(t0.x, t12.y), 0.0).rgb, 1.0) * (w0.x * w12.y)
-        + vec4(textureLod(u_history, t12, 0.0).rgb, 1.0) * (w12.x * w12.y)
-        + vec4(textureLod(u_history, vec2(t3.x, t12.y), 0.0).rgb, 1.0) * (w3.x * w12.y)
-        + vec4(textureLod(u_history, vec2(t12.x, t3.y), 0.0).rgb, 1.0) * (w12.x * w3.y);
-    return sum.rgb / sum.a;
 }
 
 void main() {
@@ -63,13 +43,13 @@ void main() {
         count += found.a;
     }
     vec2 place = last_place();
-    float there = textureLod(u_history, place / u_size, 0.0).a;
+    vec4 shown = textureLod(u_history, place / u_size, 0.0);
     float expected = 16.0 * last_nearness();
-    bool known = u_begins == 0 && abs(there - expected) < SAME * expected
+    bool known = u_begins == 0 && abs(shown.a - expected) < SAME * expected
         && place == clamp(place, vec2(0.0), u_size);
     vec3 color = sum.rgb / max(sum.a, 1e-6);
     if (known) {
-        vec3 history = to_ycocg(sharp_history(place));
+        vec3 history = to_ycocg(shown.rgb);
         if (count > 0.0) {
             mean /= count;
             vec3 box = WIDE * sqrt(max(squares / count - mean * mean, 0.0));
@@ -78,7 +58,7 @@ void main() {
             vec3 units = abs(off) / max(box, 1e-4);
             history = mean + off / max(1.0, max(units.x, max(units.y, units.z)));
         }
-        color = mix(history, color, BLEND * best);
+        color = mix(history, color, best);
     }
     color = clamp(to_rgb(color), 0.0, 1.0);
     o_color = vec4(color, 1.0);
