@@ -47,7 +47,7 @@ void main() {
     float expected = 16.0 * last_nearness();
     bool known = u_begins == 0 && abs(shown.a - expected) < SAME * expected
         && place == clamp(place, vec2(0.0), u_size);
-    vec3 color = sum.rgb / max(sum.a, 1e-6);
+    vec3 color = sum.rgb / max(sum.a, 1e-30);
     if (known) {
         vec3 history = to_ycocg(shown.rgb);
         if (count > 0.0) {
