@@ -16,7 +16,7 @@ from shadercache.front.parse import parse
 from shadercache.linking.linker import Linker
 from shadercache.linking.scene_shaders import analyse_scene, read_shader
 from shadercache.measure.subjects import OriginalSubject
-from shadercache.scene.description import Scene, SceneObject
+from shadercache.scene.description import Scene
 from shadercache.source import Source
 
 FOLDER = Path(__file__).parent / "fewer"
@@ -35,19 +35,25 @@ def fewer_samples(scene: Scene) -> OriginalSubject | None:
     if scene.name not in LABELS:
         return None
     with TemporaryDirectory() as folder:
-        common = _cheaper(scene.common, Path(folder))
-        objects = tuple(_cheaper(part, Path(folder)) for part in scene.objects)
-        linker = Linker(*analyse_scene(replace(scene, common=common, objects=objects)))
+        paths = {
+            part.fragment: _cheaper(part.fragment, Path(folder))
+            for part in (scene.common, *scene.objects)
+        }
+        common, *objects = (
+            replace(part, fragment=paths[part.fragment]) for part in (scene.common, *scene.objects)
+        )
+        linker = Linker(*analyse_scene(replace(scene, common=common, objects=tuple(objects))))
         return OriginalSubject(LABELS[scene.name], *linker.originals())
 
 
-def _cheaper(part: SceneObject, folder: Path) -> SceneObject:
-    source = cheaper_shader(read_shader(part.fragment))
+def _cheaper(fragment: Path, folder: Path) -> Path:
+    """Where the shader is that takes the place of another; that one itself, if there is none."""
+    source = cheaper_shader(read_shader(fragment))
     if source is None:
-        return part
-    path = folder / part.fragment.name
+        return fragment
+    path = folder / fragment.name
     path.write_text(source.text, encoding="utf-8")
-    return replace(part, fragment=path)
+    return path
 
 
 def cheaper_shader(source: Source) -> Source | None:

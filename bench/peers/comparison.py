@@ -1,0 +1,198 @@
+"""One scene: the original, the peers and some variants of the cache, drawn in turns."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from bench.peers.checkerboard import Checkerboard
+from bench.peers.fewer_samples import fewer_samples
+from bench.peers.final_color import final_color
+from bench.peers.half_rate import HalfRate
+from bench.peers.outcomes import METRICS, SCHEMA_VERSION, Point, SceneOutcome, who_wins
+from bench.peers.reduced_resolution import BilinearUpsampling, DepthAwareUpsampling
+from bench.peers.scene_programs import ScenePrograms
+from bench.peers.temporal_upscaling import TemporalUpscaling
+from shadercache.caching.configuration import Configuration, Filter, Refresh
+from shadercache.gpu.context import Gpu
+from shadercache.linking.linker import Linker
+from shadercache.measure.measure import Progress, measure
+from shadercache.measure.measurement import Group, MeasureOptions, SubjectResult, VariantResult
+from shadercache.measure.result_files import environment
+from shadercache.measure.statistics import paired_ratio
+from shadercache.measure.subjects import Subject, VariantSubject, subjects_of
+from shadercache.render.render_scene import RenderScene
+
+MULTIPLE = 4
+"""The size is one of this: smaller pictures have whole pixels that lie upon the large ones."""
+
+COLOR_PERIODS = (2, 4)
+"""Refresh periods of the cached colour, beside the scene's: it ages faster than what is in it."""
+
+ALGORITHMS = ("2-pass", "3-pass")
+
+_TURN = 2
+"""Frames that are timed as one: a peer may do all of its work in every second frame."""
+
+
+@dataclass(frozen=True)
+class Setting:
+    """A scene to compare in, and in how many frames."""
+
+    linker: Linker
+    programs: ScenePrograms
+    frames: int
+
+    @property
+    def configuration(self) -> Configuration:
+        """The default, with the scene's period and block."""
+        demo = self.linker.scene.demo
+        refresh = Refresh() if demo is None else Refresh(period=demo.period, block=demo.block)
+        return Configuration(refresh=refresh)
+
+
+def _reduced(kind: type[BilinearUpsampling], divisor: int, how: str) -> Maker:
+    share = {2: "half", 4: "quarter"}[divisor]
+
+    def make(setting: Setting) -> list[Subject]:
+        label = f"{share} resolution, {how}"
+        return [kind(label, setting.programs, setting.frames, divisor)]
+
+    return make
+
+
+def _fewer(setting: Setting) -> list[Subject]:
+    cheaper = fewer_samples(setting.linker.scene)
+    return [] if cheaper is None else [cheaper]
+
+
+def _colors(setting: Setting) -> list[Subject]:
+    plain = setting.configuration
+    periods = dict.fromkeys((*COLOR_PERIODS, plain.refresh.period))
+    return [
+        final_color(setting.linker, f"cached colour, period {period}", plain.with_refresh(period))
+        for period in periods
+    ]
+
+
+def cached_values(setting: Setting) -> list[Subject]:
+    """The nodes that the scene shows, by two and three passes, with two filters."""
+    scene, plain = setting.linker.scene, setting.configuration
+    names = scene.nodes if scene.demo is None else scene.demo.nodes
+    subjects: list[Subject] = []
+    for name in names:
+        chosen = [
+            replace(plain, nodes=(scene.nodes[name],), algorithm=algorithm, filter=kind)
+            for algorithm in ALGORITHMS
+            for kind in (Filter(), Filter("nearest"))
+        ]
+        subjects += subjects_of(setting.linker, name, chosen)
+    return subjects
+
+
+Maker = Callable[[Setting], Sequence[Subject]]
+
+PEERS: Mapping[str, Maker] = {
+    "half-bilinear": _reduced(BilinearUpsampling, 2, "bilinear"),
+    "half-depth": _reduced(DepthAwareUpsampling, 2, "depth-aware"),
+    "quarter-bilinear": _reduced(BilinearUpsampling, 4, "bilinear"),
+    "quarter-depth": _reduced(DepthAwareUpsampling, 4, "depth-aware"),
+    "checkerboard": lambda setting: [
+        Checkerboard("checkerboard", setting.programs, setting.frames)
+    ],
+    "color": _colors,
+    "fewer": _fewer,
+    "half-rate": lambda setting: [
+        HalfRate("half frame rate, warped", setting.programs, setting.frames)
+    ],
+    "temporal": lambda setting: [
+        TemporalUpscaling("temporal upscaling", setting.programs, setting.frames)
+    ],
+}
+"""What is compared, by the names of ``--only``; ``cache`` stands for the variants."""
+
+CACHE = "cache"
+
+
+def compare(
+    gpu: Gpu, setting: Setting, size: int, only: Sequence[str], progress: Progress | None = None
+) -> SceneOutcome:
+    """Measure all that is asked for in one run, at one output size.
+
+    Args:
+        size: width and height, a multiple of ``MULTIPLE``.
+        only: names of peers, and ``cache``.
+
+    Raises as ``measure`` and the peers.
+    """
+    variants = cached_values(setting) if CACHE in only else []
+    peers = [peer for name in PEERS if name in only for peer in PEERS[name](setting)]
+    subjects = [*variants, *peers]
+    options = MeasureOptions(setting.frames, group=len(subjects), curves=0, perceptual=True)
+    linker = setting.linker
+    with RenderScene(gpu, linker.scene, (size, size)) as world:
+        measured = measure(world, linker.originals(), subjects, options, progress)
+    [group] = measured.groups
+    colors = {peer.label for peer in peers if isinstance(peer, VariantSubject)}
+    points = tuple(_points(group, colors))
+    return SceneOutcome(
+        schema_version=SCHEMA_VERSION,
+        scene=measured.scene,
+        size=measured.size,
+        frames=setting.frames,
+        clock=measured.clock,
+        environment=environment(gpu),
+        original=1e3 * float(np.mean(group.original.samples)),
+        points=points,
+        winners={metric: who_wins(points, metric) for metric in METRICS},
+    )
+
+
+def _points(group: Group, colors: set[str]) -> Iterator[Point]:
+    for node in group.nodes:
+        for variant in node.variants:
+            if node.label in colors:
+                yield _point(group, variant, node.label, "peer")
+            else:
+                yield _point(group, variant, _name(node.label, variant.configuration), "cache")
+    for other in group.others:
+        yield _point(group, other, other.label, "peer")
+
+
+def _name(label: str, configuration: Configuration) -> str:
+    plain = configuration.filter.kind == Filter().kind
+    by_filter = "" if plain else f", {configuration.filter.kind}"
+    return f"{label}, {configuration.algorithm}{by_filter}"
+
+
+def _point(group: Group, result: SubjectResult, label: str, kind: str) -> Point:
+    original, own = (turns(of.samples) for of in (group.original, result.timing))
+    ratio = paired_ratio(original, own)
+    seen = result.perceived
+    found = {
+        "rmse": result.error.rmse,
+        "p99": result.error.p99,
+        "flip": seen and seen.flip,
+        "ssim": seen and seen.ssim,
+        "flicker": seen and seen.flicker,
+    }
+    return Point(
+        label=label,
+        kind="cache" if kind == "cache" else "peer",
+        ratio=ratio.median,
+        low=ratio.low,
+        high=ratio.high,
+        milliseconds=1e3 * float(np.mean(result.timing.samples)),
+        errors={name: error for name, error in found.items() if error is not None},
+        configuration=(
+            result.configuration.to_json() if isinstance(result, VariantResult) else None
+        ),
+    )
+
+
+def turns(samples: Sequence[float]) -> list[float]:
+    """The times of each two frames that follow one another; of an odd number the first is left."""
+    rest = samples[len(samples) % _TURN :]
+    return [sum(rest[at : at + _TURN]) for at in range(0, len(rest), _TURN)]
