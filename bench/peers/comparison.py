@@ -171,13 +171,9 @@ def _point(group: Group, result: SubjectResult, label: str, kind: str) -> Point:
     original, own = (turns(of.samples) for of in (group.original, result.timing))
     ratio = paired_ratio(original, own)
     seen = result.perceived
-    found = {
-        "rmse": result.error.rmse,
-        "p99": result.error.p99,
-        "flip": seen and seen.flip,
-        "ssim": seen and seen.ssim,
-        "flicker": seen and seen.flicker,
-    }
+    found: dict[str, float | None] = {"rmse": result.error.rmse, "p99": result.error.p99}
+    if seen is not None:
+        found |= {"flip": seen.flip, "ssim": seen.ssim, "flicker": seen.flicker}
     return Point(
         label=label,
         kind="cache" if kind == "cache" else "peer",

@@ -2,15 +2,12 @@
 
 This is frame reprojection as headsets and frame generators do it, but with exact motion: the
 objects are drawn by bare vertex programs, and each pixel fetches what the last frame showed at its
-place. Where that was hidden, the nearest pixel of the last frame that fits its depth is taken.
+place. Where that was hidden, a pixel nearby of the last frame that fits its depth is taken.
 """
 
 from __future__ import annotations
 
-from bench.peers.peer import Peer, PeerShader, planes, read_shader
-
-SEARCH = 4
-"""Places that are tried around a pixel whose point was hidden: five to ten pixels away at most."""
+from bench.peers.peer import Peer, PeerShader, own_surface, read_shader
 
 
 class HalfRate(Peer):
@@ -20,15 +17,11 @@ class HalfRate(Peer):
         """See ``Peer``."""
         self._original = self.shaded_apart(self.world.size)
         last = self._original.world.targets
-        self._numbers = {
-            "u_size": self.world.size,
-            "u_planes": planes(self.world),
-            "u_steps": (SEARCH,),
-        }
+        self._numbers = {"u_size": self.world.size, **own_surface(self.world)}
         shader = PeerShader(
             read_shader("half_rate.frag", "own_surface.glsl", "reproject.glsl"),
             tuple(self._numbers),
-            {"u_color": last.color, "u_depth": last.depth},
+            {"u_color": last.color, "u_depth": last.depth_texture},
         )
         self._warp = self.over_objects(shader)
 

@@ -21,8 +21,8 @@ class Point(msgspec.Struct, frozen=True, kw_only=True):
     """Something that was drawn.
 
     ``kind``: a variant of the cache, or a peer. ``ratio``: how many times as long the original
-    takes, with its 95 % interval; ``milliseconds``: the mean of a frame. ``errors``: by metric, over
-    the covered pixels; ``p99`` and ``ssim`` are not errors to draw. ``configuration``: of the
+    takes, with its 95 % interval; ``milliseconds``: the mean of a frame. ``errors``: by metric,
+    over the covered pixels; ``p99`` and ``ssim`` are not errors to draw. ``configuration``: of the
     variants of a cache.
     """
 
@@ -77,9 +77,9 @@ def who_wins(points: Sequence[Point], metric: str) -> str:
     steps = [f"below {_number(front[0].errors[metric])} nothing is faster than the original"]
     for run in _runs(front):
         first, last = run[0], run[-1]
-        ratios = f"{first.ratio:.2f}×"
+        ratios = f"{first.ratio:.2f} times as fast"
         if len(run) > 1:
-            ratios += f" to {last.ratio:.2f}× at {_number(last.errors[metric])}"
+            ratios += f", {last.ratio:.2f} times at {_number(last.errors[metric])}"
         who = "the cache" if first.kind == "cache" else first.label
         nodes = dict.fromkeys(point.label for point in run) if first.kind == "cache" else ()
         named = f"{who} of {' or '.join(nodes)}" if nodes else who

@@ -141,11 +141,15 @@ Numbers = Mapping[str, Sequence[float]]
 """Values of uniforms, by name."""
 
 
-def planes(world: RenderScene) -> tuple[float, float]:
-    """What ``own_surface.glsl`` makes of window depths how near things are with."""
+SEARCH = 4
+"""Places where a surface is searched that is not found at its own: at most six texels away."""
+
+
+def own_surface(world: RenderScene) -> dict[str, Sequence[float]]:
+    """The uniforms of ``own_surface.glsl``."""
     camera = world.scene.view.camera
     far = camera.far / (camera.far - camera.near)
-    return far, far * camera.near
+    return {"u_planes": (far, far * camera.near), "u_steps": (SEARCH,)}
 
 
 def _encoded(numbers: Numbers) -> dict[str, np.ndarray]:

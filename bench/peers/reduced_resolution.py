@@ -10,7 +10,7 @@ no edges.
 
 from __future__ import annotations
 
-from bench.peers.peer import Peer, PeerShader, planes, read_shader
+from bench.peers.peer import Peer, PeerShader, own_surface, read_shader
 from bench.peers.scene_programs import ScenePrograms
 
 
@@ -48,11 +48,11 @@ class DepthAwareUpsampling(BilinearUpsampling):
         self._shaded = self.shaded_apart(smaller(self.world.size, self._divisor))
         small, full = self._shaded.world, self.world
         scale = small.size[0] / full.size[0], small.size[1] / full.size[1]
-        self._numbers = {"u_scale": scale, "u_planes": planes(full)}
+        self._numbers = {"u_scale": scale, **own_surface(full)}
         shader = PeerShader(
             read_shader("depth_aware.frag", "own_surface.glsl"),
             tuple(self._numbers),
-            {"u_color": small.targets.color, "u_depth": small.targets.depth},
+            {"u_color": small.targets.color, "u_depth": small.targets.depth_texture},
         )
         self._upsample = self.over_objects(shader)
 

@@ -72,6 +72,12 @@ class Targets:
             self._surface = self.ctx.texture(self.size, 4, dtype="f4")
         return self._surface
 
+    @property
+    def depth_texture(self) -> moderngl.Texture:
+        """The window depths, of targets that are sampled."""
+        assert isinstance(self.depth, moderngl.Texture)
+        return self.depth
+
     def clear(self, texture: moderngl.Texture, keep_depth: bool = False) -> None:
         """Start drawing into colour or mask: all channels 0, depth empty."""
         # GL clears depth only in a framebuffer that may write it.

@@ -8,6 +8,5 @@ layout(location = 0) out vec4 o_color;
 void main() {
     float near = gl_FragCoord.w;
     vec2 slope = vec2(dFdx(near), dFdy(near)) / u_scale;  // of the triangle's plane, for each texel
-    vec3 found = own_surface(gl_FragCoord.xy * u_scale, near, slope);
-    o_color = vec4(picture(found.xy), 1.0);
+    o_color = vec4(picture(own_surface(gl_FragCoord.xy * u_scale, near, slope)), 1.0);
 }
