@@ -70,7 +70,7 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
 
 def _compare(gpu: Gpu, name: str, options: argparse.Namespace) -> SceneOutcome:
     path = data_path("corpus", name, "scene.toml") if name in SCENES else Path(name)
-    linker = Linker(*open_scene(path))
+    linker = Linker(*open_scene(path, mapping="surface"))
     setting = Setting(linker, ScenePrograms.of(linker), options.frames)
     with progress(linker.scene.name, 1000) as advance:
         done = 0

@@ -27,7 +27,16 @@ class ScenePrograms:
 
     @classmethod
     def of(cls, linker: Linker) -> ScenePrograms:
-        """Those of a scene. Raises as ``color_node`` and ``Linker.link``."""
+        """Those of a scene.
+
+        Raises as ``color_node`` and ``Linker.link``, and :class:`InputError` SC407 for an object
+        whose points are not followed over its surface.
+        """
+        for part in linker.scene.parts:
+            analysis = linker.analysis_of(part)
+            if analysis.mapping != "surface":
+                message = f"{part.name} is not reprojected: its mapping is {analysis.mapping}"
+                raise input_error("SC407", message, 'in the scene, add: mapping = "surface"')
         assignment = color_assignment(linker, Configuration(), uncached=True)
         moving = tuple(linked.bundle for linked in linker.link(assignment))
         return cls(linker.originals(), moving)

@@ -10,6 +10,7 @@ uniform sampler2D u_color;  // a picture
 uniform sampler2D u_depth;  // its window depths
 
 const float SAME = 0.01;     // of the nearness: what lies so far off a plane is another surface
+const float STEEP = 1.2;     // a surface's nearness changes by no more from texel to texel
 const float SIMILAR = 0.05;  // what is found elsewhere may be farther off
 const mat2 TURN = 1.4 * mat2(-0.737, 0.676, -0.676, -0.737);  // by the golden angle, and outwards
 
@@ -46,6 +47,8 @@ vec2 own_surface(vec2 place, float near, vec2 slope) {
     vec2 part = place + 0.5 - corner;
     vec4 plane = near + slope.x * (vec4(0.0, 1.0, 1.0, 0.0) - part.x)
         + slope.y * (vec4(1.0, 1.0, 0.0, 0.0) - part.y);
+    // Seen edge on, a plane would reach whatever lies behind it.
+    plane = clamp(plane, near / STEEP, near * STEEP);
     vec4 apart = abs(nearness(corner) - plane) / near;
     vec4 same = vec4(lessThan(apart, vec4(SAME)));
     vec2 moved = part;
