@@ -249,6 +249,7 @@ def test_help_names_every_verb(machine: Machine, verb: str) -> None:
         "lint",
         "corpus",
         "stress",
+        "peers",
     ]
     for name in [*verbs, "bench", "bench-parse", "bench-emit", "clean"]:
         assert f"\n  {name} " in done.stdout
