@@ -1,9 +1,9 @@
 """A quarter of the pixels is shaded, elsewhere in each frame, and accumulated at full size.
 
-The resolve follows what the survey of Yang et al. 2020 says of temporal upsampling: each pixel blends what the jittered
-samples near its centre say into what its point showed before, the more the nearer a sample is. What
-it showed is clipped to the colours around, that is to their mean and deviation (Salvi 2016), in
-YCoCg (Karis 2014).
+The resolve follows what the survey of Yang et al. 2020 says of temporal upsampling: each pixel
+blends what the jittered samples near its centre say into what its point showed before, the more the
+nearer a sample is. What it showed is clipped to the colours around, that is to their mean and
+deviation (Salvi 2016), in YCoCg (Karis 2014).
 """
 
 from __future__ import annotations
