@@ -11,7 +11,6 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from msgspec import structs
@@ -24,6 +23,8 @@ from shadercache.analysis.value_numbering import one_of_each
 from shadercache.caching.configuration import by_every_algorithm
 from shadercache.cli.io import read_pair
 from shadercache.compiler import Analysis
+from shadercache.measure.metrics.perceived import Perceived
+from shadercache.measure.metrics.texel_age import AgeError
 from shadercache.paths import data_path
 from shadercache.sweep import row as kept
 from shadercache.sweep.store import Store, hash_of
@@ -153,6 +154,7 @@ class _Maker:
         times = kept.Times(
             kept.RatioEntry(middle, middle * (1.0 - width), middle * (1.0 + width), middle),
             tail=float(np.quantile(subject, 0.99) / np.median(subject)),
+            capped=False,
             reset=1.04 if period else None,
             p_over_t=None if ratio is None else ratio * float(self._draw.uniform(0.97, 1.03)),
             floor=None if floor is None else floor * _ORIGINAL,
@@ -160,13 +162,14 @@ class _Maker:
             samples=kept.Samples(subject, original, geometry),
         )
         psnr = None if error == 0.0 else -20.0 * math.log10(error)
-        perceived: dict[str, Any] = {
-            "flip": error * 1.9,
-            "flicker": error * 0.7,
-            "ssim": 1.0 - 2.0 * error,
-            "pattern": None if period is None else 1.0 + 0.1 * period,
-            "by_age": [] if period is None else _by_age(error, period),
-        }
+        perceived = Perceived(
+            frames=4,
+            ssim=1.0 - 2.0 * error,
+            flip=error * 1.9,
+            flicker=error * 0.7,
+            pattern=None if period is None else 1.0 + 0.1 * period,
+            by_age=() if period is None else _by_age(error, period),
+        )
         image = kept.ImageErrors(error, 3 * error, 9 * error, psnr, (error,) * 12, perceived)
         return kept.TrialResult(times, image, None if period is None else _reuse(period), 0.46)
 
@@ -233,18 +236,18 @@ def _payload(analysis: Analysis, node: Candidate, equal: int) -> kept.PayloadEnt
     return kept.PayloadEntry(label, (named[0],), *named[1:], (place,), node.ratio, equal)
 
 
-def _by_age(error: float, period: int) -> list[dict[str, float]]:
+def _by_age(error: float, period: int) -> tuple[AgeError, ...]:
     """The error grows with the age; ages are put together by powers of two."""
     spans = [(2**power // 2 + 1, 2**power) for power in range(1, period.bit_length())]
-    return [
-        {
-            "youngest": youngest,
-            "oldest": oldest,
-            "share": (oldest - youngest + 1) / period,
-            "rmse": error * math.sqrt(2.0 * oldest / period),
-        }
+    return tuple(
+        AgeError(
+            youngest,
+            oldest,
+            share=(oldest - youngest + 1) / period,
+            rmse=error * math.sqrt(2.0 * oldest / period),
+        )
         for youngest, oldest in spans
-    ]
+    )
 
 
 def _reuse(period: int) -> kept.ReuseShares:

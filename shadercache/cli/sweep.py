@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from shadercache.cli import options
+from shadercache.cli.measuring import TrialOptions
 from shadercache.cli.progress import progress
 from shadercache.cli.scenes import find_scene
 from shadercache.cli.tables import format_table
@@ -60,16 +61,8 @@ class ChoiceOptions:
         ),
     ] = None
     size: Annotated[str, typer.Option(metavar="W[xH]", help="Picture size.")] = "512"
-    frames: Annotated[int, typer.Option(min=2, help="Frames that every trial draws.")] = 24
-    until: Annotated[
-        float,
-        typer.Option(metavar="PERCENT", help="Then frames are timed until ratios are this sure,"),
-    ] = 3.0
-    seconds: Annotated[
-        float, typer.Option(min=0.0, help="or for so long, whichever comes first.")
-    ] = 30.0
 
-    def read(self, targets: Sequence[str]) -> Choices:
+    def read(self, targets: Sequence[str], trial: TrialOptions) -> Choices:
         """The choices of the file, or of the options.
 
         Raises:
@@ -81,7 +74,7 @@ class ChoiceOptions:
         from shadercache.sweep.choices import Choices, check_choices, read_choices
 
         if self.choices is not None:
-            if replace(self, choices=None) != ChoiceOptions():
+            if (replace(self, choices=None), trial) != (ChoiceOptions(), TRIAL):
                 message = "--choices stands in place of the other lists"
                 raise usage_error("SC003", message, "say everything in the file, or nothing")
             read = read_choices(self.choices)
@@ -96,9 +89,10 @@ class ChoiceOptions:
             "formats": [part for part in self.cache_format.split(",") if part],
             "cache": self.cache or [""],
             "size": options.parse_size(self.size),
-            "frames": self.frames,
-            "until": self.until,
-            "seconds": self.seconds,
+            "frames": trial.frames,
+            "until": trial.until,
+            "seconds": trial.seconds,
+            "perceptual": trial.perceptual,
         }
         try:
             return check_choices(msgspec.convert(texts, Choices))
@@ -172,6 +166,7 @@ class CrewOptions:
                 yield ClusterCrew(client, self.patience)
 
 
+TRIAL = TrialOptions(frames=24)
 CHOICES, READ, WHICH, CREW = ChoiceOptions(), options.ShaderOptions(), WhichOptions(), CrewOptions()
 
 
@@ -181,6 +176,7 @@ def command(
         typer.Argument(metavar="SCENE|FRAG...", help="Scenes, or full-screen shaders."),
     ] = None,
     choice: ChoiceOptions = CHOICES,
+    trial: TrialOptions = TRIAL,
     reading: options.ShaderOptions = READ,
     output: Annotated[
         Path, typer.Option("-o", "--output", metavar="STORE", help="The result store.")
@@ -206,7 +202,7 @@ def command(
     from shadercache.sweep.store import Store
 
     exports = [check_export(path) for path in export or ()]
-    choices = choice.read(targets or ())
+    choices = choice.read(targets or (), trial)
     if not (choices.scenes or exports):
         raise usage_error("SC003", "there is nothing to sweep", "give a scene, or --export")
     trials = _planned(choices, reading)

@@ -26,7 +26,7 @@ MAX_PLAN = 1 << 20
 Period = Annotated[int, msgspec.Meta(ge=1, le=65_535)]
 Block = Annotated[int, msgspec.Meta(ge=2, le=4096, multiple_of=2)]
 Pixels = Annotated[int, msgspec.Meta(ge=1, le=16_384)]
-Percent = Annotated[float, msgspec.Meta(gt=0.0, le=100.0)]
+Percent = Annotated[float, msgspec.Meta(ge=0.0, le=100.0)]
 
 
 class Choices(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -36,7 +36,8 @@ class Choices(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     is offered, with ``every_node`` all of them. ``passes`` are words of algorithms. Each text of
     ``cache`` is one alternative, as ``--cache`` takes it. ``size`` is width and height in pixels,
     ``frames`` are drawn and compared in any case; then frames are timed until every ratio is known
-    to ``until`` percent, or for ``seconds``.
+    to ``until`` percent (0: not at all), or for ``seconds``. ``perceptual``: also the metrics of
+    ``measure.metrics``.
     """
 
     scenes: tuple[str, ...] = ()
@@ -51,6 +52,7 @@ class Choices(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     frames: Annotated[int, msgspec.Meta(ge=2)] = 24
     until: Percent = 3.0
     seconds: Annotated[float, msgspec.Meta(ge=0.0)] = 30.0
+    perceptual: bool = False
 
     def configurations(self, ids: Sequence[str], several: bool) -> Iterator[Configuration]:
         """Every combination for one payload, algorithms innermost.

@@ -25,7 +25,7 @@ def trial_seconds(trial: SweepTrial, original: float) -> float:
     """
     count = len(trial.configurations)
     turn = original * (BESIDE + PROBES * count)
-    fixed = trial.scene.frames * turn
+    fixed = trial.scene.frames * turn * (2.0 if trial.limits.perceptual else 1.0)
     return COMPILING * count + fixed + 0.5 * min(trial.limits.seconds, 4.0 * fixed)
 
 

@@ -69,6 +69,7 @@ def flat_row(row: Row) -> dict[str, Any]:
     times = result.times if result else None
     image = result.image if result else None
     reuse = result.reuse if result else None
+    perceived = image.perceived if image else None
     return {
         "key": row.key,
         "kind": row.kind,
@@ -86,6 +87,7 @@ def flat_row(row: Row) -> dict[str, Any]:
         "ratio_low": times.ratio.low if times else None,
         "ratio_high": times.ratio.high if times else None,
         "tail": times.tail if times else None,
+        "capped": times.capped if times else None,
         "reset_over_original": times.reset if times else None,
         "p_over_t": times.p_over_t if times else None,
         "floor_seconds": times.floor if times else None,
@@ -96,6 +98,10 @@ def flat_row(row: Row) -> dict[str, Any]:
         "p99": image.p99 if image else None,
         "maximum": image.maximum if image else None,
         "psnr_db": image.psnr if image else None,
+        "ssim": perceived.ssim if perceived else None,
+        "flip": perceived.flip if perceived else None,
+        "flicker": perceived.flicker if perceived else None,
+        "pattern": perceived.pattern if perceived else None,
         "renderer": row.machine.renderer,
         "driver": row.machine.driver,
         "clock": row.machine.clock,

@@ -40,10 +40,12 @@ class SceneFile:
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """How long a trial goes on: ``StopRule`` says what the two are."""
+    """How long a trial goes on: ``StopRule`` says what the first two are. ``perceptual``: also the
+    metrics of ``measure.metrics``, by drawing the fixed frames once more."""
 
     half_width: float
     seconds: float
+    perceptual: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,7 +74,7 @@ class SweepTrial:
         where = [machine.renderer, machine.driver, machine.clock, machine.processor, machine.cores]
         # Named by its last two parts: a store may be filled from any folder.
         named = [*self.file.path.resolve().parts[-2:], str(self.file.reading)]
-        what = [named, list(scene.size), scene.frames, self.payload.label]
+        what = [named, list(scene.size), scene.frames, self.limits.perceptual, self.payload.label]
         return short_hash([what, configuration.to_json(), where])
 
     def words(self, configuration: Configuration) -> Mapping[str, str]:
@@ -97,7 +99,7 @@ def plan_scene(file: SceneFile, choices: Choices) -> list[SweepTrial]:
     entry = SceneEntry(scene.name, str(file.path), choices.size, choices.frames, analysis.mapping)
     several = sum(part.caching.on for part in scene.objects) > 1
     fingerprint = scene_fingerprint(linker)
-    limits = Limits(choices.until / 100.0, choices.seconds)
+    limits = Limits(choices.until / 100.0, choices.seconds, choices.perceptual)
     trials = []
     for payload in _payloads(linker, choices):
         every = list(choices.configurations(payload.ids, several))

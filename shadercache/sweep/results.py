@@ -112,7 +112,8 @@ def _times(group: Group, node: NodeResult, variant: VariantResult) -> Times:
     ratio, timing = variant.speedup, variant.timing
     return Times(
         ratio=RatioEntry(ratio.median, ratio.low, ratio.high, ratio.total),
-        tail=timing.p99 / timing.median,
+        tail=timing.tail,
+        capped=group.reached.capped,
         reset=variant.reset,
         p_over_t=node.ratio,
         floor=variant.floor,
@@ -124,10 +125,10 @@ def _times(group: Group, node: NodeResult, variant: VariantResult) -> Times:
 def _image(variant: VariantResult) -> ImageErrors:
     error = plain(variant.error)  # the PSNR of equal images has no end
     return ImageErrors(
-        error["rmse"],
-        error["p99"],
-        error["maximum"],
-        error["psnr"],
-        variant.frame_rmse,
-        plain(variant.perceived),
+        rmse=error["rmse"],
+        p99=error["p99"],
+        maximum=error["maximum"],
+        psnr=error["psnr"],
+        frame_rmse=variant.frame_rmse,
+        perceived=variant.perceived,
     )

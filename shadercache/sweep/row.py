@@ -10,6 +10,8 @@ from typing import Any, Literal, TypeAlias
 
 import msgspec
 
+from shadercache.measure.metrics.perceived import Perceived
+
 SubjectKind: TypeAlias = Literal["variant", "peer"]
 
 FailureKind: TypeAlias = Literal["refused", "rejected", "hung", "crashed"]
@@ -84,12 +86,14 @@ class Samples(msgspec.Struct, frozen=True):
 class Times(msgspec.Struct, frozen=True):
     """What follows from the clock: it differs from run to run.
 
-    ``tail`` is p99 over median of the subject, ``p_over_t`` P/T as timed, ``reset`` the frame
+    ``tail`` is p99 over median of the subject, ``capped`` says that the time ended before the ratio
+    was known as well as was asked, ``p_over_t`` P/T as timed, ``reset`` the frame
     behind a reset over the original's, ``floor`` in seconds, ``efficiency`` floor over time.
     """
 
     ratio: RatioEntry
     tail: float
+    capped: bool
     reset: float | None
     p_over_t: float | None
     floor: float | None
@@ -100,8 +104,8 @@ class Times(msgspec.Struct, frozen=True):
 class ImageErrors(msgspec.Struct, frozen=True):
     """How far the images are from the original's: equal in every run on one machine.
 
-    All as ``measure.image_error`` says; ``psnr`` is None for equal images. ``perceived`` has what
-    needs the extra ``metrics``.
+    All as ``measure.image_error`` says; ``psnr`` is None for equal images. ``perceived`` where that
+    was asked for.
     """
 
     rmse: float
@@ -109,7 +113,7 @@ class ImageErrors(msgspec.Struct, frozen=True):
     maximum: float
     psnr: float | None
     frame_rmse: tuple[float, ...]
-    perceived: dict[str, Any] | None = None
+    perceived: Perceived | None = None
 
 
 class ReuseShares(msgspec.Struct, frozen=True):

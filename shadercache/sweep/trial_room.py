@@ -145,6 +145,7 @@ class TrialRoom(Resource):
             curves=0,
             # Which objects are worth caching would be a matter of times; rows must not be.
             weigh=False,
+            perceptual=trial.limits.perceptual,
             stop=StopRule(trial.limits.half_width, trial.limits.seconds),
         )
         with at_home(linker.analysis):

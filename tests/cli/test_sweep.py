@@ -117,7 +117,7 @@ def test_an_original_that_cannot_be_drawn_is_a_row(
         (("--format", "rgba8"), 2, "SC008"),
         (("--passes", "4"), 2, "SC008"),
         (("--cache", "filter=none"), 2, "SC028"),
-        (("--until", "0"), 2, "SC008"),
+        (("--until", "-1"), 2, "SC003"),
         (("--size", "0"), 2, "SC007"),
         (("--where", "period"), 2, "SC008"),
         (("--export", "rows.txt"), 2, "SC008"),

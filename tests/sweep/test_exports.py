@@ -28,7 +28,14 @@ from .test_store import row
 
 RESULT = TrialResult(
     Times(
-        RatioEntry(1.5, 1.4, 1.6, 1.5), 1.1, 1.0, 0.9, None, None, Samples((1.0,), (1.5,), (0.1,))
+        RatioEntry(1.5, 1.4, 1.6, 1.5),
+        1.1,
+        False,
+        1.0,
+        0.9,
+        None,
+        None,
+        Samples((1.0,), (1.5,), (0.1,)),
     ),
     ImageErrors(0.0, 0.0, 0.0, None, (0.0,)),
     ReuseShares(0.9, 0.1, {"hit": 0.9}, {"hit": 100.0}, {"hit": 1}),

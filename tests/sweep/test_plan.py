@@ -140,7 +140,7 @@ def test_choices_of_a_file(tmp_path: Path) -> None:
         ("period = [3]", "period"),
         ('formats = ["rgba8"]', "formats"),
         ("frames = 1", "frames"),
-        ("until = 0", "until"),
+        ("until = -1", "until"),
         ("periods = 8", "periods"),
         ("periods = [", ""),
         ("x = " + "[" * 5000, "brackets"),

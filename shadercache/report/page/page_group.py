@@ -46,8 +46,8 @@ class Measured:
         image = self.result.image
         if metric == "rmse":
             return image.rmse
-        value = (image.perceived or {}).get(metric)
-        return float(value) if isinstance(value, int | float) else None
+        value: float | None = getattr(image.perceived, metric, None)
+        return value
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import shlex
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -16,6 +16,7 @@ import numpy as np
 from shadercache.caching.algorithms import algorithm
 from shadercache.caching.configuration import Configuration
 from shadercache.caching.settings import written_settings
+from shadercache.measure.metrics.perceived import Perceived
 from shadercache.sweep.row import PayloadEntry, Row, TrialResult
 
 BINS = 24
@@ -106,7 +107,7 @@ def _result(result: TrialResult) -> dict[str, Any]:
             "max": _rounded(image.maximum),
             "psnr": _rounded(image.psnr),
         }
-        | _perceived(image.perceived or {}),
+        | _perceived(image.perceived),
     }
     if result.reuse is not None:
         found |= {
@@ -119,13 +120,14 @@ def _result(result: TrialResult) -> dict[str, Any]:
     return found
 
 
-def _perceived(measures: Mapping[str, Any]) -> dict[str, Any]:
-    """The measures that not every store has (``measure.metrics.perceived``)."""
+def _perceived(measures: Perceived | None) -> dict[str, Any]:
+    """The measures that not every store has."""
+    names = ("ssim", "flip", "flicker", "pattern")
+    ages = measures.by_age if measures is not None else ()
     return {
-        **{name: _rounded(measures.get(name)) for name in ("ssim", "flip", "flicker", "pattern")},
+        **{name: _rounded(getattr(measures, name, None)) for name in names},
         "byAge": [
-            [one["youngest"], one["oldest"], _rounded(one["share"]), _rounded(one["rmse"])]
-            for one in measures.get("by_age", ())
+            [one.youngest, one.oldest, _rounded(one.share), _rounded(one.rmse)] for one in ages
         ],
     }
 
