@@ -14,6 +14,7 @@ function nodesBySetting(group, setting) {
     const known = nodes.get(row.label) || { ratio: node.staticRatio, rows: new Map() };
     if (row.ratio != null) known.ratio = row.ratio;
     known.rows.set(row.algorithm, { row, place });
+    known.label = row.label;
     nodes.set(row.label, known);
   }
   return [...nodes.values()].sort((a, b) => a.ratio - b.ratio);
@@ -49,7 +50,23 @@ function drawNodes() {
       tickvals: [0.25, 0.5, 0.75, 1, 1.5, 2, 4], ticktext: ["¼", "½", "¾", "1", "1½", "2", "4"],
     }),
     shapes: [level(100, "y", "solid"), level(100 * group.geometry, "y", "dot"), level(1, "y2", "solid")],
-    annotations: [levelNote(100, "original"), levelNote(100 * group.geometry, "geometry alone")],
+    annotations: [
+      levelNote(100, "original"), levelNote(100 * group.geometry, "geometry alone"),
+      ...nodeNotes(nodes, group, narrow ? 16 : 34),
+    ],
+  }));
+}
+
+// Names the fastest value and the chosen one.
+function nodeNotes(nodes, group, length) {
+  const points = nodes.flatMap(({ rows }, at) => [...rows.values()].map(({ row }) => ({ row, at: at + 1 })));
+  const fastest = points.reduce((best, one) => (one.row.time[0] < best.row.time[0] ? one : best));
+  const chosen = points.find(({ row }) => row === choice.row);
+  return [fastest, ...(chosen && chosen.at !== fastest.at ? [chosen] : [])].map(({ row, at }) => ({
+    x: at, y: 100 * row.time[0], text: escaped(short(labelText(row, group), length)), showarrow: true,
+    arrowhead: 0, arrowwidth: 1, arrowcolor: color("soft"), standoff: 6, bgcolor: veil(),
+    ax: at > nodes.length / 2 ? -26 : 26, ay: 30, xanchor: at > nodes.length / 2 ? "right" : "left",
+    font: { size: 12, color: color(row === choice.row ? "ink" : "soft") },
   }));
 }
 
@@ -148,7 +165,7 @@ function drawCurves() {
   const place = byId("curves"), group = choice.group, metric = choice.metric;
   const known = variantsOf(group).filter(({ row }) => row.errors[metric] != null);
   byId("curves-caption").textContent = "A line is one value by its fastest algorithm, from the shortest period to "
-    + "the longest. After figure 11 of Scherzer et al. 2010.";
+    + "the longest; coloured are those on the front. After figure 11 of Scherzer et al. 2010.";
   if (!known.length) return drawNothing(place, "No cached value has a result.");
   const limits = decades(known.map(({ row }) => row.errors[metric]));
   const front = new Set(group.fronts[metric].variant.map((at) => group.rows[at].label));
@@ -208,5 +225,6 @@ function setUpFigures() {
     soon(drawNodes);
     soon(drawPeriods);
   });
+  choice.listeners.row.push(() => soon(drawNodes));
   for (const what of ["row", "metric"]) choice.listeners[what].push(() => soon(drawCurves));
 }
