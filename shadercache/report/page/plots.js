@@ -209,8 +209,11 @@ function escaped(text) {
   return text.replace(/&/g, "&amp;").replace(/</g, "&lt;");
 }
 
+let shownAt = 0;
+
 function showCard(at, event) {
   if (at == null) return;
+  shownAt = scrollY;
   const row = choice.group.rows[at], card = byId("card");
   const uri = page.pictures[row.thumbnail];
   card.replaceChildren(
@@ -238,4 +241,5 @@ function errorWords(row) {
 function hideCard() {
   byId("card").hidden = true;
 }
-addEventListener("scroll", hideCard, { passive: true });
+// Events of a scroll may come in after its end; then the card still stands at its point.
+addEventListener("scroll", () => scrollY === shownAt || hideCard(), { passive: true });

@@ -38,7 +38,8 @@ function codeLines(text, spans) {
   const colored = stretches(text);
   const cuts = new Set([0, text.length]);
   for (const [start, end] of [...colored, ...spans]) cuts.add(start).add(end);
-  for (let at = text.indexOf("\n"); at >= 0; at = text.indexOf("\n", at + 1)) cuts.add(at).add(at + 1);
+  // Indentation is a stretch of its own: what is marked begins behind it.
+  for (const { index, 0: all } of text.matchAll(/\n[ \t]*/g)) cuts.add(index).add(index + 1).add(index + all.length);
   const points = [...cuts].sort((a, b) => a - b);
   const lines = [make("span", { class: "line" })];
   let next = 0;
@@ -52,7 +53,7 @@ function codeLines(text, spans) {
     const inside = next < colored.length && colored[next][0] <= start;
     let piece = text.slice(start, end);
     if (inside) piece = make("span", { class: colored[next][2] }, piece);
-    const hot = spans.some(([from, to]) => from <= start && end <= to);
+    const hot = text.slice(start, end).trim() && spans.some(([from, to]) => from <= start && end <= to);
     if (hot) lines.at(-1).classList.add("hot");
     lines.at(-1).append(hot ? make("mark", {}, piece) : piece);
   }

@@ -93,7 +93,8 @@ def hover(browser: Chrome, point: WebElement) -> None:
         "const done = arguments[1]; requestAnimationFrame(() => requestAnimationFrame(done))",
         point,
     )
-    ActionChains(browser).move_to_element(point).perform()
+    # Plotly looks at what is under the pointer where it moves, not where it comes in.
+    ActionChains(browser).move_to_element_with_offset(point, 1, 1).move_to_element(point).perform()
 
 
 @pytest.mark.parametrize("width", [1280, 390])
