@@ -122,6 +122,12 @@ _ALL = (
     Claim("N6", COURSE, "3.5", "Chess, the static pieces' occlusion cached: 8 times as fast."),
     Claim("N7", COURSE, "3.5", "Chess, all occlusion cached: 15 times as fast, or more."),
     Claim("N8", COURSE, "3.2.4", "A counter beside the payload bounds its age by the period."),
+    Claim(
+        "N9",
+        COURSE,
+        "3.2.3",
+        "Filters of a higher order (Lanczos2, Mitchell) blur a third to a half less.",
+    ),
 )
 
 CLAIMS = {claim.id: claim for claim in _ALL}

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -43,11 +44,14 @@ FAR = 0.5
 FITS = 0.10
 """What a model may leave over, as a share of the largest error."""
 
+LIT = frozenset({"u_eye", "u_light"})
+"""What values read that depend on the view or the light."""
+
 MEANING = {
-    "A": "near: calculations inside the noise",
-    "B": "cheap and far: light and view",
-    "C": "dear and far: nearly all",
-    "D": "computed in both passes",
+    "A": "near",
+    "B": "cheap and far",
+    "C": "dear and far",
+    "D": "much computed in both passes",
 }
 COLORS = {"A": "#26849a", "B": "#b8860b", "C": "#d6573c", "D": "#6a58a8"}
 
@@ -169,8 +173,8 @@ def _model(curves: Sequence[Path]) -> Verdict:
     left = np.median([path.fit.residual / max(path.errors) for path in seen])
     words = (
         f"of {len(seen)} values with an error of {VISIBLE} or more the model fits {fitting} to "
-        f"within {FITS:.0%} of the largest error ({left:.1%} in the middle), and {saturating} "
-        f"saturate up to n = {PERIODS[-1]}; lambda {np.median(rates):.3f} in the middle"
+        f"within {FITS:.0%} of the largest error (median {left:.1%}), and {saturating} "
+        f"saturate up to n = {PERIODS[-1]}; median lambda {np.median(rates):.3f}"
     )
     return Verdict("T14a", holds, words)
 
@@ -196,8 +200,10 @@ def _positions(found: Mapping[str, Sequence[Path]]) -> Verdict:
         "A nearer than B and C": error["A"] < min(error["B"], error["C"]),
     }
     wrong = [words for words, right in statements.items() if not right]
+    lit = {name: sum(not LIT.isdisjoint(p.facts.inputs) for p in found[name]) for name in found}
     each = ", ".join(
-        f"{name} ({len(found[name])} nodes) {speed[name]:.2f}x at RMSE {error[name]:.4f}"
+        f"{name} ({len(found[name])} nodes, {lit[name]} read view or light) {speed[name]:.2f}x at "
+        f"RMSE {error[name]:.4f}"
         for name in found
     )
     return Verdict(
@@ -240,7 +246,10 @@ def draw(data: Figure11) -> dict[str, bytes]:
             x = original * np.median([path.shares[-1] for path in curves])
             y = np.median([path.worst for path in curves])
             circle = {"boxstyle": "circle", "fc": "white", "ec": COLORS[name]}
-            axes.text(x, y, name, color=COLORS[name], fontsize=13, weight="bold", bbox=circle)
+            look: dict[str, Any] = {"fontsize": 13, "weight": "bold", "bbox": circle}
+            axes.annotate(
+                name, (x, y), (14, 0), textcoords="offset points", color=COLORS[name], **look
+            )
     axes.axvline(original, color=ORIGINAL, lw=1.2, ls="--", label=f"original, {original:.1f} ms")
     axes.set_xlim(left=0.0)
     axes.set_ylim(bottom=0.0)

@@ -30,6 +30,7 @@ def plot(scene: str, nodes: Sequence[Point]) -> bytes:
     shares.bar(at, twice, color="#d9a441", label="computed in both passes (static)")
     shares.set_ylabel("share of the shader")
     shares.set_xlabel("node, in ascending P/T")
+    shares.xaxis.get_major_locator().set_params(integer=True)
     shares.set_ylim(min(0.0, nodes[0].ratio), max(1.05, nodes[-1].ratio))
     shares.legend(frameon=False, fontsize=9)
     return png(figure)
@@ -57,9 +58,10 @@ def _times(axes: Axes, nodes: Sequence[Point], original: float) -> None:
     bare = original * float(np.median([node.turns.bare for node in nodes]))
     axes.axhline(original, color=ORIGINAL, lw=1.2, label=f"original, {original:.1f} ms")
     axes.axhline(bare, color=BARE, lw=1.0, ls=":", label=f"geometry, {bare:.1f} ms")
-    axes.set_ylim(bottom=0.0)
+    # Above the points there is room for the legend.
+    axes.set_ylim(0.0, 1.3 * axes.get_ylim()[1])
     axes.set_ylabel("time of a frame (ms)")
-    axes.legend(frameon=False, fontsize=9, ncols=3, loc="lower left")
+    axes.legend(frameon=False, fontsize=9, ncols=5, loc="upper left")
 
 
 def _ratios(axes: Axes, nodes: Sequence[Point]) -> None:

@@ -17,7 +17,7 @@ class NodeFacts:
 
     ``stands_for``: how many offered nodes, of its value or of its expression on another path.
     ``ratio`` is the static P/T; ``overlap`` the share of the shader that the payload pass and the
-    shading pass both compute.
+    shading pass both compute; ``inputs`` the names of what the value depends on.
     """
 
     id: str
@@ -26,6 +26,7 @@ class NodeFacts:
     stands_for: int
     ratio: float
     overlap: float
+    inputs: tuple[str, ...] = ()
 
 
 def distinct_nodes(scene: Scene, analysis: Analysis) -> Sequence[NodeFacts]:
@@ -45,5 +46,8 @@ def distinct_nodes(scene: Scene, analysis: Analysis) -> Sequence[NodeFacts]:
         node = analysis.node(next((one for one in ids if one in named), ids[0]))
         parts = analysis.shared_work.parts([node])
         overlap = parts.overlap / max(1e-9, parts.whole)
-        facts.append(NodeFacts(node.id, node.text, node.path, counts[expr], node.ratio, overlap))
+        inputs = tuple(sorted(node.inputs))
+        facts.append(
+            NodeFacts(node.id, node.text, node.path, counts[expr], node.ratio, overlap, inputs)
+        )
     return sorted(facts, key=lambda fact: fact.ratio)

@@ -12,7 +12,17 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from bench.papers import ages, alignment, figure5, figure8, figure9, figure10, figure11, figure12
+from bench.papers import (
+    ages,
+    alignment,
+    figure5,
+    figure8,
+    figure9,
+    figure10,
+    figure11,
+    figure12,
+    filters,
+)
 from bench.papers.experiment import Experiment, Options
 from bench.papers.page import write_page
 from bench.papers.result import Result, load, stands, store
@@ -23,7 +33,17 @@ from shadercache.measure.result_files import environment, machine_name
 
 EXPERIMENTS: tuple[Experiment[Any], ...] = tuple(
     module.EXPERIMENT
-    for module in (figure5, figure8, figure9, figure10, figure11, figure12, alignment, ages)
+    for module in (
+        figure5,
+        figure8,
+        figure9,
+        figure10,
+        figure11,
+        figure12,
+        alignment,
+        ages,
+        filters,
+    )
 )
 QUICK_SIZE, SIZE = 128, 512
 

@@ -7,7 +7,17 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 import pytest
 
-from bench.papers import ages, alignment, figure5, figure8, figure9, figure10, figure11, figure12
+from bench.papers import (
+    ages,
+    alignment,
+    figure5,
+    figure8,
+    figure9,
+    figure10,
+    figure11,
+    figure12,
+    filters,
+)
 from bench.papers.claims import CLAIMS, Verdict
 from bench.papers.suite import EXPERIMENTS
 from shadercache.caching.algorithms import NAMES
@@ -239,6 +249,15 @@ def test_ages() -> None:
     assert by_claim(ages.judge(grown)) == {"N8": False}
 
 
+@pytest.mark.parametrize(
+    ("blurs", "less"),
+    [((0.3, 0.15, 0.19), True), ((0.3, 0.15, 0.25), False), ((0.0, 0.1, 0.1), None)],
+)
+def test_filters(blurs: tuple[float, ...], less: bool | None) -> None:
+    data = filters.Blurs(filters.KINDS, blurs, (0.01, 0.01, 0.01))
+    assert by_claim(filters.judge(data)) == {"N9": less}
+
+
 def test_every_claim_has_one_experiment() -> None:
     """What the experiments judge is what the page lists, once each."""
     judged = [
@@ -249,6 +268,6 @@ def test_every_claim_has_one_experiment() -> None:
         *figure11.judge(figure_11(PLACES, saturating)),
         *figure12.judge(figure12.Figure12((), ())),
     ]
-    others = {"T15", "N8"}
+    others = {"T15", "N8", "N9"}
     assert sorted([verdict.claim for verdict in judged]) == sorted(CLAIMS.keys() - others)
     assert len({experiment.name for experiment in EXPERIMENTS}) == len(EXPERIMENTS)
