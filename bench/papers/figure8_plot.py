@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 def plot(scene: str, nodes: Sequence[Point]) -> bytes:
     """Three panels above each other; nodes from left to right in ascending P/T."""
+    from matplotlib.ticker import MaxNLocator
+
     figure, (times, ratios, shares) = panels(3, 1, (9.0, 10.0), share="x")
     original = 1e3 * float(np.median([np.median(node.turns.original) for node in nodes]))
     _times(times, nodes, original)
@@ -30,7 +32,7 @@ def plot(scene: str, nodes: Sequence[Point]) -> bytes:
     shares.bar(at, twice, color="#d9a441", label="computed in both passes (static)")
     shares.set_ylabel("share of the shader")
     shares.set_xlabel("node, in ascending P/T")
-    shares.xaxis.get_major_locator().set_params(integer=True)
+    shares.xaxis.set_major_locator(MaxNLocator(integer=True))
     shares.set_ylim(min(0.0, nodes[0].ratio), max(1.05, nodes[-1].ratio))
     shares.legend(frameon=False, fontsize=9)
     return png(figure)

@@ -86,9 +86,7 @@ def judge(data: Blurs) -> list[Verdict]:
         return [Verdict("N9", None, "bilinear look-ups blur nothing here")]
     less = {kind: 1.0 - blur / bilinear for kind, blur in blurs.items()}
     each = ", ".join(f"{kind} {share:.0%} less" for kind, share in less.items())
-    words = (
-        f"bilinear look-ups lose {bilinear:.1%} of the fine detail in {RESAMPLED} frames; {each}"
-    )
+    lost = f"bilinear look-ups lose {bilinear:.1%} of the fine detail in {RESAMPLED} frames"
     return [Verdict("N9", min(less.values()) >= LESS, f"{lost}; {each}")]
 
 
