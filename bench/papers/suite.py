@@ -6,6 +6,7 @@ Each result is written when its experiment ends. The page is made from all resul
 from __future__ import annotations
 
 import argparse
+import sys
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -28,6 +29,7 @@ from bench.papers.page import write_page
 from bench.papers.result import Result, load, stands, store
 from bench.speed import HERE, ROOT
 from shadercache.cli.progress import progress
+from shadercache.diagnostics import DiagnosticError
 from shadercache.gpu.context import Gpu, open_context
 from shadercache.measure.result_files import environment, machine_name
 
@@ -76,6 +78,12 @@ def chosen(names: Sequence[str]) -> list[Experiment[Any]]:
     return [one for one in EXPERIMENTS if not names or one.name in names]
 
 
+def _size(text: str) -> int:
+    if not text.isdigit() or not 16 <= int(text) <= 8192:
+        raise argparse.ArgumentTypeError(f"{text!r} is no edge from 16 to 8192 pixels")
+    return int(text)
+
+
 def _arguments(arguments: Sequence[str] | None) -> argparse.Namespace:
     names = [one.name for one in EXPERIMENTS]
     parser = argparse.ArgumentParser(prog="./dev papers", description=__doc__)
@@ -86,7 +94,7 @@ def _arguments(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument(
         "--quick", action="store_true", help="small, short, few nodes: numbers mean little"
     )
-    parser.add_argument("--size", type=int, metavar="PIXELS", help="edge of the picture")
+    parser.add_argument("--size", type=_size, metavar="PIXELS", help="edge of the picture")
     parser.add_argument("-o", "--output", type=Path, metavar="DIR", help="for JSON and plots")
     parser.add_argument("--page", type=Path, metavar="FILE", help="the page (docs/PAPERS.md)")
     return parser.parse_args(arguments)
@@ -94,23 +102,34 @@ def _arguments(arguments: Sequence[str] | None) -> argparse.Namespace:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run what was chosen, print tables and verdicts, write the page; returns the exit status."""
-    given = _arguments(arguments)
+    try:
+        _run_all(_arguments(arguments))
+    except DiagnosticError as error:
+        print(error, file=sys.stderr)
+        return error.exit_code
+    return 0
+
+
+def _run_all(given: argparse.Namespace) -> None:
     options = Options(given.size or (QUICK_SIZE if given.quick else SIZE), given.quick)
     with open_context() as gpu:
         about = environment(gpu)
         kept = HERE / "results" / machine_name(about) / "papers"
         folder = given.output or (ROOT / "out" / "papers" if given.quick else kept)
         for experiment in chosen(given.only or []):
-            path = folder / f"{experiment.name.lower()}.json"
+            path = _path(folder, experiment)
             if given.resume and stands(path, options, about):
                 print(f"{experiment.name}: stands in {path}", flush=True)
                 continue
             result = run(gpu, experiment, options)
             store(path, result)
             print(result.text, end="\n\n", flush=True)
-    results = [load(folder / f"{one.name.lower()}.json", one) for one in EXPERIMENTS]
+    results = [load(_path(folder, one), one) for one in EXPERIMENTS]
     beside = folder / "PAPERS.md" if given.quick or given.output else ROOT / "docs" / "PAPERS.md"
     page = given.page or beside
     write_page(page, [one for one in results if one is not None], folder)
     print(f"results: {folder}\npage: {page}")
-    return 0
+
+
+def _path(folder: Path, experiment: Experiment[Any]) -> Path:
+    return folder / f"{experiment.name.lower()}.json"

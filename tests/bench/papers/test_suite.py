@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -92,3 +93,20 @@ def test_the_command_resumes(tmp_path: Path) -> None:
     assert (tmp_path / "ages.json").read_bytes() == written
     page = (tmp_path / "PAPERS.md").read_text()
     assert "From a quick run" in page and "`./dev papers --only AGES`" in page
+
+
+@pytest.mark.parametrize(
+    ("arguments", "status", "words"),
+    [
+        (["--size", "3"], 2, "no edge from 16 to 8192"),
+        (["--only", "FIG7"], 2, "FIG7"),
+        (["--quick", "--only", "AGES", "-o", "made/folder"], 2, "SC025"),
+    ],
+)
+def test_bad_input_is_told(tmp_path: Path, arguments: list[str], status: int, words: str) -> None:
+    (tmp_path / "made").touch()
+    command = [sys.executable, "-m", "bench.papers", *arguments]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True)
+    assert done.returncode == status
+    assert words in done.stderr and "Traceback" not in done.stderr
