@@ -56,7 +56,7 @@ def measurement(
 def test_the_longer_the_period_the_worse(measurement: Measurement) -> None:
     found = [variant.perceived for variant in measurement.nodes[0].variants]
     fresh, short, long = (one for one in found if one is not None)
-    assert fresh.frames == short.frames == long.frames == 3
+    assert fresh.frames == short.frames == long.frames == 2
     assert fresh.ssim == 1.0 and fresh.flip == 0.0 and fresh.flicker == 0.0
     assert fresh.pattern is None and fresh.by_age == (AgeError(0, 0, 1.0, 0.0),)
     assert short.ssim is not None and long.ssim is not None and long.ssim < short.ssim < 1.0
@@ -72,7 +72,7 @@ def test_errors_by_age(measurement: Measurement) -> None:
         assert variant.perceived is not None
         ages = variant.perceived.by_age
         assert (ages[0].youngest, ages[0].rmse) == (0, 0.0), "computed in this frame"
-        assert all(age.rmse > 0.0 for age in ages[1:])
+        assert all(age.rmse > 0.0 for age in ages[1:] if age.share > 0.01)
         assert sum(age.share for age in ages) == pytest.approx(1.0)
         # What was refreshed is as much as the hit masks say, frame for frame.
         assert ages[0].share == pytest.approx(1.0 - variant.hit_rate, abs=0.05)

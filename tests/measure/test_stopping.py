@@ -51,6 +51,14 @@ def test_short_runs_compare_at_their_end(frames: int, first: int) -> None:
     assert MeasureOptions(frames).first_compared == first
 
 
+@pytest.mark.parametrize(
+    ("frames", "seen"), [(2, [1]), (8, [4, 5, 6, 7]), (16, [8, 11, 14]), (64, [32, 41, 50, 59])]
+)
+def test_a_few_images_are_looked_at_of_both_parities(frames: int, seen: list[int]) -> None:
+    options = MeasureOptions(frames)
+    assert [frame for frame in range(frames) if options.is_perceived(frame)] == seen
+
+
 def test_looking_often_costs_the_interval_little() -> None:
     """Frames that spread by 10 %, each run ended at the first look that was narrow enough."""
     held = 0
