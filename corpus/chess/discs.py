@@ -30,12 +30,12 @@ def discs_of(mesh: dict[str, npt.NDArray[Any]], count: int, seed: int) -> Floats
     # Points belong together that are near each other and look the same way.
     features = np.concatenate([points, 0.2 * normals], -1)
     _, label = kmeans2(features, count, minit="++", rng=random)
-    patch = np.bincount(label, minlength=count) > 0
-    assert patch.all(), "a patch without points"
+    sizes = np.bincount(label, minlength=count)
+    assert sizes.all(), "a patch without points"
     share = areas.sum() / len(face)
     rows = [
         np.concatenate([points[label == n].mean(0), normals[label == n].mean(0), [share * size]])
-        for n, size in enumerate(np.bincount(label, minlength=count))
+        for n, size in enumerate(sizes)
     ]
     return np.array(rows)
 

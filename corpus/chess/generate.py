@@ -8,13 +8,12 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 from discs import Floats, discs_of, forest, hierarchy, texels
-from PIL import Image
 from pieces import Mesh, box, merged, moved, piece, turned
+from PIL import Image
 from scipy.ndimage import gaussian_filter
 
 HERE = Path(__file__).parent
@@ -32,7 +31,7 @@ pppp.ppp
 PPPP.PPP
 RNBQ...R
 """
-"""The pieces that stand still, from the eighth rank to the first; White's king is not among them."""
+"""The pieces that stand still, from the eighth rank to the first: all but White's king."""
 
 DISCS = {"pawn": 10, "rook": 11, "bishop": 11, "knight": 12, "queen": 11, "king": 9}
 BOARD = 12

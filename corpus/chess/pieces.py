@@ -168,6 +168,7 @@ def merged(parts: list[Mesh]) -> Mesh:
     starts = np.cumsum([0, *(len(part["position"]) for part in parts)])[:-1]
     index = [part["index"] + start for part, start in zip(parts, starts, strict=True)]
     arrays = {
-        name: np.concatenate([part[name] for part in parts]) for name in ("position", "normal", "uv")
+        name: np.concatenate([part[name] for part in parts])
+        for name in ("position", "normal", "uv")
     }
     return {**arrays, "index": np.concatenate(index)}

@@ -35,6 +35,7 @@ SCENES = [
         ("trashcan", NODES),
         ("heroine", FEW),
         ("colonnade", FEW),
+        ("chess", FEW),
     )
 ]
 
