@@ -56,12 +56,12 @@ class SceneOutcome(msgspec.Struct, frozen=True, kw_only=True):
 def pareto_front(points: Iterable[Point], metric: str) -> list[Point]:
     """What nothing else is both faster and nearer than, in ascending order of the error.
 
-    The original is one of them, so nothing that is not faster belongs to the front. Points without
-    the metric are left out.
+    The original is one of them, so only what is faster belongs to the front, and that with its
+    whole interval. Points without the metric are left out.
     """
     front: list[Point] = []
     fastest = 1.0
-    known = (point for point in points if metric in point.errors)
+    known = (point for point in points if metric in point.errors and point.low > 1.0)
     for point in sorted(known, key=lambda point: (point.errors[metric], -point.ratio)):
         if point.ratio > fastest:
             front.append(point)
@@ -74,16 +74,16 @@ def who_wins(points: Sequence[Point], metric: str) -> str:
     front, name = pareto_front(points, metric), METRICS[metric]
     if not front:
         return f"By {name}, nothing is faster than the original."
-    steps = [f"below {_number(front[0].errors[metric])} nothing is faster than the original"]
+    steps = [f"nothing is faster than the original below {_number(front[0].errors[metric])}"]
     for run in _runs(front):
         first, last = run[0], run[-1]
         ratios = f"{first.ratio:.2f} times as fast"
         if len(run) > 1:
             ratios += f", {last.ratio:.2f} times at {_number(last.errors[metric])}"
-        who = "the cache" if first.kind == "cache" else first.label
-        nodes = dict.fromkeys(point.label for point in run) if first.kind == "cache" else ()
-        named = f"{who} of {' or '.join(nodes)}" if nodes else who
-        steps.append(f"from {_number(first.errors[metric])} on {named} wins ({ratios})")
+        labels = " or ".join(point.label for point in run)
+        who = f"the cache of {labels}" if first.kind == "cache" else labels
+        verb = "it is" if len(steps) > 1 else "the fastest is"
+        steps.append(f"from {_number(first.errors[metric])} on {verb} {who} ({ratios})")
     return f"By {name}, {'; '.join(steps)}."
 
 
