@@ -167,7 +167,7 @@ def prepare(path: Path, output: Path | None, resume: bool) -> Report:
         "scene": scene.name,
         "fingerprint": f"{fingerprint(scene)} {about['gl']['version']} {about['gl']['renderer']}",
         "environment": about,
-        "law_1": "exact" if law_1.exact else _figures(law_1),
+        "law_1": "exact" if law_1.exact else _figures(law_1.found),
         "depth_ties": ties,
     }
     folder = output or RESULTS / machine_name(about)

@@ -19,7 +19,8 @@ from shadercache.cli.scenes import choose_nodes, configured, find_scene, one_by_
 from shadercache.cli.tables import format_table, shorten, terminal_width
 
 if TYPE_CHECKING:
-    from shadercache.verify.verdict import Difference, Verdict
+    from shadercache.verify.round_trip import RoundTrip
+    from shadercache.verify.verdict import Verdict
 
 HEADER = ("node", "path", "laws", "plain: largest", "p99.9", "changed", "text")
 READ = ShaderOptions()
@@ -33,7 +34,7 @@ class WholeScene:
     that are left out. ``equal``: how many nodes have the value of one that is checked.
     """
 
-    round_trip: Difference | None
+    round_trip: RoundTrip | None
     ties: float
     equal: int
 
@@ -142,6 +143,8 @@ def _text(whole: WholeScene, verdicts: Sequence[Verdict]) -> str:
     law_1 = "not checked: the driver cannot draw the shader as it is written"
     if whole.round_trip is not None:
         law_1 = "holds" if whole.round_trip.exact else "BROKEN"
+        if not whole.round_trip.by_rule.exact:
+            law_1 += f"; raised, a discard ends loops, by which {whole.round_trip.by_rule}"
     exact = sum(not verdict.broken for verdict in verdicts)
     lines = [
         format_table(HEADER, map(_row, verdicts), right="p99.9 changed", width=terminal_width()),

@@ -39,7 +39,12 @@ def judge(references: References, bundle: Bundle, verdict: Verdict) -> None:
 
 def apart(references: References, mode: Mode, images: Iterable[Image]) -> Difference:
     """How far images of a run, from frame 0 on, are from the original's."""
-    pairs = zip(images, references.images[mode], references.covered, strict=False)
+    return between(references, images, references.images[mode])
+
+
+def between(references: References, images: Iterable[Image], others: Iterable[Image]) -> Difference:
+    """How far images of two runs, from frame 0 on, are from each other."""
+    pairs = zip(images, others, references.covered, strict=False)
     return worst_of(difference(image, original, covered) for image, original, covered in pairs)
 
 

@@ -10,21 +10,20 @@ from dataclasses import replace
 
 import numpy as np
 
-from shadercache.analysed import written
 from shadercache.analysis.candidates import Candidate
 from shadercache.caching.configuration import Configuration, Mode, by_every_algorithm
 from shadercache.caching.layout import Layout, precision_of
-from shadercache.compiler import Analysis, emit_original, rewrite
+from shadercache.compiler import Analysis, rewrite
 from shadercache.diagnostics import InputError, input_error
 from shadercache.gpu.context import Gpu
 from shadercache.render.bundle import Bundle
-from shadercache.render.pass_runners import OriginalRunner
 from shadercache.scene.description import Scene
 from shadercache.scene.mesh import Mesh
 from shadercache.verify.detail_levels import tells_true_levels
-from shadercache.verify.laws import apart, judge, refreshed
-from shadercache.verify.references import MOVING, References
-from shadercache.verify.verdict import Difference, Verdict
+from shadercache.verify.laws import judge, refreshed
+from shadercache.verify.references import References
+from shadercache.verify.round_trip import RoundTrip, round_trip
+from shadercache.verify.verdict import Verdict
 
 SIZE = (96, 96)
 
@@ -56,26 +55,9 @@ class Verifier:
         self.references = References(gpu, opened, size, mesh)
         self.analysis = self.references.analysis
 
-    def round_trip(self) -> Difference | None:
-        """Law 1: the printed shader renders the bits of the user's own text.
-
-        ``None`` where there is nothing to compare with: the text does not stand alone, or it was
-        raised and reads the state of the fixed-function pipeline, or the driver does not take its
-        version.
-        """
-        analysis, references = self.analysis, self.references
-        text = written(analysis)
-        if text is None:
-            return None
-        # The files of the printed original, but with the user's own text in them.
-        files = {"original.vert": analysis.vertex_source.text, "original.frag": text}
-        bundle = Bundle(emit_original(analysis, "plain").manifest, files)
-        try:
-            runner = OriginalRunner(references.world, *references.linker.originals(bundle=bundle))
-        except InputError:
-            return None
-        with runner:
-            return apart(references, "plain", [runner.image(frame) for frame in MOVING])
+    def round_trip(self) -> RoundTrip | None:
+        """Law 1: the printed shader renders the bits of the user's own text."""
+        return round_trip(self.references)
 
     def check(self, node: Candidate | Sequence[Candidate], plain: bool = True) -> Verdict:
         """Laws 2 to 4 and 7 for one node in proof mode, and what plain mode changes if ``plain``.

@@ -39,6 +39,7 @@ from shadercache.transform.split import split_declarations
 from shadercache.transform.unique_names import make_names_unique
 from shadercache.transform.unroll import unroll_loops
 from shadercache.transform.versions.builtin_block import plain_builtin_block
+from shadercache.transform.versions.leave_discarded import leave_discarded
 from shadercache.transform.versions.name_parameters import name_parameters
 from shadercache.transform.versions.raise_version import StageTree, raise_versions
 from shadercache.valid.validate import validate
@@ -110,6 +111,7 @@ PASSES: dict[str, Pass] = {
     "expand_compound_assignments": lambda m, facts, about: expand_compound_assignments(m, facts),
     "guard_loops": _guarded,
     "hide_uniform_varyings": lambda m, facts, about: hide_uniform_varyings(m, "sc_", Memo()),
+    "leave_discarded": lambda m, facts, about: leave_discarded(m, "sc_"),
     "lower_ternaries": lambda m, facts, about: lower_ternaries(m, facts),
     "make_arguments_opaque": lambda m, facts, about: make_arguments_opaque(m, Memo()),
     "make_names_unique": lambda m, facts, about: make_names_unique(m, facts),
