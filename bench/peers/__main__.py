@@ -16,6 +16,7 @@ import msgspec
 from bench.peers.comparison import CACHE, MULTIPLE, PEERS, Setting, compare
 from bench.peers.outcomes import SceneOutcome, pareto_front
 from bench.peers.plane import plot_planes
+from bench.peers.rows import peer_rows
 from bench.peers.scene_programs import ScenePrograms
 from shadercache.cli.progress import progress
 from shadercache.cli.tables import format_table
@@ -25,6 +26,8 @@ from shadercache.gpu.context import Gpu, open_context
 from shadercache.linking.linker import Linker
 from shadercache.linking.scene_shaders import open_scene
 from shadercache.paths import data_path
+from shadercache.sweep.results import Blobs
+from shadercache.sweep.store import Store
 
 SCENES = ("dragon", "trashcan", "heroine", "colonnade")
 
@@ -55,6 +58,7 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     add("--frames", type=int, default=64, metavar="N")
     add("--only", metavar="NAMES", help=f"apart by commas: {', '.join(known)}")
     add("-o", "--output", type=Path, default=Path("out/peers"), metavar="DIR")
+    add("--store", type=Path, metavar="FILE", help="also write the peers into a result store")
     options = parser.parse_args(arguments)
     options.scenes = options.scenes or SCENES
     options.only = options.only.split(",") if options.only else known
@@ -81,7 +85,13 @@ def _compare(gpu: Gpu, name: str, options: argparse.Namespace) -> SceneOutcome:
             advance(reached - done)
             done = reached
 
-        return compare(gpu, setting, options.size, options.only, told)
+        outcome, measured = compare(gpu, setting, options.size, options.only, told)
+    if options.store is not None:
+        blobs = Blobs()
+        rows = list(peer_rows(gpu, linker, measured, outcome, blobs))
+        with Store(options.store, create=True) as store:
+            store.keep(rows, blobs.data)
+    return outcome
 
 
 def outcome_table(outcome: SceneOutcome) -> str:

@@ -19,7 +19,13 @@ from shadercache.caching.configuration import Configuration, Filter, Refresh
 from shadercache.gpu.context import Gpu
 from shadercache.linking.linker import Linker
 from shadercache.measure.measure import Progress, measure
-from shadercache.measure.measurement import Group, MeasureOptions, SubjectResult, VariantResult
+from shadercache.measure.measurement import (
+    Group,
+    Measurement,
+    MeasureOptions,
+    SubjectResult,
+    VariantResult,
+)
 from shadercache.measure.result_files import environment
 from shadercache.measure.statistics import paired_ratio
 from shadercache.measure.subjects import Subject, VariantSubject, subjects_of
@@ -118,7 +124,7 @@ CACHE = "cache"
 
 def compare(
     gpu: Gpu, setting: Setting, size: int, only: Sequence[str], progress: Progress | None = None
-) -> SceneOutcome:
+) -> tuple[SceneOutcome, Measurement]:
     """Measure all that is asked for in one run, at one output size.
 
     Args:
@@ -130,14 +136,20 @@ def compare(
     variants = cached_values(setting) if CACHE in only else []
     peers = [peer for name in PEERS if name in only for peer in PEERS[name](setting)]
     subjects = [*variants, *peers]
-    options = MeasureOptions(setting.frames, group=len(subjects), curves=0, perceptual=True)
+    options = MeasureOptions(
+        setting.frames,
+        group=len(subjects),
+        picture_frame=setting.frames - 1,
+        curves=0,
+        perceptual=True,
+    )
     linker = setting.linker
     with RenderScene(gpu, linker.scene, (size, size)) as world:
         measured = measure(world, linker.originals(), subjects, options, progress)
     [group] = measured.groups
     colors = {peer.label for peer in peers if isinstance(peer, VariantSubject)}
     points = tuple(_points(group, colors))
-    return SceneOutcome(
+    outcome = SceneOutcome(
         schema_version=SCHEMA_VERSION,
         scene=measured.scene,
         size=measured.size,
@@ -148,6 +160,7 @@ def compare(
         points=points,
         winners={metric: who_wins(points, metric) for metric in METRICS},
     )
+    return outcome, measured
 
 
 def _points(group: Group, colors: set[str]) -> Iterator[Point]:

@@ -19,6 +19,7 @@ from shadercache.diagnostics import usage_error
 from shadercache.gpu.clock import Clock, no_collection, pick_clock
 from shadercache.gpu.resource import Resource
 from shadercache.measure import measurement as results
+from shadercache.measure.image_error import Pixels
 from shadercache.measure.metrics.perceived import missing_extras
 from shadercache.measure.replay import Replay
 from shadercache.measure.statistics import FEWEST, LOOK_EVERY, Reached, StopRule, timing, widest
@@ -89,6 +90,7 @@ def measure(
         covered=float(np.mean(covered)) if covered else 0.0,
         groups=tuple(groups),
         shots=tuple(shot for run in runs for shot in run.shots),
+        pictures={label: image for run in runs for label, image in run.pictures.items()},
         notes=tuple(dict.fromkeys(note for run in runs for note in run.notes)),
         gains=gains,
         assignments={
@@ -125,6 +127,7 @@ class _GroupRun(Resource):
         self._world, self._options, self._clock = world, options, clock
         self._begun = self._seconds = 0.0
         self.shots: list[results.Shot] = []
+        self.pictures: dict[str, Pixels] = {}
         self.covered: list[float] = []
         self._parts: dict[str, TimedParts] = {}
         self._subjects: list[TimedSubject] = []
@@ -193,6 +196,8 @@ class _GroupRun(Resource):
         if compared or shown:
             reference.keep_image(frame)
             self.covered.append(float(reference.covered.mean()))
+        if shown:
+            self.pictures[results.ORIGINAL] = reference.pixels
         for timed in self._subjects:
             if isinstance(timed, TimedVariant):
                 # Before the frame: a mask tells what the draw that follows is going to do.
@@ -205,6 +210,8 @@ class _GroupRun(Resource):
                 timed.compare(reference)
             if shown and isinstance(timed, TimedVariant):
                 self.shots.append(timed.shot(reference))
+            elif shown:
+                self.pictures[timed.subject.label] = self._world.targets.pixels()
         for parts in self._parts.values():
             if options.times_payload(frame):
                 parts.time_payload(self._clock, frame)

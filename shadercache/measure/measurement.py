@@ -23,6 +23,9 @@ from shadercache.measure.statistics import (
 PERCEIVED = 4
 """Of at most so many frames all metrics are computed."""
 
+ORIGINAL = "original"
+"""What stands for the original where images are kept by label."""
+
 LAST_COMPARED = 8
 """So many images at the end of a short run say enough of its error."""
 
@@ -278,7 +281,9 @@ class Group:
 class Measurement:
     """The whole answer. ``covered``: mean share of the frame that the mesh covers; ``notes``: what
     the runs gave away, such as cuts that were not told; ``gains``: what caching the objects with
-    shaders of their own is worth. Those where it is nothing were drawn by their originals."""
+    shaders of their own is worth. Those where it is nothing were drawn by their originals.
+    ``pictures``: at the frame of the shots, what is no variant by its label, and the original as
+    ``ORIGINAL``."""
 
     scene: str
     size: tuple[int, int]
@@ -290,6 +295,7 @@ class Measurement:
     notes: tuple[str, ...] = ()
     gains: tuple[CachingGain, ...] = ()
     assignments: Mapping[Configuration, Assignment] = field(default_factory=dict)
+    pictures: Mapping[str, Pixels] = field(default_factory=dict)
 
     @property
     def rank_correlation(self) -> float | None:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
+from shadercache.measure.image_error import Pixels
 from shadercache.measure.measurement import Shot
 from shadercache.measure.shown import picture
 
@@ -22,14 +23,19 @@ AGE_STEPS = 16
 def shot_pictures(shot: Shot) -> Iterator[tuple[str, bytes]]:
     """The layers of one frame: ``original``, ``cached``, ``outcomes`` (8 bits, the hit mask's own
     numbers, 0 where nothing is drawn), ``ages`` (where the cache keeps them), ``thumbnail``."""
-    cached = picture(shot.cached)
-    yield "original", _png(picture(shot.original))
-    yield "cached", _png(cached)
+    yield from drawn_pictures(shot.original, shot.cached)
     yield "outcomes", _png(shot.probe.mask[::-1])
     if shot.probe.ages is not None:
         steps = np.clip(np.rint(shot.probe.ages[::-1] * AGE_STEPS), 0, 65_535)
         yield "ages", _png(steps.astype(np.uint16))
-    small = Image.fromarray(cached)
+
+
+def drawn_pictures(original: Pixels, drawn: Pixels) -> Iterator[tuple[str, bytes]]:
+    """Those of anything that can be drawn: ``original``, ``cached``, and a ``thumbnail`` of it."""
+    shown = picture(drawn)
+    yield "original", _png(picture(original))
+    yield "cached", _png(shown)
+    small = Image.fromarray(shown)
     small.thumbnail((THUMBNAIL, THUMBNAIL))
     buffer = io.BytesIO()
     small.save(buffer, "WEBP", quality=80)

@@ -7,7 +7,13 @@ from datetime import UTC, datetime
 
 from shadercache import __version__
 from shadercache.caching.configuration import Configuration
-from shadercache.measure.measurement import Group, Measurement, NodeResult, VariantResult
+from shadercache.measure.measurement import (
+    Group,
+    Measurement,
+    NodeResult,
+    SubjectResult,
+    VariantResult,
+)
 from shadercache.measure.result_files import plain
 from shadercache.render.bundle import Bundle
 from shadercache.sweep.pictures import shot_pictures
@@ -65,7 +71,7 @@ def result_rows(
                 images = {kind: blobs.add(data) for kind, data in shot_pictures(shot)}
                 result = TrialResult(
                     _times(group, node, variant),
-                    _image(variant),
+                    image_errors(variant),
                     ReuseShares(
                         variant.hit_rate,
                         variant.burst,
@@ -122,7 +128,8 @@ def _times(group: Group, node: NodeResult, variant: VariantResult) -> Times:
     )
 
 
-def _image(variant: VariantResult) -> ImageErrors:
+def image_errors(variant: SubjectResult) -> ImageErrors:
+    """What a row holds of the errors of a variant, or of anything else that was drawn."""
     error = plain(variant.error)  # the PSNR of equal images has no end
     return ImageErrors(
         rmse=error["rmse"],

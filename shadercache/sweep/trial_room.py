@@ -15,8 +15,8 @@ from msgspec import structs
 
 from shadercache.caching.configuration import Configuration
 from shadercache.diagnostics import DiagnosticError
-from shadercache.gpu.clock import pick_clock
-from shadercache.gpu.context import open_context
+from shadercache.gpu.clock import Clock, pick_clock
+from shadercache.gpu.context import Gpu, open_context
 from shadercache.gpu.resource import Resource
 from shadercache.linking.linker import Linker
 from shadercache.linking.user_places import at_home
@@ -62,15 +62,7 @@ class TrialRoom(Resource):
 
     def machine(self) -> Machine:
         """Where the numbers come from."""
-        where = environment(self._gpu)
-        return Machine(
-            renderer=self._gpu.renderer,
-            driver=self._gpu.version,
-            clock=self._clock.name,
-            processor=where["cpu"],
-            cores=os.cpu_count() or 1,
-            system=f"{where['system']}, Python {platform.python_version()}",
-        )
+        return machine_of(self._gpu, self._clock)
 
     def original_seconds(self, file: SceneFile, size: tuple[int, int]) -> float:
         """What a frame of the original takes; the scene stays open for trials.
@@ -187,6 +179,19 @@ class TrialRoom(Resource):
         """Give everything on the GPU back."""
         self._close()
         self._gpu.release()
+
+
+def machine_of(gpu: Gpu, clock: Clock) -> Machine:
+    """What rows say of where they were measured."""
+    where = environment(gpu)
+    return Machine(
+        renderer=gpu.renderer,
+        driver=gpu.version,
+        clock=clock.name,
+        processor=where["cpu"],
+        cores=os.cpu_count() or 1,
+        system=f"{where['system']}, Python {platform.python_version()}",
+    )
 
 
 def _failure(kind: FailureKind, error: DiagnosticError) -> Failure:

@@ -48,7 +48,7 @@ def setting_with_nodes(folder: Path) -> Setting:
 
 def test_all_are_measured_in_one_run(gpu: Gpu, tmp_path: Path) -> None:
     setting = setting_with_nodes(tmp_path)
-    outcome = compare(gpu, setting, 32, [*PEERS, CACHE])
+    outcome, _ = compare(gpu, setting, 32, [*PEERS, CACHE])
     kinds = {point.label: point.kind for point in outcome.points}
     cached = [label for label, kind in kinds.items() if kind == "cache"]
     assert cached == ["all, 2-pass", "all, 2-pass, nearest", "all, 3-pass", "all, 3-pass, nearest"]
@@ -74,7 +74,7 @@ def test_all_are_measured_in_one_run(gpu: Gpu, tmp_path: Path) -> None:
 
 
 def test_what_is_not_asked_for_is_not_measured(gpu: Gpu, tmp_path: Path) -> None:
-    outcome = compare(gpu, setting_with_nodes(tmp_path), 32, ["half-rate"])
+    outcome, _ = compare(gpu, setting_with_nodes(tmp_path), 32, ["half-rate"])
     assert [point.label for point in outcome.points] == ["half frame rate, warped"]
 
 
