@@ -19,6 +19,8 @@ FUNCTIONS_2 = (
 )
 Maker = Callable[[str, int], str]
 LETTERS = ("xyzw", "rgba")
+MOST_INDICES = 8
+"""How deep indices stand in indices."""
 
 
 class Expressions(State):
@@ -87,9 +89,13 @@ class Expressions(State):
 
     def index(self, kind: str) -> str:
         """An index into an array: a constant, or what varies."""
-        if self.dialect.arrays and self.chance(3):
+        # Where many arrays are visible an index holds several more on average, without end.
+        if self.dialect.arrays and self.indices_open < MOST_INDICES and self.chance(3):
             self.tag("varying index")
-            return f"int({LENGTH[kind] - 1}.99 * fract({self.leaf('float')}))"
+            self.indices_open += 1
+            index = f"int({LENGTH[kind] - 1}.99 * fract({self.leaf('float')}))"
+            self.indices_open -= 1
+            return index
         return str(self.pick(LENGTH[kind]))
 
     def literal(self, kind: str) -> str:

@@ -79,6 +79,7 @@ class State:
     default_precision: bool = True
     may_discard: bool = False
     stories: int = 0
+    indices_open: int = 0
     left: int = 0
     """How often fragments were let go."""
 
