@@ -128,7 +128,9 @@ def draw(data: Alignment) -> dict[str, bytes]:
     every[0].bar(0, 0, color=ORIGINAL, label="aligned to the quads")
     every[0].bar(0, 0, color="white", ec=ORIGINAL, hatch="///", label="shifted by a pixel")
     every[0].set_ylabel("time of a frame (ms)")
-    every[0].legend(frameon=False, fontsize=9, loc="lower right")
+    # Above the bars there is room for the legend.
+    every[0].set_ylim(0.0, 1.3 * every[0].get_ylim()[1])
+    every[0].legend(frameon=False, fontsize=9, loc="upper left")
     return {"quads": png(figure)}
 
 

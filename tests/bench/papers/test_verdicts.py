@@ -209,7 +209,7 @@ def test_errors_that_go_on_growing_do_not_saturate() -> None:
 )
 def test_figure_12(time: float, rmse: float, reached: bool) -> None:
     name = "2-pass n32 k4"
-    drawn = figure12.ExampleTimes("N6", turns({name: time}, errors={name: rmse}))
+    drawn = figure12.ExampleTimes("N6", 64, turns({name: time}, errors={name: rmse}))
     found = by_claim(figure12.judge(figure12.Figure12((32,), (drawn,))))
     assert found == {"N5": None, "N6": reached, "N7": None}
 
