@@ -93,6 +93,13 @@ def is_unchanged(ratio: Ratio) -> bool | None:
     return True if statistics.widest([ratio]) <= KNOWN else None
 
 
+def reaches(ratio: Ratio, wanted: float) -> bool | None:
+    """Is it as much, its interval included? None where that is wide and holds what is wanted."""
+    if ratio.high < wanted or ratio.low >= wanted:
+        return ratio.low >= wanted
+    return True if statistics.widest([ratio]) <= KNOWN else None
+
+
 def is_at_most(ratio: Ratio, limit: float) -> bool | None:
     """None where the limit lies inside the interval."""
     return False if is_above(ratio, limit) else (True if ratio.high <= limit else None)

@@ -12,6 +12,7 @@ from bench.papers.rules import (
     is_more,
     is_unchanged,
     rank_correlation,
+    reaches,
     slope,
 )
 from shadercache.measure.statistics import Ratio
@@ -44,6 +45,10 @@ def test_limits_and_sums() -> None:
     assert is_at_most(ratio(1.0, 1.05), 1.1) is True
     assert is_at_most(ratio(1.2, 1.3), 1.1) is False
     assert is_at_most(ratio(1.0, 1.3), 1.1) is None
+    assert reaches(ratio(2.2, 2.4), 2.1) is True
+    assert reaches(ratio(2.05, 2.15), 2.1) is True
+    assert reaches(ratio(1.5, 2.6), 2.1) is None
+    assert reaches(ratio(1.5, 2.0), 2.1) is False
     assert all_of([True, True]) is True
     assert all_of([True, None]) is None
     assert all_of([None, False]) is False
