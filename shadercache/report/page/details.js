@@ -98,7 +98,6 @@ function strip(row) {
 }
 
 function repeatParts(row) {
-  if (!row.repeat) return [];
   const button = make("button", { type: "button", class: "copy" }, "Copy");
   const command = make("pre", { class: "command" }, row.repeat);
   button.addEventListener("click", () => {

@@ -68,21 +68,23 @@ def settings_in_words(chosen: Configuration) -> Iterator[str]:
             yield f"{word}={value}"
 
 
-def repeat_command(row: Row, store: str) -> str | None:
-    """The command line that measures a row again; None of a peer, which no sweep draws."""
+def repeat_command(row: Row, store: str) -> str:
+    """The command line that measures a row again; that of a peer is one of the source tree."""
+    width, height = row.scene.size
     if row.configuration is None:
-        return None
+        words = ["python", "-m", "bench.peers", row.scene.path, "--size", str(width)]
+        return shlex.join([*words, "--frames", str(row.scene.frames), "--store", store])
     chosen = Configuration.from_json(row.configuration)
     refresh = chosen.refresh
-    width, height = row.scene.size
     words = ["shadercache", "sweep", row.scene.path, "-o", store, "--nodes", row.label]
     words += ["--passes", algorithm(chosen.algorithm).word]
     words += ["--period", str(refresh.period), "--block", str(refresh.block)]
     words += ["--format", chosen.storage.format]
     settings = [word for word in settings_in_words(chosen) if not word.startswith("format=")]
     words += ["--cache", ",".join(settings)] if settings else []
-    words += ["--size", f"{width}x{height}", "--frames", str(row.scene.frames), "--force"]
-    return shlex.join(words)
+    words += ["--size", f"{width}x{height}", "--frames", str(row.scene.frames)]
+    perceptual = row.result is not None and row.result.image.perceived is not None
+    return shlex.join([*words, *(["--perceptual"] if perceptual else []), "--force"])
 
 
 def _result(result: TrialResult) -> dict[str, Any]:

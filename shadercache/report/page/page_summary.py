@@ -88,33 +88,37 @@ def _best(group: PageGroup) -> Iterator[str]:
 
 
 def _against_peers(group: PageGroup) -> Iterator[str]:
-    """Who is on the front of all that was measured, from the smallest error to the largest."""
+    """Who is on the front of all that is faster than the original, by ascending error."""
     if not group.peers or not group.variants:
         return
-    front = group.front("rmse", group.measured)[::-1]
-    stretches: list[tuple[bool, list[Measured]]] = []
+    front = [one for one in group.front("rmse", group.measured) if one.time < 1.0][::-1]
+    if not front:
+        yield "Neither caching nor a peer is faster than the original."
+        return
+    runs: list[list[Measured]] = []
     for one in front:
-        if not stretches or stretches[-1][0] != one.is_peer:
-            stretches.append((one.is_peer, []))
-        stretches[-1][1].append(one)
-    parts = []
-    for number, (is_peer, members) in enumerate(stretches):
-        names = list(dict.fromkeys(one.row.label for one in members))
-        who = _listed(names) if is_peer else "caching"
-        if len(stretches) == 1:
-            yield f"*{_capital(who)} wins everywhere*: no other method is as fast and as near."
-            return
-        if number == 0:
-            parts.append(f"up to an RMSE of {_largest(members)} the fastest is {who}")
-        elif number == len(stretches) - 1:
-            parts.append(f"beyond it {who}")
+        if runs and _rival(runs[-1][0]) == _rival(one):
+            runs[-1].append(one)
         else:
-            parts.append(f"then up to {_largest(members)} {who}")
-    yield f"Beside what one would do instead: {', '.join(parts)}."
+            runs.append([one])
+    parts = [
+        f"from {error_in_words(run[0].result.image.rmse)} on {_rival(run[0])} ({_speeds(run)})"
+        for run in runs
+    ]
+    least = error_in_words(front[0].result.image.rmse)
+    yield (
+        f"Beside what one would do instead: below an RMSE of {least} nothing is faster than the "
+        f"original, then the fastest is {_listed(parts)}."
+    )
 
 
-def _largest(members: Sequence[Measured]) -> str:
-    return error_in_words(max(one.result.image.rmse for one in members))
+def _rival(one: Measured) -> str:
+    return one.row.label if one.is_peer else "caching"
+
+
+def _speeds(run: Sequence[Measured]) -> str:
+    ratios = [f"{one.result.times.ratio.median:.2f}×" for one in (run[0], run[-1])]
+    return " to ".join(dict.fromkeys(ratios))
 
 
 def _by_algorithm(group: PageGroup) -> Iterator[str]:

@@ -21,7 +21,7 @@ from shadercache.report.page.page_contents import fill_pictures
 from shadercache.report.page.page_data import PageSource, page_data
 from shadercache.report.page.page_file import page_file
 from shadercache.report.page.page_group import page_groups
-from shadercache.report.page.page_rows import histogram
+from shadercache.report.page.page_rows import histogram, repeat_command
 from shadercache.report.page.picture_shelf import PictureShelf
 from shadercache.sweep.row import Row
 
@@ -167,7 +167,11 @@ def test_how_to_repeat_a_row(sourced: Sourced, made_rows: list[Row]) -> None:
     shown = rows_of(page_data(sourced([row]), page_groups([row])))[0]
     assert shown["repeat"] == (
         "shadercache sweep corpus/dragon/scene.toml -o made.db --nodes 'two octaves' --passes 1 "
-        "--period 4 --block 4 --format rgba16f --cache age=on --size 64x64 --frames 24 --force"
+        "--period 4 --block 4 --format rgba16f --cache age=on --size 64x64 --frames 24 "
+        "--perceptual --force"
+    )
+    assert repeat_command(made_rows[-1], "made.db") == (
+        "python -m bench.peers corpus/dragon/scene.toml --size 64 --frames 24 --store made.db"
     )
 
 

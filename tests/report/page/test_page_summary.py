@@ -61,15 +61,16 @@ def test_where_nothing_is_gained_that_comes_first(
     [
         (
             [(1.5, 0.01), (2.0, 0.02), (3.0, 0.03)],
-            "up to an RMSE of .01 the fastest is caching, beyond it half resolution "
-            "and half resolution, by depth.",
+            "below an RMSE of .01 nothing is faster than the original, then the fastest is "
+            "from .01 on caching (1.50×), from .02 on half resolution (2.00×) and "
+            "from .03 on half resolution, by depth (3.00×).",
         ),
         (
-            [(2.0, 0.02), (1.5, 0.01), (3.0, 0.03)],
-            "up to an RMSE of .01 the fastest is half resolution, then up to .02 caching, "
-            "beyond it half resolution, by depth.",
+            [(2.0, 0.02), (0.9, 0.01), (3.0, 0.03)],
+            "from .02 on caching (2.00×) and from .03 on half resolution, by depth (3.00×).",
         ),
-        ([(3.0, 0.001), (1.5, 0.01), (2.0, 0.03)], "*Caching wins everywhere*"),
+        ([(3.0, 0.001), (1.5, 0.01), (2.0, 0.03)], "the fastest is from .001 on caching (3.00×)."),
+        ([(0.9, 0.001), (0.8, 0.01), (0.7, 0.03)], "Neither caching nor a peer is faster"),
     ],
 )
 def test_who_wins_where(
