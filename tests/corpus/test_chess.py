@@ -172,7 +172,7 @@ def test_the_king_alone_moves_with_his_discs(opened: tuple[Scene, Analysis]) -> 
     discs = scene.common.inputs.animated["u_king"]
     assert np.allclose([discs.at(frame) for frame in (0, 40)], places["king"])
     still, whole = (
-        analysis.node(scene.nodes[name]) for name in ("static share", "whole occlusion")
+        analysis.node(scene.nodes[name]) for name in ("static share", "whole")
     )
     assert still.offered and whole.offered
     assert "u_king" in whole.inputs and "u_king" not in still.inputs
@@ -183,7 +183,7 @@ def test_what_stands_still_is_as_good_as_new(gpu: Gpu, opened: tuple[Scene, Anal
     scene, analysis = opened
     images = {}
     with RenderScene(gpu, scene.small, (96, 96)) as world:
-        for name in ("static share", "whole occlusion"):
+        for name in ("static share", "whole"):
             emission = rewritten(analysis, analysis.node(scene.nodes[name]))
             bundle = Bundle(emission.manifest, emission.files)
             with variant(world, bundle, "2-pass", period=32) as runner:
@@ -194,4 +194,4 @@ def test_what_stands_still_is_as_good_as_new(gpu: Gpu, opened: tuple[Scene, Anal
     # Half floats keep eleven bits.
     seen = {name: int((error > 2e-3).sum()) for name, error in off.items()}
     assert 0 < seen["static share"] < 0.02 * original.shape[0] ** 2
-    assert seen["whole occlusion"] > 2 * seen["static share"]
+    assert seen["whole"] > 2 * seen["static share"]
