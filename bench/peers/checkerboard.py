@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from bench.peers.lod_bias import sharper_textures
-from bench.peers.peer import Peer, PeerShader, read_shader
+from bench.peers.peer import OF_HISTORY, Peer, PeerShader, read_shader
 from bench.peers.reduced_resolution import smaller
 from shadercache.render.pass_runners import OriginalRunner
 
@@ -30,7 +30,7 @@ class Checkerboard(Peer):
         self._lower, self._upper = (self._fields(row) for row in (0, 1))
         self._history = self.lent_history()
         shader = PeerShader(
-            read_shader("checkerboard.frag", "reproject.glsl"),
+            read_shader("checkerboard.frag", *OF_HISTORY),
             ("u_size", "u_turn", "u_begins"),
             {
                 "u_lower": self._lower.world.targets.color,

@@ -7,7 +7,7 @@ place. Where that was hidden, a pixel nearby of the last frame that fits its dep
 
 from __future__ import annotations
 
-from bench.peers.peer import Peer, PeerShader, own_surface, read_shader
+from bench.peers.peer import OF_DEPTH, Peer, PeerShader, own_surface, read_shader
 
 
 class HalfRate(Peer):
@@ -19,7 +19,7 @@ class HalfRate(Peer):
         last = self._original.world.targets
         self._numbers = {"u_size": self.world.size, **own_surface(self.world)}
         shader = PeerShader(
-            read_shader("half_rate.frag", "own_surface.glsl", "reproject.glsl"),
+            read_shader("half_rate.frag", *OF_DEPTH, "reproject.glsl"),
             tuple(self._numbers),
             {"u_color": last.color, "u_depth": last.depth_texture},
         )

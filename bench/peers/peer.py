@@ -6,6 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
+from itertools import takewhile
 from pathlib import Path
 
 import moderngl
@@ -28,10 +29,11 @@ EMPTY = (0.0, 0.0, 0.0, 0.0)
 
 
 def read_shader(name: str, *parts: str) -> Source:
-    """A shader of the peers; ``parts`` are put behind its first line, ``#version``."""
-    version, rest = (GLSL / name).read_text(encoding="utf-8").split("\n", 1)
+    """A shader of the peers; ``parts`` are put behind ``#version`` and ``#extension``."""
+    lines = (GLSL / name).read_text(encoding="utf-8").splitlines()
+    head = list(takewhile(lambda line: line.startswith("#"), lines))
     texts = [(GLSL / part).read_text(encoding="utf-8") for part in parts]
-    return Source(name, "\n".join([version, *texts, rest]))
+    return Source(name, "\n".join([*head, *texts, *lines[len(head) :], ""]))
 
 
 class Peer(ABC):
@@ -98,7 +100,7 @@ class Peer(ABC):
         return self._held.enter_context(ScreenPass(self._full_view(), shader))
 
     def lent_history(self) -> CachePair:
-        """Textures for what a frame leaves to the next: colour, and 16/w in alpha."""
+        """Textures for what a frame leaves to the next: 16/w, and the colour behind it."""
         targets = self.world.targets
         pair = targets.lend_cache(("rgba16f",))
         self._held.callback(targets.take_back, pair)
@@ -141,12 +143,18 @@ Numbers = Mapping[str, Sequence[float]]
 """Values of uniforms, by name."""
 
 
+OF_DEPTH = ("depth_nearness.glsl", "own_surface.glsl", "search.glsl")
+"""Parts of shaders that look a surface up in a picture with depth."""
+
+OF_HISTORY = ("reproject.glsl", "last_picture.glsl", "own_surface.glsl", "what_was_shown.glsl")
+"""Parts of shaders that look up what their fragment's point showed in the last picture."""
+
 SEARCH = 4
 """Places where a surface is searched that is not found at its own: at most six texels away."""
 
 
 def own_surface(world: RenderScene) -> dict[str, Sequence[float]]:
-    """The uniforms of ``own_surface.glsl``."""
+    """The uniforms of ``depth_nearness.glsl`` and ``search.glsl``."""
     camera = world.scene.view.camera
     far = camera.far / (camera.far - camera.near)
     return {"u_planes": (far, far * camera.near), "u_steps": (SEARCH,)}

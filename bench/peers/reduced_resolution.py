@@ -10,7 +10,7 @@ no edges.
 
 from __future__ import annotations
 
-from bench.peers.peer import Peer, PeerShader, own_surface, read_shader
+from bench.peers.peer import OF_DEPTH, Peer, PeerShader, own_surface, read_shader
 from bench.peers.scene_programs import ScenePrograms
 
 
@@ -50,7 +50,7 @@ class DepthAwareUpsampling(BilinearUpsampling):
         scale = small.size[0] / full.size[0], small.size[1] / full.size[1]
         self._numbers = {"u_scale": scale, **own_surface(full)}
         shader = PeerShader(
-            read_shader("depth_aware.frag", "own_surface.glsl"),
+            read_shader("depth_aware.frag", *OF_DEPTH),
             tuple(self._numbers),
             {"u_color": small.targets.color, "u_depth": small.targets.depth_texture},
         )

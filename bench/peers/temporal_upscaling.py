@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from bench.peers.lod_bias import sharper_textures
-from bench.peers.peer import Peer, PeerShader, read_shader
+from bench.peers.peer import OF_HISTORY, Peer, PeerShader, read_shader
 from bench.peers.reduced_resolution import smaller
 
 PLACES = ((0.25, 0.25), (-0.25, -0.25), (-0.25, 0.25), (0.25, -0.25))
@@ -29,7 +29,7 @@ class TemporalUpscaling(Peer):
         self._shaded = self.shaded_apart(smaller(self.world.size, 2), self._engine)
         self._history = self.lent_history()
         shader = PeerShader(
-            read_shader("temporal.frag", "reproject.glsl"),
+            read_shader("temporal.frag", *OF_HISTORY),
             ("u_size", "u_shift", "u_begins"),
             {"u_color": self._shaded.world.targets.color},
             self._history,

@@ -1,16 +1,13 @@
 #version 330
+#extension GL_ARB_texture_gather : require
 // Half of the pixels are this frame's, the others are what the last picture shows of their points.
 
 uniform sampler2D u_lower;    // the fields in even rows of the screen, each row in one of its own
 uniform sampler2D u_upper;    // those in odd rows; alpha 0 where nothing was drawn
-uniform sampler2D u_history;  // the last picture; alpha: 16/w
 uniform int u_turn;           // which fields are shaded: those where x + y + turn is even
-uniform int u_begins;         // 1: there is no last picture
 
 layout(location = 0) out vec4 o_color;
 layout(location = 1) out vec4 o_history;
-
-const float SAME = 0.01;  // of the nearness: what is so far off is another surface
 
 // The shaded field upon a pixel of the screen.
 vec4 field(sampler2D fields, ivec2 pixel) {
@@ -34,16 +31,12 @@ void main() {
     vec3 least = min(min(a.rgb + none.x, b.rgb + none.y), min(c.rgb + none.z, d.rgb + none.w));
     vec3 most = max(max(a.rgb, b.rgb), max(c.rgb, d.rgb));
 
-    vec2 place = last_place();
-    vec4 last = textureLod(u_history, place / u_size, 0.0);
-    float expected = 16.0 * last_nearness();
-    bool found = u_begins == 0 && abs(last.a - expected) < SAME * expected
-        && place == clamp(place, vec2(0.0), u_size);
+    vec4 last = what_was_shown();
     vec3 filled = sum.a == 0.0 ? last.rgb
-        : found ? clamp(last.rgb, least, most) : sum.rgb / max(sum.a, 1.0);
+        : last.a > 0.0 ? clamp(last.rgb, least, most) : sum.rgb / max(sum.a, 1.0);
 
     // At an outline the field and the pixel may disagree about what is covered.
     vec3 color = fresh && own.a > 0.0 ? own.rgb : filled;
     o_color = vec4(color, 1.0);
-    o_history = vec4(color, 16.0 * gl_FragCoord.w);
+    o_history = vec4(16.0 * gl_FragCoord.w, color);
 }

@@ -1,15 +1,13 @@
 #version 330
+#extension GL_ARB_texture_gather : require
 // What the jittered samples of a frame say of a pixel is blended into what its point showed before.
 
 uniform sampler2D u_color;    // half the size; alpha 0 where nothing was drawn
-uniform sampler2D u_history;  // the last picture; alpha: 16/w
 uniform vec2 u_shift;         // the jitter, in pixels of u_color
-uniform int u_begins;         // 1: there is no last picture
 
 layout(location = 0) out vec4 o_color;
 layout(location = 1) out vec4 o_history;
 
-const float SAME = 0.01;  // of the nearness: what is so far off is another surface
 const float SHARP = 2.0;  // how a sample's weight falls with the square of its distance in screen pixels
 const float WIDE = 2.0;   // deviations from the mean that the history may be off
 
@@ -42,13 +40,9 @@ void main() {
         squares += found.a * color * color;
         count += found.a;
     }
-    vec2 place = last_place();
-    vec4 shown = textureLod(u_history, place / u_size, 0.0);
-    float expected = 16.0 * last_nearness();
-    bool known = u_begins == 0 && abs(shown.a - expected) < SAME * expected
-        && place == clamp(place, vec2(0.0), u_size);
+    vec4 shown = what_was_shown();
     vec3 color = sum.rgb / max(sum.a, 1e-30);
-    if (known) {
+    if (shown.a > 0.0) {
         vec3 history = to_ycocg(shown.rgb);
         if (count > 0.0) {
             mean /= count;
@@ -62,5 +56,5 @@ void main() {
     }
     color = clamp(to_rgb(color), 0.0, 1.0);
     o_color = vec4(color, 1.0);
-    o_history = vec4(color, 16.0 * gl_FragCoord.w);
+    o_history = vec4(16.0 * gl_FragCoord.w, color);
 }

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from bench.peers.comparison import PEERS
-from bench.peers.peer import read_shader
+from bench.peers.peer import OF_DEPTH, read_shader
 from bench.peers.scene_programs import color_node
 from shadercache.diagnostics import InputError
 from shadercache.gpu.context import Gpu
@@ -128,6 +128,6 @@ def test_the_colour_is_the_last_that_is_written() -> None:
 
 
 def test_parts_of_a_shader_stand_behind_its_version() -> None:
-    text = read_shader("half_rate.frag", "own_surface.glsl", "reproject.glsl").text
-    assert text.startswith("#version 330\n#extension GL_ARB_texture_gather")
+    text = read_shader("half_rate.frag", *OF_DEPTH, "reproject.glsl").text
+    assert text.startswith("#version 330\n#extension GL_ARB_texture_gather : require\nuniform")
     assert text.index("own_surface(") < text.index("last_place()") < text.index("void main()")
