@@ -14,8 +14,9 @@ from bench.peers.comparison import PEERS, Setting
 from bench.peers.scene_programs import ScenePrograms
 from shadercache.gpu.context import Gpu
 from shadercache.linking.linker import Linker
-from shadercache.linking.scene_shaders import analyse_scene
+from shadercache.linking.scene_shaders import analyse_scene, open_scene
 from shadercache.measure.subjects import OriginalSubject
+from shadercache.paths import data_path
 from shadercache.render.pass_runners import CoverageRunner
 from shadercache.render.render_scene import RenderScene
 from shadercache.scene.description import load_scene
@@ -26,15 +27,25 @@ SIZE, FRAMES = 96, 9
 Image = NDArray[np.int16]
 
 
-def ring(folder: Path, shader: str = "patterned", turns: bool = True) -> Setting:
-    """The scene in a new folder; ``turns``: or it rests."""
+def ring(
+    folder: Path, shader: str = "patterned", turns: bool = True, thinner: float = 0.0
+) -> Setting:
+    """The scene in a new folder; ``turns``: or it rests. It is 0.3 thick, or ``thinner``."""
     shutil.copytree(Path(__file__).parent / "scene", folder, dirs_exist_ok=True)
-    np.savez(folder / "torus.npz", **torus())
+    arrays = torus()
+    arrays["position"] -= np.float32(thinner) * arrays["normal"]
+    np.savez(folder / "torus.npz", **arrays)
     scene = load_scene(folder)
     common = replace(scene.common, fragment=folder / f"{shader}.frag")
     if not turns:
         common = replace(common, motion=replace(common.motion, degrees_per_frame=0.0))
     linker = Linker(*analyse_scene(replace(scene, common=common), mapping="surface"))
+    return Setting(linker, ScenePrograms.of(linker), FRAMES)
+
+
+def corpus(name: str) -> Setting:
+    """A scene of the corpus."""
+    linker = Linker(*open_scene(data_path("corpus", name, "scene.toml"), mapping="surface"))
     return Setting(linker, ScenePrograms.of(linker), FRAMES)
 
 

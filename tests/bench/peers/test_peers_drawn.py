@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from bench.peers.comparison import PEERS
-from bench.peers.peer import OF_DEPTH, read_shader
+from bench.peers.peer import OF_DEPTH, SEARCH, read_shader
 from bench.peers.scene_programs import color_node
 from shadercache.diagnostics import InputError
 from shadercache.gpu.context import Gpu
-from tests.bench.peers.small_scene import FRAMES, SIZE, drawn, ring
+from tests.bench.peers.small_scene import FRAMES, SIZE, corpus, drawn, ring
 from tests.shaders import analysed
 
 pytestmark = pytest.mark.xdist_group("gl")
@@ -93,6 +93,7 @@ def test_at_rest_a_checkerboard_is_whole_from_the_second_frame_on(gpu: Gpu, tmp_
     # The last picture is kept within the colours around, so the finest points are worn off.
     for frame in range(1, FRAMES):
         assert np.mean(seen.apart(frame)[inside] <= 1) > 0.9
+        assert seen.rmse(frame) < 0.5 * seen.rmse(0)
 
 
 def test_at_rest_samples_accumulate(gpu: Gpu, tmp_path: Path) -> None:
@@ -116,6 +117,42 @@ def test_finer_detail_needs_a_finer_picture(gpu: Gpu, tmp_path: Path) -> None:
             drawn(gpu, setting, f"{share}-{how}").rmse(3) for share in ("half", "quarter")
         )
         assert half < 0.7 * quarter
+
+
+@pytest.mark.parametrize("name", ["half-depth", "quarter-depth"])
+def test_some_of_what_a_smaller_picture_has_lost_is_found_nearby(
+    gpu: Gpu, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    wire = ring(tmp_path, "constant", thinner=0.28)
+    shares = []
+    for steps in (0, SEARCH):
+        monkeypatch.setattr("bench.peers.peer.SEARCH", steps)
+        seen = drawn(gpu, wire, name)
+        assert seen.covered[0].any() and not seen.inside(0).any()
+        pairs = zip(seen.images, seen.covered, strict=True)
+        shares.append(
+            np.mean([np.mean(image[mask, :3].max(axis=-1) == 0) for image, mask in pairs])
+        )
+    assert 0.0 < shares[1] < 0.7 * shares[0]
+
+
+def test_textures_have_the_detail_of_the_large_picture(gpu: Gpu) -> None:
+    can, last = corpus("trashcan"), FRAMES - 1
+    seen = drawn(gpu, can, "checkerboard")
+    shaded = seen.inside(last, 2) & fresh(last)
+    # One level of detail coarser, they would be seven levels off.
+    assert seen.apart(last)[shaded].mean() < 0.5
+    accumulated, upsampled = (
+        drawn(gpu, can, name).rmse(last) for name in ("temporal", "half-depth")
+    )
+    assert accumulated < 0.8 * upsampled
+
+
+@pytest.mark.parametrize("name", ["checkerboard", "temporal"])
+def test_the_original_has_its_textures_as_before(gpu: Gpu, name: str) -> None:
+    can = corpus("trashcan")
+    alone, beside = (drawn(gpu, can, peer).truth for peer in ("half-rate", name))
+    assert all(np.array_equal(*pair) for pair in zip(alone, beside, strict=True))
 
 
 def test_the_colour_is_the_last_that_is_written() -> None:
