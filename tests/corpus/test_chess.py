@@ -171,9 +171,7 @@ def test_the_king_alone_moves_with_his_discs(opened: tuple[Scene, Analysis]) -> 
     assert moving == ["king"]
     discs = scene.common.inputs.animated["u_king"]
     assert np.allclose([discs.at(frame) for frame in (0, 40)], places["king"])
-    still, whole = (
-        analysis.node(scene.nodes[name]) for name in ("static share", "whole")
-    )
+    still, whole = (analysis.node(scene.nodes[name]) for name in ("static share", "whole"))
     assert still.offered and whole.offered
     assert "u_king" in whole.inputs and "u_king" not in still.inputs
 
