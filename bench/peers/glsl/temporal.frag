@@ -2,13 +2,13 @@
 #extension GL_ARB_texture_gather : require
 // What the jittered samples of a frame say of a pixel is blended into what its point showed before.
 
-uniform sampler2D u_color;    // half the size; alpha 0 where nothing was drawn
-uniform vec2 u_shift;         // the jitter, in pixels of u_color
+uniform sampler2D u_color;  // half the size; alpha 0 where nothing was drawn
+uniform vec2 u_shift;       // the jitter, in pixels of u_color
 
 layout(location = 0) out vec4 o_color;
 layout(location = 1) out vec4 o_history;
 
-const float SHARP = 2.0;  // how a sample's weight falls with the square of its distance in screen pixels
+const float SHARP = 2.0;  // how weights fall with the square of the distance in screen pixels
 const float WIDE = 2.0;   // deviations from the mean that the history may be off
 
 vec3 to_ycocg(vec3 c) {
