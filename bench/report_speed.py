@@ -5,6 +5,8 @@ from the beginning of a navigation to a file until the last plot is drawn; besid
 of the processor, which a busy machine does not stretch. Exit status 1 if a target is missed.
 
     python -m bench.report_speed [--rounds N] [--store STORE] [--pictures DIR]
+
+With --pictures it also writes the page as it looks on a screen and on a phone, light and dark.
 """
 
 from __future__ import annotations

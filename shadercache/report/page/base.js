@@ -57,7 +57,7 @@ function speedText(row) {
 function wayText(row) {
   if (row.kind === "peer") return "instead of caching";
   const settings = row.settings ? `, ${row.settings}` : "";
-  return `${row.algorithm}, Δn ${row.period}, k ${row.block}${settings}`;
+  return `${row.algorithm}, Δn\u00a0${row.period}, k\u00a0${row.block}${settings}`;
 }
 
 // The label of a payload is an id where it has no name; its text says more then.

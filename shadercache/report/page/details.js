@@ -64,9 +64,9 @@ function ageParts(row) {
   const most = Math.max(...ages.map(([, , , rmse]) => rmse)) || 1;
   const name = ([youngest, oldest]) => (youngest === oldest ? `${youngest}` : `${youngest}–${oldest}`);
   return [
-    make("h3", {}, "Error by the age of what is reused, frames"),
+    make("h3", {}, `RMSE by the age of what is reused, in frames: up to ${errorText(most)}`),
     make("div", { class: "ages" }, ...ages.map((age) => make("div", {
-      style: `flex-grow:${Math.max(age[2], 0.04)}`,
+      style: `flex-grow:${Math.max(100 * age[2], 4)}`,
       title: `${name(age)} frames old: ${percent(age[2], 1)} of the pixels, RMSE ${errorText(age[3])}`,
     }, make("i", { style: `height:${(56 * age[3]) / most}px` }), make("small", {}, name(age))))),
   ];

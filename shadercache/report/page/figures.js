@@ -135,6 +135,7 @@ function drawPeriods() {
   const periods = [...new Set(own.map(({ row }) => row.period))].sort((a, b) => a - b);
   byId("periods-caption").textContent = "Time of a frame as the period Δn grows; a line for each algorithm "
     + "and block of k × k pixels. After figure 9 of Sitthi-amorn et al. 2008.";
+  if (!periods.length) return drawNothing(place, "No cached value has a result.");
   if (periods.length < 2) {
     return drawNothing(place, "This value was measured with one period only. "
       + "`shadercache sweep` with `--period 4,8,16,32` gives the figure.");

@@ -14,7 +14,7 @@ from shadercache.report.debug_views import AGED, TOO_OLD, YOUNG
 from shadercache.report.images import LEGEND, Color
 from shadercache.report.page.page_contents import Blob
 from shadercache.report.page.page_group import METRICS, PageGroup
-from shadercache.report.page.page_rows import page_node, page_row, repeat_command
+from shadercache.report.page.page_rows import page_node, page_row, repeat_command, scene_in_words
 from shadercache.report.page.page_summary import summary
 from shadercache.sweep.row import Row
 
@@ -60,7 +60,7 @@ def _group(group: PageGroup, store: str) -> dict[str, Any]:
         rows.append(shown | {"texts": row.texts, "repeat": repeat_command(row, store)})
     found: dict[str, Any] = {
         "name": group.name,
-        "scene": msgspec.to_builtins(group.scene),
+        "scene": msgspec.to_builtins(group.scene) | {"path": scene_in_words(group.scene)},
         "machine": msgspec.to_builtins(group.machine),
         "versions": sorted({row.written.version for row in group.rows}),
         "dates": _span([row.written.date for row in group.rows]),

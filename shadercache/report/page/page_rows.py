@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import shlex
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,7 +18,8 @@ from shadercache.caching.algorithms import algorithm
 from shadercache.caching.configuration import Configuration
 from shadercache.caching.settings import written_settings
 from shadercache.measure.metrics.perceived import Perceived
-from shadercache.sweep.row import PayloadEntry, Row, TrialResult
+from shadercache.paths import data_path
+from shadercache.sweep.row import PayloadEntry, Row, SceneEntry, TrialResult
 
 BINS = 24
 """Steps of the histograms of frame times."""
@@ -68,15 +70,21 @@ def settings_in_words(chosen: Configuration) -> Iterator[str]:
             yield f"{word}={value}"
 
 
+def scene_in_words(scene: SceneEntry) -> str:
+    """What the command line calls a scene: its name where it is one of the corpus, or its path."""
+    own = data_path("corpus", scene.name, "scene.toml")
+    return scene.name if Path(scene.path) == own else scene.path
+
+
 def repeat_command(row: Row, store: str) -> str:
     """The command line that measures a row again; that of a peer is one of the source tree."""
     width, height = row.scene.size
     if row.configuration is None:
-        words = ["python", "-m", "bench.peers", row.scene.path, "--size", str(width)]
+        words = ["python", "-m", "bench.peers", scene_in_words(row.scene), "--size", str(width)]
         return shlex.join([*words, "--frames", str(row.scene.frames), "--store", store])
     chosen = Configuration.from_json(row.configuration)
     refresh = chosen.refresh
-    words = ["shadercache", "sweep", row.scene.path, "-o", store, "--nodes", row.label]
+    words = ["shadercache", "sweep", scene_in_words(row.scene), "-o", store, "--nodes", row.label]
     words += ["--passes", algorithm(chosen.algorithm).word]
     words += ["--period", str(refresh.period), "--block", str(refresh.block)]
     words += ["--format", chosen.storage.format]

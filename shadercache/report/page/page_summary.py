@@ -66,6 +66,7 @@ def error_in_words(error: float) -> str:
 def _best(group: PageGroup) -> Iterator[str]:
     best = group.best
     if best is None:
+        yield "*This store holds peers only*: no cached value of this scene has a result."
         return
     if best.result.times.ratio.median > 1.0 and best.result.image.rmse <= SMALL_ERROR:
         limit = error_in_words(SMALL_ERROR)
@@ -140,8 +141,8 @@ def _certainty(group: PageGroup) -> Iterator[str]:
     widths = sorted((one.high - one.low) / (2.0 * one.median) for one in ratios)
     middle, widest = widths[len(widths) // 2], widths[-1]
     yield (
-        f"Every ratio has a 95 % interval: half of them are known to ±{middle:.1%}, "
-        f"the least certain to ±{widest:.1%}."
+        f"Every ratio has a 95 % interval: half of them are known to ±{100.0 * middle:.1f} %, "
+        f"the least certain to ±{100.0 * widest:.1f} %."
     )
 
 

@@ -16,12 +16,13 @@ from msgspec import structs
 from PIL import Image
 
 from shadercache.diagnostics import InputError, UsageError
+from shadercache.paths import data_path
 from shadercache.report.page import page_file as making
 from shadercache.report.page.page_contents import fill_pictures
 from shadercache.report.page.page_data import PageSource, page_data
 from shadercache.report.page.page_file import page_file
 from shadercache.report.page.page_group import page_groups
-from shadercache.report.page.page_rows import histogram, repeat_command
+from shadercache.report.page.page_rows import histogram, repeat_command, scene_in_words
 from shadercache.report.page.picture_shelf import PictureShelf
 from shadercache.sweep.row import Row
 
@@ -173,6 +174,13 @@ def test_how_to_repeat_a_row(sourced: Sourced, made_rows: list[Row]) -> None:
     assert repeat_command(made_rows[-1], "made.db") == (
         "python -m bench.peers corpus/dragon/scene.toml --size 64 --frames 24 --store made.db"
     )
+
+
+def test_a_scene_of_the_corpus_goes_by_its_name(made_rows: list[Row]) -> None:
+    entry = made_rows[0].scene
+    own = str(data_path("corpus", "dragon", "scene.toml"))
+    assert scene_in_words(structs.replace(entry, path=own)) == "dragon"
+    assert scene_in_words(structs.replace(entry, path="my/dragon")) == "my/dragon"
 
 
 @pytest.mark.parametrize(

@@ -90,9 +90,13 @@ def test_failures_are_counted_by_kind(made_rows: list[Row]) -> None:
     assert said[-1].endswith("1 that took too long and 1 that the driver does not take.")
 
 
+def test_peers_alone_are_no_sweep(peers: list[Row]) -> None:
+    assert summary(group(peers))[0].startswith("*This store holds peers only*")
+
+
 def test_the_certainty_is_that_of_the_intervals(variants: list[Row]) -> None:
     rows = [measured(row, 1.5, 0.001) for row in variants[:5]]
-    assert any("half of them are known to ±1.0%" in sentence for sentence in summary(group(rows)))
+    assert any("half of them are known to ±1.0 %" in sentence for sentence in summary(group(rows)))
 
 
 @pytest.mark.parametrize(
