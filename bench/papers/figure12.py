@@ -111,7 +111,7 @@ def _drawn(gpu: Gpu, example: Example, edge: int, options: Options) -> Turns:
 
 
 def judge(data: Figure12) -> list[Verdict]:
-    """N5 to N7: the fastest variant within the error reaches the factor, interval included."""
+    """N5 to N7: does the fastest variant within the error reach the factor?"""
     return [_reached(example, drawn) for example, drawn in _pairs(data)]
 
 

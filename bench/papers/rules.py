@@ -94,10 +94,11 @@ def is_unchanged(ratio: Ratio) -> bool | None:
 
 
 def reaches(ratio: Ratio, wanted: float) -> bool | None:
-    """Is it as much, its interval included? None where that is wide and holds what is wanted."""
+    """Is it as much? None where the interval holds what is wanted, but for a narrow one whose
+    median reaches it."""
     if ratio.high < wanted or ratio.low >= wanted:
         return ratio.low >= wanted
-    return True if statistics.widest([ratio]) <= KNOWN else None
+    return True if statistics.widest([ratio]) <= KNOWN and ratio.median >= wanted else None
 
 
 def is_at_most(ratio: Ratio, limit: float) -> bool | None:

@@ -46,7 +46,8 @@ def test_limits_and_sums() -> None:
     assert is_at_most(ratio(1.2, 1.3), 1.1) is False
     assert is_at_most(ratio(1.0, 1.3), 1.1) is None
     assert reaches(ratio(2.2, 2.4), 2.1) is True
-    assert reaches(ratio(2.05, 2.15), 2.1) is True
+    assert reaches(ratio(2.06, 2.16), 2.1) is True
+    assert reaches(ratio(2.04, 2.14), 2.1) is None
     assert reaches(ratio(1.5, 2.6), 2.1) is None
     assert reaches(ratio(1.5, 2.0), 2.1) is False
     assert all_of([True, True]) is True
