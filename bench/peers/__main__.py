@@ -30,6 +30,7 @@ from shadercache.sweep.results import Blobs
 from shadercache.sweep.store import Store
 
 SCENES = ("dragon", "trashcan", "heroine", "colonnade")
+"""Those that are compared unless others are named."""
 
 _COLUMNS = ("rmse", "p99", "flip", "ssim", "flicker")
 
@@ -53,7 +54,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="bench.peers", description=__doc__)
     add, known = parser.add_argument, (*PEERS, CACHE)
-    add("scenes", nargs="*", metavar="SCENE", help=f"{', '.join(SCENES)}, or a scene file")
+    add(
+        "scenes", nargs="*", metavar="SCENE", help=f"of the corpus ({', '.join(SCENES)}), or a file"
+    )
     add("--size", type=int, default=512, metavar="N", help=f"a multiple of {MULTIPLE}")
     add("--frames", type=int, default=64, metavar="N")
     add("--only", metavar="NAMES", help=f"apart by commas: {', '.join(known)}")
@@ -73,7 +76,8 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
 
 
 def _compare(gpu: Gpu, name: str, options: argparse.Namespace) -> SceneOutcome:
-    path = data_path("corpus", name, "scene.toml") if name in SCENES else Path(name)
+    is_file = name.endswith(".toml")
+    path = Path(name) if is_file else data_path("corpus", name, "scene.toml")
     linker = Linker(*open_scene(path, mapping="surface"))
     setting = Setting(linker, ScenePrograms.of(linker), options.frames)
     with progress(linker.scene.name, 1000) as advance:

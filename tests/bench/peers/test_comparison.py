@@ -117,8 +117,11 @@ def test_wrong_usage(
     assert message in capsys.readouterr().err
 
 
-def test_a_scene_that_is_not_there(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main([str(tmp_path / "none.toml"), "-o", str(tmp_path)]) == 1
+@pytest.mark.parametrize("name", ["none.toml", "nothing"])
+def test_a_scene_that_is_not_there(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], name: str
+) -> None:
+    assert main([name, "-o", str(tmp_path)]) == 1
     error = capsys.readouterr().err
-    assert "none.toml" in error and "Traceback" not in error
+    assert name in error and "Traceback" not in error
     assert not list(tmp_path.iterdir())
