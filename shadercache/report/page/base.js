@@ -77,11 +77,12 @@ function fillSelect(select, options, chosen) {
   );
 }
 
-// Radio buttons that look like one bar; `choose` is called with the value that is picked.
+// Radio buttons that look like one bar, of [value, text, why it cannot be had]; `choose` is called
+// with the value that is picked.
 function segments(place, name, options, chosen, choose) {
   place.replaceChildren(
-    ...options.map(([value, text, disabled]) => {
-      const input = make("input", { type: "radio", name, value, disabled });
+    ...options.map(([value, text, absence]) => {
+      const input = make("input", { type: "radio", name, value, disabled: Boolean(absence), title: absence || null });
       input.checked = value === chosen;
       input.addEventListener("change", () => choose(value));
       return make("label", {}, input, make("span", {}, text));

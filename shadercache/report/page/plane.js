@@ -124,7 +124,7 @@ function setUpPlane() {
   choice.listeners.group.push(() => {
     const has = (name) => measuredRows(choice.group).some(({ row }) => row.errors[name] != null);
     segments(byId("metric"), "metric",
-      Object.entries(page.metrics).map(([name, words]) => [name, words, !has(name)]),
+      Object.entries(page.metrics).map(([name, words]) => [name, words, has(name) ? "" : "measured by sweeps with --perceptual"]),
       choice.metric, (name) => choice.chooseMetric(name));
   });
   for (const what of ["row", "metric"]) choice.listeners[what].push(() => soon(drawPlane));

@@ -4,6 +4,10 @@
 const LAYERS = {
   cached: "cached", difference: "difference × 10", hits: "hit map", age: "age", payload: "payload",
 };
+const ABSENCES = {
+  cached: "there is no such picture", difference: "it takes two pictures of one size",
+  hits: "this has no cache", age: "kept by sweeps with --cache age=on", payload: "there is no such picture",
+};
 // Of these single pixels are what they show.
 const EXACT = new Set(["difference", "hits", "age"]);
 const view = { layer: "cached" };
@@ -14,7 +18,7 @@ function showPictures() {
   const chosen = there.includes(view.layer) ? view.layer : there[0];
   const name = (layer) => (layer === "cached" && row && row.kind === "peer" ? row.label : LAYERS[layer]);
   segments(byId("layers"), "layer",
-    Object.keys(LAYERS).map((layer) => [layer, name(layer), !there.includes(layer)]),
+    Object.keys(LAYERS).map((layer) => [layer, name(layer), there.includes(layer) ? "" : ABSENCES[layer]]),
     chosen, (layer) => { view.layer = layer; showLayer(row, layer, name(layer)); });
   const usable = chosen && page.pictures[layers.original];
   byId("stage").hidden = !usable;
