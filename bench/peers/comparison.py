@@ -159,6 +159,7 @@ def compare(
         original=1e3 * float(np.mean(group.original.samples)),
         points=points,
         winners={metric: who_wins(points, metric) for metric in METRICS},
+        samples=group.original.samples,
     )
     return outcome, measured
 
@@ -198,6 +199,7 @@ def _point(group: Group, result: SubjectResult, label: str, kind: str) -> Point:
         configuration=(
             result.configuration.to_json() if isinstance(result, VariantResult) else None
         ),
+        samples=result.timing.samples,
     )
 
 

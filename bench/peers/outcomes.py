@@ -23,7 +23,7 @@ class Point(msgspec.Struct, frozen=True, kw_only=True):
     ``kind``: a variant of the cache, or a peer. ``ratio``: how many times as long the original
     takes, with its 95 % interval; ``milliseconds``: the mean of a frame. ``errors``: by metric,
     over the covered pixels; ``p99`` and ``ssim`` are not errors to draw. ``configuration``: of the
-    variants of a cache.
+    variants of a cache. ``samples``: seconds of each frame but the first.
     """
 
     label: str
@@ -34,12 +34,14 @@ class Point(msgspec.Struct, frozen=True, kw_only=True):
     milliseconds: float
     errors: dict[str, float]
     configuration: dict[str, Any] | None = None
+    samples: tuple[float, ...] = ()
 
 
 class SceneOutcome(msgspec.Struct, frozen=True, kw_only=True):
     """One scene: where and how it was measured, its points, and the sentences.
 
-    ``original``: milliseconds of a frame. ``winners``: a sentence for each metric.
+    ``original``: milliseconds of a frame, and ``samples`` of it as of points. ``winners``: a
+    sentence for each metric.
     """
 
     schema_version: int
@@ -51,6 +53,7 @@ class SceneOutcome(msgspec.Struct, frozen=True, kw_only=True):
     original: float
     points: tuple[Point, ...]
     winners: dict[str, str]
+    samples: tuple[float, ...] = ()
 
 
 def pareto_front(points: Iterable[Point], metric: str) -> list[Point]:

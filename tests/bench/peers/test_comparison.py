@@ -65,6 +65,7 @@ def test_all_are_measured_in_one_run(gpu: Gpu, tmp_path: Path) -> None:
         assert (point.configuration is not None) == (
             point.kind == "cache" or point.label.startswith("cached colour")
         )
+    assert {len(of.samples) for of in (*outcome.points, outcome)} == {7}
     by_label = {point.label: point for point in outcome.points}
     # The colour is the node here, so both ways to cache it make the same picture.
     same = by_label["all, 2-pass"], by_label["cached colour, period 8"]
