@@ -21,7 +21,7 @@ def command(
     """Write one self-contained page: summary, plots, pictures, shaders, and how to repeat them.
 
     The page needs no network and no server. It shows the rows of each scene, size and machine apart
-    from those of others. It stays below 12 MB: where there are too many pictures, those of the best
+    from those of others. Where it would have more than 12 MB with all pictures, those of the best
     configurations come first. Needs the extra 'report' (plotly).
     """
     from shadercache.files import write_bytes

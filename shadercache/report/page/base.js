@@ -40,8 +40,7 @@ function percent(share, digits) {
 function errorText(error) {
   if (error == null) return "–";
   if (error === 0) return "0";
-  const text = error < 1e-4 ? error.toExponential(1) : Number(error.toPrecision(2)).toString();
-  return text.replace(/^0\./, ".");
+  return (error < 1e-4 ? error.toExponential(1) : error.toPrecision(2)).replace(/^0\./, ".");
 }
 
 function ms(value) {

@@ -31,7 +31,9 @@ function errorAxis(title, limits) {
       if (at >= limits[0] && at <= limits[1]) values.push(step * 10 ** power);
     }
   }
-  return axis(title, { type: "log", range: limits, tickvals: values, ticktext: values.map(errorText) });
+  return axis(title, {
+    type: "log", range: limits, tickvals: values, ticktext: values.map((value) => errorText(value).replace(/(\.0*[125])0$/, "$1")),
+  });
 }
 
 // Margins are fixed: then it is known where labels come to stand before anything is drawn.
