@@ -136,6 +136,11 @@ def test_wide_intervals_leave_figure_9_open() -> None:
     assert found["T9"] is None and found["T10"] is None
 
 
+def test_laws_that_intervals_hide_are_not_told_apart() -> None:
+    found = by_claim(figure9.judge(figure_9(HYPERBOLA, PAPERS_BLOCKS, noise=0.1)))
+    assert found["T8b"] is None
+
+
 def figure_10(one: float, two: float, three: Callable[[float], float]) -> figure10.Figure10:
     """``one`` and ``two`` are flat; ``three`` is a curve over the share of hits."""
     periods, mu = figure10.PERIODS, 0.95
