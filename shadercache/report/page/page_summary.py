@@ -68,17 +68,17 @@ def _best(group: PageGroup) -> Iterator[str]:
     if best is None:
         yield "*This store holds peers only*: no cached value of this scene has a result."
         return
-    if best.result.times.ratio.median > 1.0 and best.result.image.rmse <= SMALL_ERROR:
-        limit = error_in_words(SMALL_ERROR)
+    limit, near = error_in_words(SMALL_ERROR), best.result.image.rmse <= SMALL_ERROR
+    if near and best.result.times.ratio.median > 1.0:
         yield (
             f"*{_capital(variant_in_words(best))}, is {speed_in_words(best)}*: "
             f"the fastest of {len(group.variants)} variants whose error stays below {limit}."
         )
     else:
+        what = "The fastest of them is" if near else "The nearest image is that of"
         yield (
-            f"*No variant is faster than the original at an RMSE below "
-            f"{error_in_words(SMALL_ERROR)}.* The nearest image is that of "
-            f"{variant_in_words(best)}: {speed_in_words(best)}."
+            f"*No variant with an RMSE below {limit} is faster than the original.* "
+            f"{what} {variant_in_words(best)}: {speed_in_words(best)}."
         )
     fastest = min(group.variants, key=lambda one: one.time)
     if fastest is not best:
