@@ -68,14 +68,16 @@ def _best(group: PageGroup) -> Iterator[str]:
     if best is None:
         yield "*This store holds peers only*: no cached value of this scene has a result."
         return
-    limit, near = error_in_words(SMALL_ERROR), best.result.image.rmse <= SMALL_ERROR
-    if near and best.result.times.ratio.median > 1.0:
+    limit = error_in_words(SMALL_ERROR)
+    small = sum(one.result.image.rmse <= SMALL_ERROR for one in group.variants)
+    if small and best.result.times.ratio.median > 1.0:
         yield (
             f"*{_capital(variant_in_words(best))}, is {speed_in_words(best)}*: "
-            f"the fastest of {len(group.variants)} variants whose error stays below {limit}."
+            f"the fastest of {small} variants whose error stays below {limit}, "
+            f"of {len(group.variants)} in all."
         )
     else:
-        what = "The fastest of them is" if near else "The nearest image is that of"
+        what = "The fastest of them is" if small else "The nearest image is that of"
         yield (
             f"*No variant with an RMSE below {limit} is faster than the original.* "
             f"{what} {variant_in_words(best)}: {speed_in_words(best)}."
