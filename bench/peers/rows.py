@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from datetime import UTC, datetime
 
 from bench.peers.outcomes import Point, SceneOutcome
@@ -10,7 +10,8 @@ from shadercache import __version__
 from shadercache.gpu.clock import pick_clock
 from shadercache.gpu.context import Gpu
 from shadercache.linking.linker import Linker
-from shadercache.measure.measurement import ORIGINAL, Measurement
+from shadercache.measure.image_error import Pixels
+from shadercache.measure.measurement import ORIGINAL, Group, Measurement, SubjectResult
 from shadercache.sweep.fingerprint import scene_fingerprint, short_hash
 from shadercache.sweep.pictures import drawn_pictures
 from shadercache.sweep.results import Blobs, image_errors
@@ -29,7 +30,7 @@ from shadercache.sweep.trial_room import machine_of
 def peer_rows(
     gpu: Gpu, linker: Linker, measured: Measurement, outcome: SceneOutcome, blobs: Blobs
 ) -> Iterator[Row]:
-    """A row for each peer that is no variant; a sweep has the others.
+    """A row for each peer; a sweep has the variants.
 
     Args:
         outcome: of the measurement; its ratios are of two frames each.
@@ -40,11 +41,11 @@ def peer_rows(
     entry = SceneEntry(
         scene.name, str(scene.path), measured.size, measured.options.frames, linker.analysis.mapping
     )
-    points = {point.label: point for point in outcome.points}
+    points = {point.label: point for point in outcome.points if point.kind == "peer"}
     fingerprint = scene_fingerprint(linker)
-    for other in group.others:
-        images = drawn_pictures(measured.pictures[ORIGINAL], measured.pictures[other.label])
-        identity = short_hash([other.label, scene.name, entry.size, entry.frames, str(machine)])
+    for label, other, shown in _peers(group, measured, points):
+        images = drawn_pictures(measured.pictures[ORIGINAL], shown)
+        identity = short_hash([label, scene.name, entry.size, entry.frames, str(machine)])
         samples = Samples(other.timing.samples, group.original.samples, group.geometry.samples)
         yield Row(
             key=short_hash([fingerprint, identity]),
@@ -52,12 +53,12 @@ def peer_rows(
             kind="peer",
             scene=entry,
             payload=None,
-            label=other.label,
+            label=label,
             configuration=None,
             machine=machine,
             outcome=TrialResult(
                 Times(
-                    ratio=_ratio(points[other.label], samples),
+                    ratio=_ratio(points[label], samples),
                     tail=other.timing.tail,
                     capped=group.reached.capped,
                     reset=None,
@@ -74,6 +75,18 @@ def peer_rows(
             pictures={kind: blobs.add(data) for kind, data in images},
             written=Written(datetime.now(UTC).isoformat(timespec="seconds"), __version__),
         )
+
+
+def _peers(
+    group: Group, measured: Measurement, labels: Collection[str]
+) -> Iterator[tuple[str, SubjectResult, Pixels]]:
+    """Label, result and image of each peer; the cached colour is drawn as variants are."""
+    shots = {shot.label: shot.cached for shot in measured.shots}
+    for node in group.nodes:
+        if node.label in labels:
+            yield node.label, node.variants[0], shots[node.label]
+    for other in group.others:
+        yield other.label, other, measured.pictures[other.label]
 
 
 def _ratio(point: Point, samples: Samples) -> RatioEntry:
