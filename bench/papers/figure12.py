@@ -62,7 +62,7 @@ EXAMPLES = (
     # "A marginal level of error": one step of eight bits.
     Example("N6", "chess/scene", "static share", RESTING, 8.0, most=0.004),
     # All of it is worth caching where there are more discs.
-    Example("N7", "chess/fine", "whole occlusion", RESTING, 15.0),
+    Example("N7", "chess/fine", "whole", RESTING, 15.0),
 )
 
 
