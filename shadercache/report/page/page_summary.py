@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
-from shadercache.caching.algorithms import NAMES
+from shadercache.caching.algorithms import NAMES, algorithm
 from shadercache.diagnostics import shortened
 from shadercache.report.page.page_group import SMALL_ERROR, Measured, PageGroup
 
-_WORDS = {"1-pass": "one pass", "2-pass": "two passes", "3-pass": "three passes"}
+_NUMBERS = ("no passes", "one pass", "two passes", "three passes", "four passes")
 _KINDS = {
     "refused": "the compiler refuses",
     "rejected": "the driver does not take",
@@ -39,7 +39,7 @@ def variant_in_words(one: Measured) -> str:
     """Such as "`albedo` in two passes, refreshed every 32 frames"."""
     if one.row.configuration is None:
         return one.row.label
-    words = _WORDS.get(one.algorithm or "", str(one.algorithm))
+    words = _in_words(one.row.configuration["algorithm"])
     period = one.row.configuration["refresh"]["period"]
     often = "in every frame" if period == 1 else f"every {period} frames"
     return f"`{_cached(one)}` in {words}, refreshed {often}"
@@ -131,7 +131,7 @@ def _by_algorithm(group: PageGroup) -> Iterator[str]:
     several = [same for same in labels.values() if len({one.algorithm for one in same}) > 1]
     if len(several) > 1:
         won = Counter(min(same, key=lambda one: one.time).algorithm for same in several)
-        counts = [f"{_WORDS.get(name, name)} for {won[name]}" for name in NAMES if won[name]]
+        counts = [f"{_in_words(name)} for {won[name]}" for name in NAMES if won[name]]
         yield f"Of {len(several)} cached values the fastest is {_listed(counts)}."
     slower = sum(one.result.times.ratio.high < 1.0 for one in group.variants)
     if slower:
@@ -165,3 +165,7 @@ def _listed(parts: Sequence[str]) -> str:
 
 def _capital(text: str) -> str:
     return text[:1].upper() + text[1:]
+
+
+def _in_words(name: str) -> str:
+    return _NUMBERS[len(algorithm(name).passes)]
