@@ -84,6 +84,7 @@ class Places:
         ]
 
     def _visit(self, step: Step, table: EffectTable) -> None:
+        # Without recursion: a chain of operators is as deep as it is long.
         stack = [(cast("n.Node", step.stmt), Use.PLAIN, False, False, step.trip)]
         while stack:
             node, use, target, order, trip = stack.pop()
@@ -110,8 +111,10 @@ def _parts(
         case n.If() | n.Switch():
             inner = dict.fromkeys(children(node)[1:], _worse(use, Use.BRANCH))
         case n.Conditional() | n.Binary(op="&&" | "||"):
+            # Only the first operand is always evaluated (GLSL 4.60 section 5.9).
             inner = dict.fromkeys(children(node)[1:], _worse(use, Use.CONDITIONAL))
         case n.Assign():
+            # In a += b as well, although that reads it: no other variable can stand there.
             written[node.target] = True
         case n.Unary(op="++" | "--") | n.Postfix():
             written[node.operand] = True
@@ -165,6 +168,7 @@ def find_instances(table: EffectTable, source: Source) -> tuple[Instance, ...]:
     have more than :data:`MAX_NODES` expressions or :data:`MAX_STEPS` statements in all.
     """
     places: dict[str, Places] = {}
+    # They are counted before any is made: calls that fan out make exponentially many.
     count = _count("main", table, places, {})
     if count > MAX_INSTANCES:
         raise input_error(
@@ -252,5 +256,6 @@ def _number(init: n.Expr | None) -> str:
 
 
 def _worse(one: Use, other: Use) -> Use:
+    # From the worst on; only values of the last two may be cached.
     ranking = (Use.LOOP, Use.CONDITIONAL, Use.CONSTANT, Use.LVALUE, Use.BRANCH, Use.PLAIN)
     return min(one, other, key=ranking.index)

@@ -166,6 +166,7 @@ def _evidence(
         cubes=SharedUses(instances, slices, cube_lookups(table, facts)),
         discards=discards(instances, slices),
         structs=frozenset(structs) - {None},
+        # Each name has a bit of its own, so that a sum over a set is its union.
         mutable=sum({bit(name) for name in written_anywhere(module, table)}),
         derivative=bit(DERIVATIVE),
         varying=sum({bit(name) for name in varyings(module) | reused}),
@@ -202,6 +203,7 @@ def _inputs(names: frozenset[str]) -> frozenset[str]:
 
 def _text(source: Source, expr: n.Expr, facts: Facts) -> str:
     start, end = expr.span
+    # Twice what is shown, for white space shrinks; never all of a long chain, at each of its links.
     excerpt = source.excerpt(Span(start, min(end, start + 2 * MAX_TEXT)))
     if excerpt.startswith("{"):
         excerpt = _spelled(excerpt, expr, facts)
@@ -230,6 +232,7 @@ def _digests(instances: tuple[Instance, ...], printed: Mapping[str, str]) -> dic
     """A digest of every call path: the functions on it as written, and which calls it takes."""
     digests: dict[Instance, str] = {}
     for instance in instances:
+        # With its loops taken apart the same text has other expressions under the same numbers.
         own = printed[instance.places.function.name] + (
             " unrolled" if instance.places.unrolled else ""
         )

@@ -66,11 +66,15 @@ class ControlDependence:
         """What decides the value of an expression, where it is evaluated."""
         own = self._of[expr]
         reads = self._table.of(expr).reads
+        # What is evaluated has met no return or discard, but a break may have skipped a write of
+        # what it reads.
         return self._closure(reads, self._later(own), given=own.above, exits=Does.JUMP)
 
     def into_global(self, call: n.Call, name: str) -> Flow:
         """What gives a global the value that the function called finds in it."""
         own = self._of[call]
+        # The call's own writes come too late, but those of its arguments, or of a call beside it,
+        # may come before.
         later = None if name in self._written_beside(own, call) else own
         return self._closure({name}, later, given=own.above, exits=Does.JUMP)
 
@@ -90,10 +94,13 @@ class ControlDependence:
         return self._closure((), None)
 
     def _deciding(self, own: Part, whole: bool) -> tuple[Part, ...]:
+        # A choice in the statement may skip the expression, and so may the end of the loop: then
+        # whatever the part reads can decide.
         return (*own.above, own) if whole or isinstance(own.node, LOOPS) else own.above
 
     def _later(self, own: Part) -> Part | None:
         """The part itself where nothing that it writes can be read in it afterwards."""
+        # What one trip writes, the next one reads.
         if isinstance(own.node, LOOPS):
             return None
         if isinstance(own.node, STATEMENTS):
@@ -128,6 +135,7 @@ class ControlDependence:
             if isinstance(name_or_part, Part):
                 return name_or_part.effects.reads
             writers = (part for part in self._writers[name_or_part] if part is not later)
+            # Whether a part writes at all is up to the conditions above it.
             return (one for part in writers for one in (part, *part.above) if one not in holds)
 
         start: list[str | Part] = [*reads]
@@ -140,6 +148,7 @@ class ControlDependence:
         for part in self.parts:
             if part.effects.does & exits:
                 yield from part.above
+                # These hold the conditions of their exits within themselves.
                 if isinstance(part.node, LOOPS) or self._may_skip_discard(part.node):
                     yield part
 

@@ -80,6 +80,7 @@ def before_loop(lattice: Lattice[F], at_head: F, round_: Callable[[F], F]) -> F:
     ``at_head`` holds there anyway; ``round_`` leads backward through the body, from one head to the
     head before.
     """
+    # Facts only grow, and a function has finitely many variables for them to grow by: this ends.
     while True:
         earlier = round_(at_head)
         if lattice.within(earlier, at_head):
@@ -90,8 +91,11 @@ def before_loop(lattice: Lattice[F], at_head: F, round_: Callable[[F], F]) -> F:
 def before_cases(
     lattice: Lattice[F], body: Sequence[n.Stmt], after: F, before: Callable[[n.Stmt, F], F]
 ) -> F:
-    """The fact where a ``switch`` chooses: each group of statements falls through to the next, and
-    there may be no label that fits. ``before`` leads backward through one statement."""
+    """The fact where a ``switch`` chooses: each group of statements falls through to the next.
+
+    ``before`` leads backward through one statement.
+    """
+    # No label need fit (GLSL 4.60 section 6.2): the switch may lead straight to its end.
     head = at = after
     for stmt in reversed(body):
         if isinstance(stmt, n.Case):

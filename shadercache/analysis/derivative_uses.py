@@ -63,6 +63,8 @@ class Dependents:
         for instance, slice_, parts in operands:
             self._atoms |= slice_.atoms
             self._parts.setdefault(instance, set()).update(parts)
+        # The atom of an argument says nothing of the step that calls: what flows into it from
+        # there is noted by expressions.
         for instance, parts in slices.handed_down(self._atoms):
             self._parts.setdefault(instance, set()).update(parts)
         self._fed: dict[Instance, bool] = {}
@@ -70,6 +72,7 @@ class Dependents:
     def fed_by(self, instance: Instance, place: Place) -> bool:
         """Does any of the places depend on the value at ``place``?"""
         bit = self._slices.step_bits[instance][place.step.index]
+        # By steps in front of the places, and by expressions within the steps that hold them.
         if bit & self._atoms or place.expr in self._parts.get(instance, ()):
             return True
         if instance.parent is None or instance.place is None:
@@ -119,12 +122,14 @@ class SharedUses:
         for use in self.all:
             at: Instance | None = use.instance
             index = use.place.step.index
+            # A later use in the same function has been followed up through the same calls.
             while at is not None and index > last.get(at, -1):
                 last[at] = index
                 index = at.place.step.index if at.place is not None else 0
                 at = at.parent
         for instance, index in last.items():
             for step in instance.places.reaching.steps[:index]:
+                # A value that decides on a discard in front is refused for that alone (SC316).
                 if step.is_control and step.effects.does & Does.RETURN:
                     flow = self._slices.dependence(step.stmt).into_exits()
                     yield _operands(self._slices, instance, step.index, flow)
@@ -146,12 +151,14 @@ class SharedUses:
         step = place.step
         flow = self._slices.dependence(step.stmt).into_use(call, place.use is Use.CONDITIONAL)
         _, slice_, expressions = _operands(self._slices, instance, step.index, flow)
+        # The call does not feed itself: what it returns may be cached.
         parts = {*expressions, *walk(call)} - {call}
         return SharedUse(instance, place, slice_, frozenset(parts))
 
     def _is_inside(
         self, use: SharedUse, instance: Instance, below: set[n.Call], payload: Slice
     ) -> bool:
+        # Up the calls that lead to the use: it is inside if one of them is.
         at: Instance | None = use.instance
         inner: n.Expr = use.place.expr
         index = use.place.step.index
@@ -191,6 +198,7 @@ def discards(instances: tuple[Instance, ...], slices: SliceTable) -> Dependents:
             ahead = False
             for step in reversed(instance.places.reaching.steps):
                 does = step.effects.does
+                # Backward, for a return decides only on the discards that stand behind it.
                 ahead = ahead or bool(does & Does.DISCARD)
                 if ahead and does & (Does.DISCARD | Does.RETURN):
                     flow = slices.dependence(step.stmt).into_exits()

@@ -75,6 +75,7 @@ class EffectTable:
         """The user's function ``name`` with what it has to know of those it calls."""
         if name not in self._by_name:
             function = self.functions[name]
+            # Built-in functions need no head: what they do is the same in every module.
             heads = tuple(
                 self.linked(callee).head if callee in self.functions else None
                 for callee in self._called(function)
@@ -88,6 +89,7 @@ class EffectTable:
     def _link(self, function: n.FunctionDef) -> Linked:
         inside = self.of(function.body)
         own = local_names(function)
+        # A return or a jump ends inside the call; a discard ends its callers as well.
         does = inside.does & ~(Does.RETURN | Does.JUMP)
         effects = Effects(inside.reads - own, inside.writes - own, does)
         params = tuple(
@@ -168,6 +170,7 @@ class _Liveness(Backward[frozenset[str]]):
     def jump(self, stmt: n.Return | n.Jump, fact: frozenset[str]) -> frozenset[str]:
         if isinstance(stmt, n.Jump) and stmt.word != "discard":
             return fact
+        # Behind a return only the caller reads on, and behind a discard nobody does.
         return reads_of(stmt, self._table)
 
     def plain(self, stmt: n.Stmt, fact: frozenset[str]) -> frozenset[str]:
@@ -176,6 +179,7 @@ class _Liveness(Backward[frozenset[str]]):
 
 def reads_of(node: n.Node, table: EffectTable) -> frozenset[str]:
     """What evaluating an expression or a statement reads, before it is overwritten by a call."""
+    # The order counts only in called functions; without one the kept effects will do.
     if not any(isinstance(part, n.Call) and part.name in table.functions for part in walk(node)):
         return table.of(node).reads
     match node:
@@ -207,6 +211,8 @@ def _overwritten_in(function: n.FunctionDef, table: EffectTable) -> frozenset[st
         stmt = todo.pop()
         if isinstance(stmt, n.Block):
             todo += stmt.body[::-1]
+        # Whoever returns here has not come past the rest. A discard is no obstacle: behind it
+        # nobody reads.
         elif table.of(stmt).does & Does.RETURN:
             break
         else:
@@ -236,6 +242,7 @@ def out_arguments(call: n.Call, table: EffectTable) -> tuple[bool, ...]:
     function = table.functions.get(call.name)
     if function is not None:
         return tuple(param.writes_back for param in function.proto.params)
+    # There is no table of types here to choose an overload by: what one may write, all may.
     signatures = _signatures(call)
     return tuple(
         any(signature.params[i].direction != "in" for signature in signatures)

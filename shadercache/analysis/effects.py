@@ -32,6 +32,7 @@ EXITS = Does.RETURN | Does.DISCARD | Does.JUMP
 class Effects:
     """Variables read and written (by name), and what else is done."""
 
+    # Frozen, since nodes share them with their operands, and heads of functions are keyed by them.
     reads: frozenset[str] = frozenset()
     writes: frozenset[str] = frozenset()
     does: Does = Does.NOTHING

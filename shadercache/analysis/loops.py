@@ -8,8 +8,7 @@ it may go round for ever::
 
 The analysis works by name, on a module in which every identifier of a function means one thing. It
 follows each value to what it is written into, and each condition to what is written under it,
-outside of where that is declared: what is declared under the same condition has no other value. It
-takes no account of order.
+outside of where that is declared. It takes no account of order.
 """
 
 from __future__ import annotations
@@ -125,6 +124,7 @@ class _FlowWalker:
         """A variable is written, under what the walk is under and these conditions."""
         key = self._key(name)
         self._flow(readings, key)
+        # What is declared under a condition has no other value where the condition is false.
         for condition in (*self._under[self._depths.get(name, 0) :], *under):
             self._flow(condition, key)
 
@@ -159,6 +159,7 @@ class _FlowWalker:
         does = self._table.of(stmt).does
         if does & Does.RETURN or isinstance(stmt, n.Jump):
             return True
+        # A jump ends with its loop. Discards do not count: no payload decides on one (SC316).
         if not does & Does.JUMP or isinstance(stmt, LOOPS):
             return False
         return any(self._jumps_out(part) for part in children(stmt))
@@ -175,6 +176,7 @@ class _FlowWalker:
     def _decision(self, loop: Loop) -> frozenset[str]:
         """What decides how long a loop runs: its condition, and those of jumps out of its body."""
         readings = self._readings(loop.condition) if loop.condition is not None else _NOTHING
+        # Jumps of loops inside count as well: a guard too many costs a test, one too few may hang.
         for node in walk(loop.body):
             if isinstance(node, n.If | n.Switch) and self._table.of(node).does & EXITS:
                 readings |= self._readings(children(node)[0])
@@ -186,11 +188,13 @@ class _FlowWalker:
             match part:
                 case n.Return(value=value):
                     result = f"{self._function}()"
+                    # No condition is left out: a result is declared under none of them.
                     for readings in (*under, self._readings(value) if value else _NOTHING):
                         self._flow(readings, result)
                 case n.Assign(target=target, value=value):
                     self._target(target, self._readings(*children(target), value))
                 case n.Unary(op="++" | "--", operand=target) | n.Postfix(operand=target):
+                    # i++ puts nothing new into i; only the conditions that it stands under count.
                     self._target(target, _NOTHING)
                 case n.Declarator(name=name, init=init):
                     self._depths[name] = len(under)

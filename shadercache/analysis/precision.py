@@ -19,6 +19,7 @@ from shadercache.sema.facts import Facts, Stage
 _RANKS = {"lowp": 1, "mediump": 2, "highp": 3}
 _LOW_SAMPLERS = ("sampler2D", "samplerCube")
 _MIDDLING = ("gl_PointCoord", "gl_PointSize")
+# Their results are declared highp, whatever precision their arguments have.
 _EXACT_CALLS = (
     *("textureSize", "floatBitsToInt", "floatBitsToUint", "intBitsToFloat", "uintBitsToFloat"),
     *("packHalf2x16", "packSnorm2x16", "packUnorm2x16"),
@@ -38,6 +39,7 @@ class PrecisionTable:
             return
         first = "mediump" if stage == "fragment" else "highp"
         defaults = {"int": first, **dict.fromkeys(_LOW_SAMPLERS, "lowp")}
+        # Floats have no default in a fragment shader: it must declare one (3.00 section 4.5.4).
         if stage == "vertex":
             defaults["float"] = first
         for decl in module.decls:
@@ -91,6 +93,7 @@ class PrecisionTable:
         if isinstance(callee, Signature):
             if callee.name in _EXACT_CALLS:
                 return "highp"
+            # A fetch is as precise as its sampler, however precise the coordinates are.
             return self.of(call.args[0]) if callee.texture else self._highest(call.args)
         proto = callee.proto if isinstance(callee, n.FunctionDef) else callee
         return self._declared.get(proto)
@@ -119,5 +122,6 @@ def _precision(qualifiers: n.Qualifiers, spec: n.TypeSpec, defaults: Defaults) -
     kind = builtin_type(spec.name)
     if kind is None:
         return None
+    # precision mediump int; is about unsigned integers, too (3.00 section 4.5.4).
     sort = {"float": "float", "int": "int", "uint": "int"}.get(kind.base or "", kind.name)
     return defaults.get(sort)

@@ -57,8 +57,11 @@ class ReachingDefinitions:
             effects = table.of(stmt)
             self.steps.append(Step(index, stmt, effects, left, trip))
             kills = _overwrites(stmt)
+            # A declaration without a value writes nothing, but nothing older is left behind it.
             for name in effects.writes | kills:
+                # In order of the steps: whoever looks for a write does so by bisection.
                 self._writes.setdefault(name, []).append((index, name in kills))
+            # A break or continue stays inside its loop or switch, which is one step.
             left = left or bool(effects.does & (Does.RETURN | Does.DISCARD))
 
     def writes(self, name: str) -> Sequence[tuple[int, bool]]:
@@ -92,13 +95,11 @@ def counters_of(block: n.Block) -> Trip:
 
 
 def _overwrites(stmt: n.Stmt) -> frozenset[str]:
-    """Variables whose old value the statement makes irrelevant to every later reader.
-
-    ``s += x`` counts: whoever reads ``s`` afterwards reads it through this statement.
-    """
+    """Variables whose old value the statement makes irrelevant to every later reader."""
     match stmt:
         case n.DeclStmt(decl=n.VarDecl(declarators=items)):
             return frozenset(variable.name for variable in items)
+        # Also s += x: whoever reads s afterwards reads it through this statement.
         case n.ExprStmt(expr=n.Assign(target=n.Name(name=name))):
             return frozenset((name,))
     return frozenset()

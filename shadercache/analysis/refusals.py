@@ -159,6 +159,7 @@ def _is_declared_outside(kind: Type, evidence: Evidence) -> bool:
     """Can a global variable of the type be declared?"""
     if kind.struct is None:
         return True
+    # The payload is a global of ours, and its declaration has to name the type.
     if not kind.struct.name or evidence.facts.structs.get(kind.struct) not in evidence.structs:
         return False
     return all(_is_declared_outside(field, evidence) for field in kind.struct.fields.values())
@@ -211,4 +212,5 @@ def by_cost(trial: Trial) -> Refusal | None:
     return Refusal(Code.CHEAP) if trial.cost < fetches * FETCH else None
 
 
+# Cost comes last: what is refused for its cost alone is legal in every other respect.
 RULES: tuple[Rule, ...] = (by_place, by_type, by_effects, by_inputs, by_use, by_cost)

@@ -31,6 +31,8 @@ _LAYOUTS = {
         ("SC422", "variants find texels by gl_FragCoord as it is without"),
     ),
 }
+# gl_FragColor and gl_FragData may not be written beside declared outputs, and the cache is one
+# (GLSL 3.30 section 7.2). The passes agree on depth to the bit only where the rasteriser makes it.
 _BUILTIN_OUTPUTS = ("gl_FragColor", "gl_FragData", "gl_FragDepth", "gl_SampleMask")
 
 
@@ -50,6 +52,7 @@ def check_size(module: n.Module, source: Source) -> None:
 
 def check_depth(facts: Facts, source: Source) -> None:
     """Refuse calls that are nested deeper than this compiler's: :class:`InputError` SC401."""
+    # Level by level, each call once in a level: the paths through them may be exponentially many.
     level = {call for calls in facts.called.values() for call in calls}
     for _ in range(MAX_DEPTH):
         called = {facts.calls[call] for call in level}

@@ -71,6 +71,7 @@ class AtomCosts:
         # Large sets have most of their words in common.
         total = self._words.get((at, word))
         if total is None:
+            # Without 0b and from the end: the lowest bit first, as the costs stand.
             bits = bin(int.from_bytes(word, "little"))[:1:-1]
             costs = self._costs[8 * at : 8 * (at + _WORD)]
             total = self._words[at, word] = sum(compress(costs, map(int, bits)))
@@ -129,6 +130,7 @@ class SliceTable:
     def value(self, instance: Instance, place: Place) -> Slice:
         """What the value of an expression depends on, the expression itself apart."""
         step, slice_ = place.step, self._before(instance, place.step.index, place.expr)
+        # Reaching definitions know nothing of what a control step did before the expression in it.
         if step.is_control:
             flow = self.dependence(step.stmt).into_value(place.expr)
             slice_ = self.flow(instance, step.index, flow) | slice_
@@ -175,10 +177,12 @@ class SliceTable:
         if entry is None:
             caller, place, arg = instance.parent, instance.place, instance.arguments.get(name)
             cost = 0.0 if arg is None else self._cost.of(arg)
+            # An atom of its own: what is inside needs the argument, not the whole calling step.
             bit = self.entry_bits[instance, name] = self.atom_costs.new(cost)
             entry = Slice(bit)
             if arg is not None:
                 entry |= self._before(caller, place.step.index, arg)
+            # In other steps nothing is written before the call: what reaches the step says it all.
             if arg is None or place.step.is_control or place.order_matters:
                 entry |= self.flow(caller, place.step.index, self._into_entry(instance, name))
             self._entries[instance, name] = entry
@@ -216,6 +220,7 @@ class SliceTable:
         writes = instance.places.reaching.writes(name)
         count = bisect_left(writes, (step, False))
         # Behind each write: what those up to it depend on, from the last on that leaves nothing.
+        # Kept and extended, so that each write is joined once however many steps read the variable.
         known = self._reaching.setdefault((instance, name), [(NOTHING, True)])
         for index, kills in writes[len(known) - 1 : count]:
             earlier, from_entry = (NOTHING, False) if kills else known[-1]
@@ -247,6 +252,7 @@ def _global_initialisers(module: n.Module) -> dict[str, n.Expr | None]:
         elif isinstance(decl, n.BlockDecl):
             members = (member.name for field in decl.fields for member in field.declarators)
             initialisers |= dict.fromkeys((decl.instance or "", *members))
+    # Built-in variables are inputs too, and no declaration of the module names them.
     for node in walk(module):
         if isinstance(node, n.Name) and node.name.startswith("gl_"):
             initialisers.setdefault(node.name, None)

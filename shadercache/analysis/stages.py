@@ -88,10 +88,12 @@ def match_stages(fragment: StageSide, vertex: StageSide) -> Pairs:
     for varying in _varyings(fragment, "in"):
         output = None if varying.place is None else placed.get(varying.place)
         by_place, by_name = output is not None, named.get(varying.key)
+        # Names count where one side has no place: two different places are two varyings.
         if output is None and by_name is not None and None in (varying.place, by_name.place):
             output = by_name
         if output is not None and _same(varying.type, output.type, by_place):
             pairs.append((varying, output))
+        # What is declared and never read needs no counterpart (GLSL 4.60 section 4.3.4).
         elif varying.name in used:
             problem = _problem(varying, output, named, vertex.source.name)
             problems.append(Diagnostic("SC406", problem, fragment.source, varying.node.span))
@@ -134,6 +136,7 @@ def _same(one: Type, other: Type, any_name: bool, known: set[object] | None = No
         return one.name == other.name
     if not any_name and one.name and other.name and one.name != other.name:
         return False
+    # Once is enough: with two members of one struct at each level it would be 2^depth times.
     if (one.struct, other.struct) in known:
         return True
     known.add((one.struct, other.struct))
@@ -213,6 +216,7 @@ def aligned(vertex: StageSide, fragment: StageSide) -> n.Module:
         other = theirs.get(varying.key)
         if other is None or (varying.place is None) == (other.place is None):
             continue
+        # Places can be taken away in any version, but given only from 4.10 and ES 3.10 on.
         if other.place is None or _takes_places(vertex.module):
             changed[varying.decl] = _placed_like(varying.decl, other.decl)
     if not changed:

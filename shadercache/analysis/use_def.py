@@ -53,9 +53,11 @@ class Definitions:
 
     def version(self, instance: Instance, step: Step, name: str) -> int | None:
         """How many steps may have written a variable before; ``None`` if it changes within this."""
+        # A plain statement without side effects inside reads all its operands before it writes.
         moves = step.is_control or order_matters(step.stmt, self._table)
         if name in step.effects.writes and moves:
             return None
+        # (index, False) sorts before what the step itself writes, so only earlier steps count.
         return bisect_left(instance.places.reaching.writes(name), (step.index, False))
 
     def of(self, instance: Instance, step: Step, name: str) -> Definition | None:
@@ -71,6 +73,7 @@ class Definitions:
     def result(self, instance: Instance) -> Definition | None:
         """The expression that a call returns, where it always is the same one."""
         steps = instance.places.reaching.steps
+        # Behind an earlier return the last one is not what every call returns.
         if not steps or steps[-1].after_exit:
             return None
         match steps[-1].stmt:
@@ -99,6 +102,7 @@ class Definitions:
                     replaced[part] = value
                 elif is_local:
                     return None
+        # What is used twice is copied twice, so lengths may double with each definition.
         whole = map_expressions_keyed(expr, replaced) if replaced else expr
         return whole if sum(1 for _ in expressions(whole)) <= MAX_EXPRESSIONS else None
 
@@ -115,6 +119,7 @@ class Definitions:
         value = self.closed(inner.instance, inner.step, inner.expr, depth)
         if value is None or str(self.facts.types[inner.expr]) == str(inner.type):
             return value
+        # Where it ends up nothing converts it: n / 2 would go on as a division of integers.
         return n.Construct(value.span, n.TypeSpec(value.span, str(inner.type)), (value,))
 
     def _argument(self, instance: Instance, name: str) -> Definition | None:
@@ -122,6 +127,7 @@ class Definitions:
             return None
         params = instance.places.function.proto.params
         param = next(param for param in params if param.name == name)
+        # At entry an out parameter is undefined (GLSL 4.60 section 6.1.1).
         if param.qualifiers.has("out"):
             return None
         kind = self.facts.declared[param].type
@@ -135,6 +141,7 @@ class Definitions:
                 kind = self.facts.types[target]
             case _:
                 return None
+        # A list is an expression only where it initialises something.
         if isinstance(value, n.InitList):
             return None
         return Definition(instance, step, value, kind)

@@ -97,6 +97,8 @@ class _ValueNumbering:
         for index in sorted(steps):
             for place in reversed(steps[index]):  # Operands stand behind what they belong to.
                 if isinstance(place.expr, n.Call):
+                    # The arguments have numbers by now, which parameters take over; what the call
+                    # returns needs one before the call itself.
                     child = self._definitions.callee(instance, place.expr)
                     if child is not None:
                         self._number_all(child)
@@ -129,6 +131,7 @@ class _ValueNumbering:
     def _key(self, instance: Instance, place: Place) -> tuple[Hashable, ...] | None:
         """What is equal where values are; ``None`` where that cannot be said."""
         expr = place.expr
+        # Children that are no expressions have none; what they say is in the type.
         below = [self._numbers.get((instance, cast("n.Expr", part))) for part in children(expr)]
         match expr:
             case n.Name(name=name) if name in instance.places.reaching.local_names:
@@ -137,11 +140,13 @@ class _ValueNumbering:
             case n.Name(name=name):
                 return None if name in self._mutable else ("global", name)
             case n.Literal(text=text):
+                # By value and not by spelling: 1.0 and 1. are the same.
                 return "literal", self._type(expr), self._facts.constants.get(expr, text)
             case n.InitList():
                 return None
             case n.Call(name=name) if self._definitions.callee(instance, expr) is not None:
                 summary = self._table.summary(name)
+                # Equal arguments give equal results where nothing else goes in that may change.
                 known = not summary.does and not summary.reads & self._mutable
                 return ("call", name, *below) if known else None
             case n.Call(name=name):

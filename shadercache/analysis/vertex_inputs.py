@@ -142,6 +142,7 @@ def function_fate(signature: Signature) -> Fate | None:
 
 def writes_memory(name: str) -> bool:
     """Does the built-in function of that name change a counter, a buffer or an image?"""
+    # Of these atomicCounter alone only reads (GLSL 4.60 section 8.10).
     return name.startswith(_WRITERS) and name != "atomicCounter"
 
 
@@ -228,6 +229,7 @@ def _writers(module: n.Module, table: EffectTable, source: Source) -> Iterator[D
         if isinstance(node, n.Call)
         and node.name not in table.functions
         and writes_memory(node.name)
+        # atomicAdd on a member of a buffer is told by the name of the buffer.
         and not buffers.keys() & table.of(node).writes
     ]
     for span, name in sorted(culprits):

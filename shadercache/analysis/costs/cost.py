@@ -36,6 +36,7 @@ PER_COMPONENT: Mapping[str, float] = {
 }
 """Built-in functions that cost other than one unit for each component of their widest operand."""
 
+# A transposed matrix is the same registers in another order.
 MATRIX_FUNCTIONS: Mapping[str, float] = {"inverse": 8.0, "determinant": 4.0, "transpose": 0.0}
 
 
@@ -81,6 +82,7 @@ class CostTable:
         if isinstance(callee, n.FunctionDef):
             return self.function(callee)
         if node.name.startswith(("texelFetch", "texture", "shadow")):
+            # textureSize reads a descriptor, and no texels.
             return FETCH if "Size" not in node.name else 1.0
         width = max([self._width(arg) for arg in node.args], default=1.0)
         if node.name in MATRIX_FUNCTIONS:

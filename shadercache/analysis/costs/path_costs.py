@@ -83,6 +83,7 @@ class PathCosts:
         cost = 0.0 if inside is None else inside.cost
         if instance.parent is None:
             return cost
+        # The rest of the path depends on what is read inside; the cost is only added to its own.
         key = (instance, inside and (inside.reads, cost > 0.0))
         above = self._above.get(key)
         if above is None:
@@ -95,6 +96,7 @@ class PathCosts:
         if instance.parent is None:
             return self._top
         if instance not in self._contexts:
+            # What a call is asked for is settled behind it, whatever is given inside.
             outer = self._within(instance.parent, instance, _PROBE)
             self._contexts[instance] = None if outer is None else outer.asked
         return self._contexts[instance]

@@ -83,11 +83,13 @@ def companion(
     firsts = [group.first for group in dict.fromkeys(groups.values()) if group not in taken]
     for number, node in enumerate(firsts):
         width = node.type.components_or_one if node.offered else CHANNELS + 1
-        # What travels along is a part of what is shared, and more than a fetch of it.
+        # What travels along is a part of what is shared, and more than a fetch of it. Where one
+        # value is missing in a texel, the next frame finds none of the set there (SC418).
         if width > free or not FETCH < node.cost <= now + FETCH or is_skipped(node):
             continue
         parts = overlaps.parts((*nodes, node))
         if parts.overlap < now - FETCH:
+            # Among equals the narrowest, then what leaves the least to shade, then the first.
             choices.append((parts.overlap, width, parts.remainder, number))
     return firsts[min(choices)[-1]] if choices else None
 
@@ -111,6 +113,7 @@ def is_skipped(node: Candidate) -> bool:
     at: Instance | None = node.instance
     place = node.place
     while at is not None and place is not None:
+        # Discards in front do not count: what they end gets no colour.
         before = at.places.reaching.steps[: place.step.index]
         if place.use is Use.BRANCH or any(step.effects.does & Does.RETURN for step in before):
             return True

@@ -145,6 +145,7 @@ class SharedWorkTable:
             parents = {child: node for node in walk(function.body) for child in children(node)}
             self._parents[function] = parents
         at: n.Node | None = expr
+        # Above what is touched everything is, so that many nodes of one tree take linear time.
         while at is not None and at not in cuts.touched:
             cuts.touched.add(at)
             at = parents.get(at)
@@ -180,6 +181,8 @@ class _NeedWalker(Backward[Names]):
 
     def jump(self, stmt: n.Return | n.Jump, fact: Names) -> Names:
         if isinstance(stmt, n.Jump):
+            # It leads to the end of the loop, of the switch or of the function, or to the next
+            # round: what is live at any of these may be needed.
             return fact | self.at_exit | self.in_next_round
         return (self.taken if self.returns else self.aimed_at)(stmt, self.at_exit)
 
@@ -221,6 +224,7 @@ class _NeedWalker(Backward[Names]):
         before = self.reached
         then = self.statement(stmt.then, fact)
         other = fact if stmt.other is None else self.statement(stmt.other, fact)
+        # A branch that only jumps costs nothing, but other variables are live before it than after.
         needed = self.reached > before or then != fact or other != fact
         if needed or self.leaves(stmt):
             return self.taken(stmt.condition, then | other)
@@ -236,6 +240,7 @@ class _NeedWalker(Backward[Names]):
         self.inside_loop = True
 
         def round_(head: Names) -> Names:
+            # Every round goes through the whole body anew: only what the last one costs counts.
             self.cost, self.in_next_round = before, head | fact
             return self.statement(stmt.body, head)
 
@@ -255,6 +260,7 @@ class _NeedWalker(Backward[Names]):
         # A jump inside a loop or switch leads no further than its end.
         within = isinstance(node, (*LOOPS, n.Switch))
         jumps = does & Does.JUMP and self.inside_loop and not within
+        # For the payload a return matters only in front of a node, for the shading everywhere.
         left = does & Does.RETURN and (self.reached > 0 or not self.goal)
         return bool(jumps or left or does & Does.DISCARD)
 
@@ -288,6 +294,7 @@ class _NeedWalker(Backward[Names]):
         if isinstance(node, n.Assign) and node.op == "=" and isinstance(node.target, n.Name):
             parts = (node.value,)
         needs = [self.need(part) for part in parts]
+        # Its own share: what the operands need may be less than all that they cost.
         cost = self.costs.of(node) - sum(self.costs.of(part) for part in parts)
         reads = _NONE.union(*(need.reads for need in needs))
         if isinstance(node, EXPRESSIONS) and not parts:
@@ -301,6 +308,7 @@ class _NeedWalker(Backward[Names]):
         cost, reads = inside.cost, inside.reads
         for param, arg in zip(instance.places.function.proto.params, call.args, strict=True):
             needs = [self.need(arg)] if param.name in inside.reads else []
+            # A node may stand in an argument that nothing else needs.
             if not needs and self.goal and arg in self.cuts.touched:
                 needs += self.goals(arg)
             cost += sum(need.cost for need in needs)

@@ -41,6 +41,7 @@ def screen_marks(
     Without a vertex shader nothing is known of what varyings carry.
     """
     bound = dict[Key, Components]()
+    # Where no uniform moves the position, what is interpolated on the screen is always the same.
     if varyings is None or varyings.moves:
         bound.update(_interpolated_on_screen(module))
     if varyings is not None:
@@ -76,6 +77,7 @@ def _used(node: n.Node) -> Key:
     if isinstance(node, n.Name):
         return None, node.name
     if isinstance(node, n.Member):
+        # All blocks of an array go by the name of their instance.
         owner = node.object.object if isinstance(node.object, n.Index) else node.object
         if isinstance(owner, n.Name):
             return owner.name, node.name

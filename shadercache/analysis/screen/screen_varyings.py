@@ -58,6 +58,7 @@ def screen_varyings(module: n.Module, facts: Facts) -> ScreenVaryings:
     try:
         evaluator.run()
     except TooLongError:
+        # Nothing is refused on suspicion: what was not followed counts as not of the screen.
         return ScreenVaryings()
     position = evaluator.env.get(POSITION)
     if position is None or not position.moves:
@@ -102,17 +103,20 @@ class _Screen:
             case "join":
                 yield from ((way, whole) for way in term.args)
             case "insert" if whole:
+                # gl_Position.z -= 0.001 leaves a position; only x and y that are put in make one.
                 yield term.args[0], True
                 if isinstance(term.data, tuple) and _SCREEN.intersection(term.data):
                     yield term.args[1], False
             case "+" | "-":
                 yield from ((part, False) for part in term.args)
+            # A constant scales what is on the screen; a uniform may be what brings it there.
             case "*" if any(part.constant for part in term.args):
                 yield from ((part, False) for part in term.args)
             case "/":
                 yield term.args[0], False
             case "swizzle":
                 assert isinstance(term.data, tuple)
+                # clip.xyww, as of a sky on the far plane, is where clip is.
                 if _SCREEN.issuperset(term.data[:2]):
                     yield term.args[0], False
             case "construct":
@@ -125,6 +129,7 @@ class _Screen:
         if last.op == "swizzle" and isinstance(last.data, tuple) and last.data[-1] == 3:
             yield last.args[0]
             return
+        # What gives x and y: one vector, or two scalars.
         for arg in term.args[: 1 if term.args[0].width > 1 else 2]:
             if last.op == "literal" and last.data == 1.0:
                 yield arg
@@ -133,6 +138,7 @@ class _Screen:
 
     def of(self, term: Term) -> Components:
         """Which components of a term depend on where on the screen the position is."""
+        # With a stack, for terms are as deep as chains of statements are long.
         todo = [term]
         while todo:
             subterm = todo[-1]
@@ -157,6 +163,7 @@ class _Screen:
 
     def _components(self, term: Term) -> Components:
         parts = [self._known[part] for part in term.args]
+        # Which way was taken depends on the screen, so whatever the ways hold does.
         if any(self._known[part] for part in term.decides):
             return WHOLE
         if not any(parts):
@@ -199,6 +206,7 @@ def _inserted(where: object, into: Components, value: Components) -> Components:
 def _by_component(term: Term, parts: list[Components]) -> Components:
     components = _NONE
     for arg, part in zip(term.args, parts, strict=True):
+        # A scalar goes into every component.
         if part and arg.width != term.width:
             return WHOLE
         components |= part
@@ -220,6 +228,7 @@ def _placed(term: Term, parts: list[Components]) -> Iterator[int]:
 
 def _projection(product: Term) -> Iterator[tuple[Term, bool]]:
     """What a product multiplies its position by last, and from which side."""
+    # Columns are multiplied from the left (M * v), rows from the right (v * M).
     for *factors, vector in (product.args, product.args[::-1]):
         if vector.type is not None and vector.type.is_vector and not _is_direction(vector):
             # Constant factors before the first that a uniform moves turn axes or mirror.

@@ -56,6 +56,7 @@ class Evaluator:
             case n.DeclStmt(decl=n.VarDecl() as decl):
                 self._declare(decl)
             case n.Block(body=body):
+                # all() ends at the first one, so what stands behind a return is left out.
                 return all(self._statement(part) for part in body)
             case n.If():
                 return self._branch(stmt)
@@ -72,6 +73,7 @@ class Evaluator:
             if variable.init is not None:
                 self.env[variable.name] = self.value(variable.init)
             else:
+                # What an earlier call of the function left in it is not what this one finds.
                 self.env.pop(variable.name, None)
 
     def _branch(self, stmt: n.If) -> bool:
@@ -169,6 +171,7 @@ class Evaluator:
 
     def _binary(self, op: str, one: Term, other: Term, kind: Type | None) -> Term:
         kinds = [term.type for term in (one, other) if term.type is not None]
+        # Only products without a scalar are chains through which the projection can be found.
         matrices = any(k.is_matrix for k in kinds) and not any(k.is_scalar for k in kinds)
         if op == "*" and kind is not None and len(kinds) == 2 and matrices:
             return self.terms.multiply(one, other, kind)
@@ -190,6 +193,7 @@ class Evaluator:
         if index.op != "literal" or not isinstance(index.data, float):
             return index
         at = int(index.data)
+        # v[0] is the component v.x, but m[0] a column and a[0] an element.
         return (at,) if owner.type is not None and owner.type.is_vector else at
 
     def _assign(self, target: n.Expr, value: Term) -> None:
@@ -199,6 +203,7 @@ class Evaluator:
             owner = self.value(target.object)
             where = self._where(target, owner)
             if isinstance(where, Term):
+                # Any element may be the one that was written: nothing is known of the whole.
                 changed = self.terms.unknown((owner, where, value), owner.type)
             else:
                 changed = self.terms.insert(owner, where, value)
@@ -215,6 +220,8 @@ class Evaluator:
                     self._assign(arg, self.terms.unknown(args, self.facts.types.get(arg)))
             return term
         names = [param.name or "" for param in function.proto.params]
+        # One environment for all functions: names are unique, and none is on its way twice, for
+        # GLSL has no recursion (4.60 section 6.1).
         self.env |= dict(zip(names, args, strict=True))
         term = self._call_body(function, kind)
         backs = [self.env.get(name) for name in names]

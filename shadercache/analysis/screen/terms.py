@@ -70,6 +70,7 @@ class Terms:
     ) -> Term:
         """A term of an operator or of a function, or a literal."""
         args = tuple(args)
+        # Equal terms are one object already, so a key is as long as the term has operands.
         key = (op, data, args, kind, decides)
         term = self._known.get(key)
         if term is None:
@@ -107,6 +108,7 @@ class Terms:
             if of.op != "insert" or not isinstance(of.data, tuple):
                 return self.make("swizzle", places, (of,), kind)
             inside = [place for place in places if place in of.data]
+            # Neither the old vector nor what was put into it holds all of these components.
             if inside and len(inside) < len(places):
                 return self.make("swizzle", places, (of,), kind)
             if inside:
@@ -116,6 +118,7 @@ class Terms:
 
     def insert(self, into: Term, where: Where, value: Term) -> Term:
         """A vector, a struct or an array with one part of it replaced."""
+        # Where all components are written the old value is gone: v.yx = w leaves w.yx.
         if isinstance(where, tuple) and sorted(where) == list(range(into.width)):
             places = tuple(where.index(place) for place in range(into.width))
             return self._swizzle(value, places, into.type)
