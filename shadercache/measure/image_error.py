@@ -23,6 +23,7 @@ Floats = NDArray[np.float32]
 Mask = NDArray[np.bool_]
 """Which pixels count (h, w)."""
 
+# A histogram adds up over frames; the differences themselves would have to be kept and sorted.
 _BINS = 1 << 16
 
 
@@ -78,6 +79,7 @@ class ErrorSum:
         rank = math.ceil(0.99 * count)  # the nearest rank: a value that really is there
         p99 = int(np.searchsorted(np.cumsum(self._histogram), rank)) / (_BINS - 1)
         psnr = math.inf if rmse == 0.0 else -20.0 * math.log10(rmse)
+        # A bin's value may exceed every difference that was rounded to it.
         return ErrorStats(rmse, min(p99, self._maximum), self._maximum, psnr, count)
 
 
@@ -121,6 +123,7 @@ def _floats_apart(
     difference = np.abs(x - y)
     squares = float(np.einsum("pc,pc->", difference, difference, dtype=np.float64))
     largest = difference.max(axis=1)
+    # Float targets are not clipped: a difference may exceed 1, and the last bin takes it.
     bins = np.minimum(np.rint(largest * (_BINS - 1)), _BINS - 1).astype(np.intp)
     return squares, np.bincount(bins, minlength=_BINS), float(largest.max())
 

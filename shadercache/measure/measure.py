@@ -106,6 +106,7 @@ def _batches(subjects: Sequence[Subject], most: int) -> Iterator[list[Subject]]:
     batch: list[Subject] = []
     for _, group in groupby(subjects, key=lambda subject: subject.label):
         same = list(group)
+        # A label is never split: its P/T and floor are timed once, in turns with all its variants.
         if batch and len(batch) + len(same) > most:
             yield batch
             batch = []
@@ -181,6 +182,7 @@ class _GroupRun(Resource):
             if self._options.stop is not None:
                 yield from self._time_on(self._options.stop)
             self._seconds = monotonic() - self._begun
+            # After the run: a reset empties the cache that its frames build on.
             for frame in self._few_frames:
                 for variant in self._variants:
                     variant.time_reset(self._clock, frame, self._reference)
@@ -191,6 +193,7 @@ class _GroupRun(Resource):
         options, reference = self._options, self._reference
         compared, probed = frame >= options.first_compared, options.is_probed(frame)
         shown = frame == options.picture_frame
+        # The geometry first, so that the colour target holds the original's image afterwards.
         reference.time_geometry(self._clock, frame, frame)
         reference.time_original(self._clock, frame, frame)
         if compared or shown:
@@ -232,16 +235,20 @@ class _GroupRun(Resource):
             elapsed = monotonic() - self._begun
             if stop.is_over(elapsed):
                 return
+            # More than FEWEST: the reset frame is among these times, but in no ratio.
             timed_enough = len(self._subjects[0].times) > FEWEST
             if further % LOOK_EVERY == 0 and timed_enough and stop.is_met(self._half_width):
                 return
+            # Steps count on: a repetition's samples stand beside the run's, paired as those are.
             self._time(frames + further)
+            # Of the steps set aside for all repetitions, the share of the time that is up.
             yield frames + 1 + int(frames * elapsed / stop.seconds), "timing again"
 
     def _time(self, step: int) -> None:
         """Time one frame of a repetition, which begins with a reset as the run did."""
         frame = step % self._options.frames
         if frame == 0:
+            # No ratio counts a reset frame, so it is drawn without the clock.
             for timed in self._subjects:
                 timed.forget()
                 timed.subject.draw(0)

@@ -138,6 +138,7 @@ class Curve:
     def found_rate(self) -> float:
         """The same of what is not refreshed on purpose: what reprojection finds again."""
         pairs = zip(self.hit[1:], self.refresh[1:], strict=True)
+        # With a period of 1 everything is refreshed, and nothing is left to be found.
         return float(np.mean([hit / max(1e-9, 1.0 - refresh) for hit, refresh in pairs]))
 
     @property

@@ -98,6 +98,7 @@ class Watched:
         """Draw the next frame, and look at it."""
         if seen.frame == 0:
             self.timed.forget()
+        # In every frame, though few images are looked at: ages follow from the last frame's.
         mask = None if self._variant is None else self._variant.runner.hit_mask(seen.frame)
         self.timed.subject.draw(seen.frame)
         image = self._world.targets.pixels() if seen.measured or seen.kept else None

@@ -106,6 +106,7 @@ def rows(measurement: Measurement) -> list[dict[str, Any]]:
         for group in measurement.groups
         for other in group.others
     ]
+    # csv.DictWriter takes its heading from the first row, so every row has all columns.
     columns = dict.fromkeys(column for row in (*variants, *others) for column in row)
     return [{**columns, **row} for row in (*variants, *others)]
 

@@ -104,6 +104,7 @@ class TimedSubject:
 
     def warm_up(self, frame: int) -> None:
         """Draw twice: the first draw of a program compiles it."""
+        # A frame after a reset takes other passes than the later ones: both are to be compiled.
         for _ in range(2):
             self.subject.draw(frame)
 
@@ -113,6 +114,7 @@ class TimedSubject:
     def time(self, clock: Clock, frame: int, step: int) -> None:
         """Time the next frame of the run; its image stays in the colour target. ``step`` numbers
         the sample."""
+        # No world.prepare here: the original was timed at this frame just before, which did that.
         self.times[step] = clock.time(partial(self.subject.draw, frame))
 
     def compare(self, reference: TimedOriginal) -> None:
@@ -175,6 +177,7 @@ class TimedVariant(TimedSubject):
     def warm_up(self, frame: int) -> None:
         """Draw a reset frame and one more, so that every pass has been drawn, then forget."""
         super().warm_up(frame)
+        # The mask's own program would otherwise be compiled in the middle of the run.
         self.runner.hit_mask(frame)
         self.runner.reset()
 
@@ -217,6 +220,7 @@ class TimedVariant(TimedSubject):
             frame_rmse=whole.frame_rmse,
             perceived=whole.perceived,
             floor=None if floor is None else floor * float(original),
+            # The floor is a share of the original: times original / time, it is floor / time.
             efficiency=None if floor is None else floor * whole.speedup.median,
         )
 

@@ -40,6 +40,7 @@ def block_pattern(error: Floats, covered: Mask, block: int) -> float | None:
     if not covered.any():
         return None
     rows, columns = np.flatnonzero(covered.any(axis=1)), np.flatnonzero(covered.any(axis=0))
+    # The box need not begin at the edge of a block: powers know no phase.
     box = np.s_[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
     along = _line(error[box], covered[box], block), _line(error[box].T, covered[box].T, block)
     found = [line for line in along if line is not None]
@@ -56,12 +57,14 @@ def _line(error: Floats, covered: Mask, block: int) -> float | None:
     steps = np.abs(np.diff(error.astype(np.float64), axis=1))[:, :length]
     if not steps[both].any():
         return None
+    # What is not covered gets the mean, 0: anything else would show the object's outline as steps.
     steps = np.where(both, steps - steps[both].mean(), 0.0)
     starts = np.arange(0, len(steps), _STRIPE)
     counts = np.maximum(np.add.reduceat(both, starts, axis=0, dtype=np.int64), 1)
     stripes = np.add.reduceat(steps, starts, axis=0) / counts * np.hanning(length)
     powers = np.mean(np.abs(np.fft.rfft(stripes, axis=1)) ** 2, axis=0)
     at = length // block
+    # A line at a block of 2 is the highest frequency there is: places above it do not exist.
     beside = [*range(max(_SLOW, at - _BESIDE), at - 1), *range(at + 2, at + _BESIDE + 1)]
     usual = float(np.median(powers[[place for place in beside if place < len(powers)]]))
     return float(powers[at]) / usual if usual > 0.0 else None

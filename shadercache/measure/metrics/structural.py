@@ -31,6 +31,7 @@ def structural_similarity(original: Floats, image: Floats, covered: Mask) -> flo
         image,
         data_range=1.0,
         channel_axis=2,
+        # With these three and a data range, scikit-image's SSIM is that of the paper.
         gaussian_weights=True,
         sigma=SIGMA,
         use_sample_covariance=False,

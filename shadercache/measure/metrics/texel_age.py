@@ -51,6 +51,7 @@ class AgeErrors:
     def add(self, ages: Ages, error: Floats, covered: Mask) -> None:
         """Add a frame; ``error`` (h, w, 3) is image - original, display-encoded in 0-1."""
         counted = covered & (ages >= 0)
+        # An age of 0 counts as a half, whose place is 0.
         # log2 of powers of two is exact.
         places = np.ceil(np.log2(np.maximum(ages[counted], 0.5))).astype(np.int64) + 1
         squares = np.mean(error[counted].astype(np.float64) ** 2, axis=-1)
