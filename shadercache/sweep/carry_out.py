@@ -45,6 +45,7 @@ def parts(trial: SweepTrial, worker: Worker, hopeless: dict[object, Failure]) ->
         failure = Failure("rejected", first.code, first.message)
     except WorkerLostError as lost:
         if lost.original_drawn and len(trial.configurations) > 1:
+            # The original was drawn, so the scene is sound: one of the configurations is to blame.
             # Which of them it was shows when they come one by one.
             alone = [replace(trial, configurations=(one,)) for one in trial.configurations]
             return [part for one in alone for part in parts(one, worker, hopeless)]

@@ -24,6 +24,7 @@ MAX_PLAN = 1 << 20
 """Bytes of a file of choices."""
 
 Period = Annotated[int, msgspec.Meta(ge=1, le=65_535)]
+# Odd blocks would split the 2 x 2 quads that GPUs shade whole (Sitthi-amorn et al. 2008, 4.2).
 Block = Annotated[int, msgspec.Meta(ge=2, le=4096, multiple_of=2)]
 Pixels = Annotated[int, msgspec.Meta(ge=1, le=16_384)]
 Percent = Annotated[float, msgspec.Meta(ge=0.0, le=100.0)]

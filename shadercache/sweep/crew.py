@@ -68,6 +68,7 @@ class ClusterCrew:
 
     def original_seconds(self, file: SceneFile, size: Size) -> float | Failure:
         """See ``Crew``; by whichever process is idle."""
+        # Not pure: Dask may hand out a pure function's earlier result, and times are taken anew.
         task = self._client.submit(_original, file, size, self._patience, pure=False)
         seconds: float | Failure = task.result()
         return seconds
@@ -83,6 +84,7 @@ class ClusterCrew:
                 keep(store, part, heard)
 
 
+# Kept from task to task: it holds an OpenGL context and the scene that was drawn last.
 _worker: Worker | None = None
 """That of a Dask worker's process."""
 
@@ -103,6 +105,7 @@ def _original(file: SceneFile, size: Size, patience: float) -> float | Failure:
 
 def _carry_out(trial: SweepTrial, patience: float) -> Sequence[Finished]:
     worker = _here(patience)
+    # What is hopeless each process finds out by itself: none sees the trials of the others.
     return parts(replace(trial, machine=worker.machine()), worker, {})
 
 

@@ -58,6 +58,7 @@ def write_export(path: Path, rows: Sequence[Row]) -> None:
         write_bytes(path, buffer.getvalue().encode())
         return
     arrow, parquet = _parquet()
+    # Into memory first: pyarrow writes as it goes, and write_bytes leaves no half file.
     stream = io.BytesIO()
     parquet.write_table(arrow.Table.from_pylist(table), stream)
     write_bytes(path, stream.getvalue())

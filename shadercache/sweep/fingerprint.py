@@ -27,6 +27,7 @@ def scene_fingerprint(linker: Linker) -> str:
     """
     shaders = [sorted(bundle.files.items()) for bundle in linker.originals()]
     files = sorted({path for part in linker.scene.parts for path in _files(part)})
+    # A full-screen shader has no scene file: the path is the shader's, which is counted anyway.
     own = [linker.scene.path] if linker.scene.path.suffix == ".toml" else []
     contents = [_content(path) for path in (*own, *files)]
     text = linker.analysis.fragment.text

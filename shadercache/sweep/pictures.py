@@ -16,6 +16,7 @@ from shadercache.measure.shown import picture
 THUMBNAIL = 160
 """Longer edge of a thumbnail, pixels."""
 
+# Ages have fractions: look-ups blend them as they blend payloads.
 AGE_STEPS = 16
 """What the picture ``ages`` holds is the age in frames times this, in 16 bits."""
 

@@ -62,6 +62,8 @@ class Store(Resource):
         with _told(path):
             if create:
                 path.parent.mkdir(parents=True, exist_ok=True)
+            # No isolation level: transactions are opened by hand, since Python's would be deferred
+            # and meet a lock only at their first write.
             self._base = sqlite3.connect(path, timeout=LOCK_SECONDS, isolation_level=None)
             try:
                 self._prepare(create)
@@ -72,8 +74,11 @@ class Store(Resource):
     def _prepare(self, create: bool) -> None:
         base = self._base
         query = "SELECT count(*) FROM sqlite_master"
+        # Without a table it may still be another program's: that has left its mark.
         if create and not (base.execute(query).fetchone()[0] or _number(base, "application_id")):
             base.execute("PRAGMA journal_mode = WAL")
+            # The two marks are in the same transaction: whoever is killed here leaves an empty
+            # database. Only the journal mode cannot be: SQLite does not change it within one.
             base.executescript(f"BEGIN IMMEDIATE;{_SCHEMA}COMMIT;")
         application = _number(base, "application_id")
         version = _number(base, "user_version")
@@ -86,6 +91,7 @@ class Store(Resource):
     def keep(self, rows: Iterable[Row], blobs: Mapping[str, bytes]) -> None:
         """Write finished trials, all or none. A row takes the place of those of its identity."""
         with self._changes() as base:
+            # Named by content: what is there already is the same.
             base.executemany("INSERT OR IGNORE INTO blob VALUES (?, ?)", blobs.items())
             for row in rows:
                 base.execute("DELETE FROM trial WHERE identity = ?", (row.identity,))
@@ -99,9 +105,11 @@ class Store(Resource):
             wanted: identity -> the key that it has now.
         """
         with self._changes() as base:
+            # A table, since SQLite limits the parameters of a query, and a plan may have more rows.
             base.execute("CREATE TEMP TABLE wanted (identity TEXT PRIMARY KEY, key TEXT)")
             base.executemany("INSERT INTO wanted VALUES (?, ?)", wanted.items())
             same = "FROM wanted WHERE wanted.identity = trial.identity"
+            # Set in both directions: where a file is changed back, its rows are good again.
             base.execute(
                 f"UPDATE trial SET stale = (SELECT wanted.key != trial.key {same}) "
                 f"WHERE EXISTS (SELECT 1 {same})"
@@ -125,6 +133,7 @@ class Store(Resource):
     def rows(self, stale: bool = False) -> list[Row]:
         """All rows in the order they were written; with ``stale`` also those."""
         with _told(self.path):
+            # The mark is 0 or 1, so 0 asks for fresh rows alone and 1 for all.
             query = "SELECT row FROM trial WHERE stale <= ? ORDER BY rowid"
             found = self._base.execute(query, (int(stale),)).fetchall()
         try:
@@ -196,6 +205,7 @@ def _told(path: Path) -> Iterator[None]:
 
 
 def _trouble(path: Path, error: sqlite3.Error) -> InputError | UsageError:
+    # Extended codes of SQLite hold the primary one in their lowest byte.
     code = getattr(error, "sqlite_errorcode", 0) & 0xFF
     if code in _BUSY:
         hint = "another sweep or program writes to it; wait for its end, or take another file"

@@ -99,6 +99,7 @@ class TrialRoom(Resource):
                 failed[configuration] = compiled
             else:
                 fitting.append(compiled)
+            # A sign of life: whoever waits for the trial gives up after a long silence.
             self._say("step", 0.0)
         finished = self._measured(trial, fitting) if fitting else Finished((), {})
         rows = [failure_row(trial, one, failure) for one, failure in failed.items()]

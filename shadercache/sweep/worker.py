@@ -71,6 +71,7 @@ class Worker(Resource):
         try:
             pipe = self._started()
             pipe.send(request)
+            # Each message starts the wait anew: only silence counts, however long a trial takes.
             while pipe.poll(limit):
                 kind, value = pipe.recv()
                 if kind == "original":
@@ -95,6 +96,7 @@ class Worker(Resource):
             code = "import sys; from shadercache.sweep.worker import serve; serve(int(sys.argv[1]))"
             number = theirs.fileno()
             self._process = Popen([sys.executable, "-c", code, str(number)], pass_fds=[number])
+            # While this process holds their end as well, a dead worker would never read as the end.
             theirs.close()
         return self._pipe
 
@@ -121,6 +123,7 @@ def serve(number: int) -> None:
         while True:
             request: Request = pipe.recv()
             try:
+                # At the first request, so that a missing OpenGL is an answer and no dead worker.
                 room = room or TrialRoom(lambda *said: pipe.send(said))
                 pipe.send(("answer", getattr(room, request.method)(*request.arguments)))
             except DiagnosticError as error:
