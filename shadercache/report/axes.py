@@ -54,6 +54,7 @@ def make_logarithmic(axes: Axes, values: Iterable[float]) -> None:
 
     known = list(values)
     low, high = min(known), max(known)
+    # The same at both ends, so that values of a small span stand in the middle.
     room = max(1.25, math.sqrt(max(1.0, LEAST_SPAN * low / high)))
     axes.set_yscale("log")
     axes.set_ylim(low / room, high * room)

@@ -79,6 +79,7 @@ def with_legend(
     x, y = margin, height + _PAD
     for color, words in entries:
         needed = size + _PAD + int(font.getlength(words)) + 2 * _PAD
+        # The first entry of a line stands there even if it is wider than the picture.
         if x > margin and x + needed > width - margin + _PAD:
             x, y = margin, y + size + _PAD
         placed.append((x, y, color, words))

@@ -35,6 +35,7 @@ def absolute_error(original: Picture, image: Picture) -> Picture:
 def signed_error(original: Picture, image: Picture) -> Picture:
     """The error with its sign: grey where there is none, brighter where the image is too bright."""
     scale = scale_of(original, image)
+    # Half of the scale, for either direction has half of the levels.
     shown = np.clip(128 + np.rint(0.5 * scale * _signed(original, image)), 0, 255).astype(np.uint8)
     legend = [
         (_BLACK, f"too dark by {1 / scale:g} or more"),

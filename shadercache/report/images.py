@@ -36,6 +36,7 @@ def outcome_color(name: str, value: int) -> Color:
     """The colour of an outcome; one that is not known has a colour by its number."""
     if name in LEGEND:
         return LEGEND[name][0]
+    # Steps without a common factor with 180: neighbouring numbers get distant colours.
     return (60 + 67 * value % 180, 60 + 113 * value % 180, 60 + 31 * value % 180)
 
 

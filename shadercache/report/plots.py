@@ -130,7 +130,9 @@ def plot_curves(title: str, curves: Mapping[str, Curve]) -> bytes:
         axes.plot(range(1, len(curve.hit)), curve.hit[1:], lw=1.2, label=f"{label}: {rates}")
     for number, period in enumerate(dict.fromkeys(curve.period for curve in curves.values())):
         label = "" if number else "1 - 1/period"
+        # Of what is found again a refresh leaves 1 - 1/n (Scherzer et al. 2010, 3.4.1).
         axes.axhline(1.0 - 1.0 / period, color="#999999", lw=1.0, ls=":", label=label)
+    # The share that Nehab et al. 2006 say is found again.
     axes.axhline(0.9, color="#333333", lw=0.8, ls="--", label="90 %")
     axes.set_xlabel("frame")
     axes.set_ylabel("share of the visible pixels of cached objects")

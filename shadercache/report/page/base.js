@@ -32,6 +32,7 @@ function marked(text) {
 function percent(share, digits) {
   if (share == null) return "–";
   const value = 100 * share;
+  // From 9.95 on, one digit would print 10.0.
   const places = digits ?? (Math.abs(value) < 9.95 ? 1 : 0);
   return `${value.toFixed(places)} %`;
 }
@@ -95,6 +96,7 @@ function definitions(list, entries) {
   );
 }
 
+// Plotly wants colours: it cannot read the variables of the style.
 function color(name) {
   return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 }
@@ -116,11 +118,13 @@ const theme = {
   },
 
   next() {
+    // The first step away from "auto" must change something.
     const order = this.system.matches ? ["auto", "light", "dark"] : ["auto", "dark", "light"];
     this.wish = order[(order.indexOf(this.wish) + 1) % order.length];
     this.apply();
   },
 };
+// Before anything is drawn: plots read their colours from the style of the theme.
 theme.apply();
 byId("theme").addEventListener("click", () => theme.next());
 theme.system.addEventListener("change", () => theme.apply());

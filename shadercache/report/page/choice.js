@@ -16,6 +16,7 @@ const choice = {
     this.metric = "rmse";
     // Where nothing has a result, the first row says why.
     this.row = this.group.rows[this.group.chosen ?? 0];
+    // The group first: its lists must be filled before a row is chosen in them.
     this.tell("group");
     this.tell("row");
   },
@@ -34,6 +35,7 @@ const choice = {
 // What takes long is done later, one after another, so that the page shows what it has meanwhile.
 const waiting = new Set();
 
+// A set: a plot that several listeners ask for is drawn once.
 function soon(task) {
   if (!waiting.size) setTimeout(nextTask);
   waiting.add(task);
@@ -44,6 +46,7 @@ async function nextTask() {
   await task();
   waiting.delete(task);
   if (waiting.size) setTimeout(nextTask);
+  // The first time only: whoever opens the page by a script waits for this mark.
   else document.documentElement.dataset.drawn ||= String(Math.round(performance.now()));
 }
 
@@ -92,6 +95,7 @@ function setUpPickers() {
   });
   labels.addEventListener("change", () => {
     const same = choice.group.rows.filter((row) => row.label === labels.value);
+    // The other value in the same way, where there is one, so that the two can be compared.
     const alike = choice.row && same.find((row) => wayText(row) === wayText(choice.row));
     choice.chooseRow(place(alike || same[0]));
   });

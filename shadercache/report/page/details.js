@@ -66,6 +66,7 @@ function ageParts(row) {
   return [
     make("h3", {}, `RMSE by the age of what is reused, in frames: up to ${errorText(most)}`),
     make("div", { class: "ages" }, ...ages.map((age) => make("div", {
+      // Ages of few pixels are still wide enough to point at.
       style: `flex-grow:${Math.max(100 * age[2], 4)}`,
       title: `${name(age)} frames old: ${percent(age[2], 1)} of the pixels, RMSE ${errorText(age[3])}`,
     }, make("i", { style: `height:${(56 * age[3]) / most}px` }), make("small", {}, name(age))))),

@@ -26,6 +26,7 @@ function drawNodes() {
   if (!nodes.length) return drawNothing(place, "No cached value has a result.");
   const rank = nodes.map((_, at) => at + 1), narrow = place.clientWidth < NARROW;
   const traces = [{
+    // P/T is a share of the shading, to which the geometry is added. As measured it may exceed 1.
     x: rank, y: nodes.map(({ ratio }) => 100 * (group.geometry + (1 - group.geometry) * Math.max(0, 1 - ratio))),
     mode: "lines", name: "if the value were free", hoverinfo: "skip",
     line: { color: color("faint"), width: 1.4, dash: "dot", shape: "hvh" },

@@ -51,6 +51,7 @@ def page_file(source: PageSource, progress: Progress | None = None) -> bytes:
         "style": _part("page.css"),
         "plotly": plotly_script(),
         "script": "\n".join(_part(f"{name}.js") for name in SCRIPTS),
+        # Without a time in its header gzip makes equal bytes of equal texts.
         "texts": b64encode(gzip.compress(_json(texts).encode(), mtime=0)).decode(),
     }
     data = page_data(source, groups)

@@ -127,6 +127,7 @@ class PageGroup:
             yield from self.front(metric, self.variants)
         yield from self.peers
         by_time = sorted(self.variants, key=lambda one: one.time)
+        # The last that is written for a label stays, which is the fastest.
         yield from {one.row.label: one for one in reversed(by_time)}.values()
         yield from by_time
 

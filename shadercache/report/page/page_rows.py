@@ -92,6 +92,7 @@ def repeat_command(row: Row, store: str) -> str:
     words += ["--cache", ",".join(settings)] if settings else []
     words += ["--size", f"{width}x{height}", "--frames", str(row.scene.frames)]
     perceptual = row.result is not None and row.result.image.perceived is not None
+    # Forced: the store has this row, and a sweep leaves what it has alone.
     return shlex.join([*words, *(["--perceptual"] if perceptual else []), "--force"])
 
 
@@ -152,6 +153,7 @@ def histogram(subject: Sequence[float], original: Sequence[float]) -> dict[str, 
     if end <= start:
         end = start * 1.01 + 1e-6
     edges = np.linspace(start, end, BINS + 1)
+    # NumPy drops what lies beyond the last edge; the last step includes that edge.
     counts = [
         np.histogram(np.minimum(np.array(samples) * 1e3, end), edges)[0].tolist()
         for samples in (subject, original)

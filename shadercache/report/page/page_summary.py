@@ -133,6 +133,7 @@ def _by_algorithm(group: PageGroup) -> Iterator[str]:
         won = Counter(min(same, key=lambda one: one.time).algorithm for same in several)
         counts = [f"{_in_words(name)} for {won[name]}" for name in NAMES if won[name]]
         yield f"Of {len(several)} cached values the fastest is {_listed(counts)}."
+    # A variant is slower only where its whole interval says so.
     slower = sum(one.result.times.ratio.high < 1.0 for one in group.variants)
     if slower:
         yield f"{slower} of {len(group.variants)} variants are slower than the original."

@@ -88,6 +88,7 @@ class PictureShelf:
     def _opened(self, hashed: str) -> Image.Image | None:
         try:
             image = Image.open(io.BytesIO(self._blob(hashed)))
+            # Pillow decodes lazily; a damaged picture has to show here, where it can be left out.
             image.load()
         except (KeyError, OSError):  # OSError: Pillow cannot read it
             self.missing += 1
@@ -104,6 +105,7 @@ def _layers(row: Row, pictures: dict[str, Image.Image]) -> Iterator[tuple[str, s
             yield "difference", hashes["cached"], difference_picture(*pair)
     if "outcomes" not in pictures or row.result is None or row.result.reuse is None:
         return
+    # Stored pictures have row 0 at the top; hit_picture wants it at the bottom.
     mask = np.asarray(pictures["outcomes"].convert("L"))
     yield "hits", hashes["outcomes"], hit_picture(mask[::-1], row.result.reuse.values)
     if "ages" in pictures and row.configuration is not None:

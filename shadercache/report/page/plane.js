@@ -12,6 +12,7 @@ function drawPlane() {
   const width = (row) => 100 * row.time[0];
   const farthest = Math.max(110, ...known.map(({ row }) => width(row))) * 1.03;
 
+  // Lines first: Plotly draws later traces over earlier ones.
   const traces = [];
   for (const kind of ["peer", "variant"]) {
     const front = (group.fronts[metric] || {})[kind] || [];
@@ -81,6 +82,7 @@ function floorTrace(known, front, height) {
   return {
     x, y, mode: "lines+markers", hoverinfo: "skip", name: "floor", connectgaps: false,
     line: { color: color("faint"), width: 1, dash: "dot" },
+    // Of each three entries (floor, time, gap) only the floor has a mark.
     marker: { symbol: "line-ns-open", size: x.map((_, at) => (at % 3 ? 0 : 9)), color: color("faint") },
   };
 }
@@ -105,6 +107,7 @@ function planeLabels(group, metric, peers, width, height, narrow) {
     .map(({ row }) => point(row, short(row.label, length), color("peer")));
   const fronts = front.filter((row) => !seen.has(row))
     .map((row) => point(row, named(row), algorithmColor(row.algorithm)));
+  // In this order: where room is short, the later ones go without a label.
   return [...own, ...others, ...fronts].slice(0, narrow ? 7 : 16);
 }
 

@@ -58,9 +58,11 @@ function draw(place, traces, shape) {
   place.classList.remove("empty");
   const hidden = place.hiddenNames || (place.hiddenNames = new Set());
   for (const trace of traces) trace.visible = !hidden.has(trace.name);
+  // drawNothing may have left a sentence here; Plotly would draw below it.
   if (!place.heard) place.replaceChildren();
   Plotly.react(place, traces, shape, PLOT_OPTIONS);
   drawKey(place, traces, hidden);
+  // Plotly.react keeps the listeners of the first drawing; more would each be called.
   if (place.heard) return;
   place.heard = true;
   place.on("plotly_hover", (event) => showCard(event.points[0].customdata, event.event));
@@ -189,6 +191,7 @@ function placeLabels(place, { farthest, limits }, points, crowd, strokes) {
       const cost = obstacles.reduce((sum, other) => sum + overlap(area, other), 0);
       if (!best || cost < best.cost) best = { cost, side, area };
     }
+    // Better no label than one of which a quarter lies on points and lines.
     if (!best || best.cost > 0.25 * 19 * length) continue;
     taken.push(best.area);
     const [dx, dy, xanchor, yanchor] = best.side;
@@ -202,6 +205,7 @@ function placeLabels(place, { farthest, limits }, points, crowd, strokes) {
 
 // What lies under a label shines through a little.
 function veil() {
+  // The style gives this colour as #rrggbb.
   const [red, green, blue] = color("paper").match(/[0-9a-f]{2}/gi).map((part) => parseInt(part, 16));
   return `rgba(${red},${green},${blue},0.72)`;
 }

@@ -12,6 +12,7 @@ let texts = null; // hash -> text, once it is unpacked
 
 async function unpackTexts() {
   const packed = atob(byId("texts").textContent.trim());
+  // atob gives a string with a character for each byte.
   const bytes = new Uint8Array(packed.length);
   for (let at = 0; at < packed.length; at++) bytes[at] = packed.charCodeAt(at);
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));

@@ -24,6 +24,7 @@ function fillTable() {
   const key = COLUMNS[sorting.column][1];
   const order = group.rows.map((row, place) => ({ place, row, value: key(row, group) }));
   const sign = sorting.down ? -1 : 1;
+  // Rows without the value come last in either direction.
   order.sort((a, b) => (a.value == null) - (b.value == null)
     || sign * (typeof a.value === "string" ? a.value.localeCompare(b.value) : a.value - b.value));
   byId("table").replaceChildren(
@@ -43,6 +44,7 @@ function headCell(at) {
     sorting.down = sorting.column === at ? !sorting.down : isNumber(at);
     sorting.column = at;
     fillTable();
+    // The heading that was pressed is gone: its successor takes the keyboard's focus.
     byId("table").querySelectorAll("th button")[[...button.closest("tr").children].indexOf(button.closest("th"))].focus();
   });
   const sorted = sorting.column === at ? (sorting.down ? "descending" : "ascending") : null;
