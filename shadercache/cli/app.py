@@ -77,7 +77,9 @@ def main(argv: Sequence[str]) -> int:
     args = _hoist_diagnostics(argv) or ["--help"]
     try:
         app = _build(args, reporter)
+        # Not standalone: typer would print errors in its own form and end the process.
         status = app(args, prog_name="shadercache", standalone_mode=False)
+        # Here, so that a reader who went away shows in the status and not at the interpreter's end.
         sys.stdout.flush()
         return status if isinstance(status, int) else 0  # a command returns None if all is well
     except DiagnosticError as error:

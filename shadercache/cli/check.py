@@ -97,6 +97,7 @@ def _with_findings(checked: Sequence[CheckedFile], options: ReadOptions) -> list
     tool = find_compiler()
     if tool is None:
         return [*checked]
+    # Nothing is asked about an empty text: a file that cannot be read only keeps its place.
     questions = [
         Question(file.source or Source(file.name, ""), file.stage, file.diagnostics)
         for file in checked

@@ -41,6 +41,7 @@ def command(
         report["opengl"] = None
     report["advice"] = _advice(report)
     print(json.dumps(report, indent=1) if as_json else "\n".join(_lines(report)))
+    # After the report: it is needed most where there is no OpenGL.
     if failure:
         raise failure
 

@@ -46,6 +46,7 @@ def read_source(path: str) -> Source:
     try:
         return Source(name, data.decode("utf-8-sig"))
     except UnicodeDecodeError as error:
+        # Positions in a source count characters, without a byte order mark; the error counts bytes.
         start = len(data[: error.start].decode("utf-8-sig"))
         source = Source(name, data.decode("utf-8-sig", errors="replace"))
         message = f"not UTF-8 text: {error.reason} (byte 0x{data[error.start]:02x})"
@@ -80,8 +81,10 @@ def atomic_folder(out: Path) -> Iterator[Path]:
 
     Raises :class:`UsageError` SC002: the folder cannot be written or the disk is full.
     """
+    # Followed, so that a link to a folder stays a link.
     out = Path(os.path.realpath(out))
     home = out if out.is_dir() else out.parent
+    # What is made on the way is taken away again if the block fails.
     missing = [folder for folder in (*home.parents[::-1], home) if not folder.exists()]
     staged: Path | None = None
     try:
@@ -89,6 +92,7 @@ def atomic_folder(out: Path) -> Iterator[Path]:
         if not standing.is_dir():
             raise NotADirectoryError(ENOTDIR, "it is a file, not a folder", str(standing))
         home.mkdir(parents=True, exist_ok=True)
+        # Beside its goal: renames are atomic only within one file system.
         staged = Path(tempfile.mkdtemp(prefix=f".{out.name}-", suffix=".tmp", dir=home))
         yield staged
         _publish(staged, out)
@@ -111,6 +115,7 @@ def _publish(staged: Path, out: Path) -> None:
         staged.rename(out)
         return
     files = sorted(path.relative_to(staged) for path in staged.rglob("*") if path.is_file())
+    # All of them before the first is moved: afterwards it would be too late to refuse.
     for path in files:
         if (out / path).is_dir():
             reason = "it is a folder, but a file must go there"

@@ -35,7 +35,9 @@ R = TypeVar("R")
 PASSES = (*(algorithm.word for algorithm in ALGORITHMS), "all")
 """What ``--passes`` takes."""
 
+# ASCII: GLSL's identifiers have no other letters, while \w alone takes those of every script.
 _MACRO = re.compile(r"[A-Za-z_]\w*(\([^()]*\))?", re.ASCII)
+# Nobody may redefine these (GLSL 4.60 section 3.3).
 _FIXED_MACROS = frozenset(("defined", "__LINE__", "__FILE__", "__VERSION__"))
 
 FragmentArgument: TypeAlias = Annotated[

@@ -72,6 +72,7 @@ def command(
     emission = rewrite(analysis, wanted, unprofitable=unprofitable)
     with atomic_folder(out) as folder:
         for name, text in {**emission.files, MANIFEST: encode(emission.manifest)}.items():
+            # Line ends as they were emitted, on every system.
             (folder / name).write_text(text, encoding="utf-8", newline="")
     context.obj.show((*analysis.notes, *emission.notes, *overlaps))
     print(

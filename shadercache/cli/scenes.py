@@ -87,4 +87,5 @@ def configured(
     Objects that share a cache are told apart by their numbers, unless ``ids=off`` is said.
     """
     several = ["ids=on"] if sum(thing.caching.on for thing in scene.objects) > 1 else []
+    # The user's settings come last, for the last one holds.
     return with_settings(configuration, [*several, *(settings or ())])

@@ -74,6 +74,7 @@ class ChoiceOptions:
         from shadercache.sweep.choices import Choices, check_choices, read_choices
 
         if self.choices is not None:
+            # Typer does not tell what was said, but what differs from its default was.
             if (replace(self, choices=None), trial) != (ChoiceOptions(), TRIAL):
                 message = "--choices stands in place of the other lists"
                 raise usage_error("SC003", message, "say everything in the file, or nothing")
@@ -130,6 +131,7 @@ class WhichOptions:
             places = on_each([trial], machines)
             return (
                 condition(trial.words(one))
+                # Done on one machine of a cluster is done: a trial is drawn by whichever is idle.
                 and (self.force or not any(place.key(one) in done for place in places))
                 and (not self.stale or any(place.identity(one) in old for place in places))
             )
@@ -237,6 +239,7 @@ def _sweep(
     from shadercache.sweep.store import Store
     from shadercache.sweep.which_trials import on_each
 
+    # A dry run leaves no store behind.
     if dry_run and not output.exists():
         _print_plan(trials, trials, crew)
         return
@@ -250,6 +253,7 @@ def _sweep(
         _print_plan(trials, left, crew)
         if not dry_run:
             rows = _carried_out(left, crew, store)
+            # Rows that were replaced leave their shaders and pictures behind.
             store.drop_unused()
             _print_end(rows, frozenset(planned.values()), output)
 

@@ -21,6 +21,7 @@ def format_table(
     lines = [tuple(header), *map(tuple, rows)]
     widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
     to_right = set(right.split())
+    # Plain text and one form for all lines: rich takes .3 s for a table of 600 rows.
     form = "  ".join(
         f"{{:{'>' if title in to_right else '<'}{size}}}"
         for title, size in zip(header, widths, strict=True)
