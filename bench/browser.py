@@ -17,6 +17,7 @@ BROWSER, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")
 MISSING = None if BROWSER and DRIVER else "chromium and chromium-driver are not installed"
 """What keeps a browser from being opened, if anything."""
 
+# In a container Chromium finds neither a sandbox nor much shared memory.
 _FLAGS = "--headless=new", "--no-sandbox", "--hide-scrollbars", "--disable-dev-shm-usage"
 
 DRAWN = "return Number(document.documentElement.dataset.drawn || 0)"

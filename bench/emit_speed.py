@@ -83,6 +83,7 @@ def _emit(analysis: Analysis, mode: Mode, count: int) -> list[float]:
     for node in chosen:
         begin = time.process_time()
         emission = rewrite(analysis, by_every_algorithm(Configuration((node.id,), mode=mode)))
+        # A program is two files, one of each stage.
         times.append((time.process_time() - begin) * 2 / len(emission.files))
     return times
 
@@ -126,6 +127,7 @@ def _analysed(source: Source) -> Sample:
     begin = time.process_time()
     analysis = analyse(source)
     analysed = time.process_time()
+    # Groups are found when they are first asked for.
     nodes, _ = len(analysis.nodes), analysis.groups
     grouped = time.process_time()
     return {"nodes": nodes, "analyse": analysed - begin, "groups": grouped - analysed}

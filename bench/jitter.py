@@ -79,6 +79,7 @@ def run(world: RenderScene, linker: Linker, configuration: Configuration) -> Cas
     objects = linker.link(linker.assign(configuration))
     subject = Watched("cached", configuration, objects).watch(start)
     with CoverageRunner(world, *linker.originals()) as cover:
+        # The jitter moves outlines: compared is what all of these frames cover.
         covered = cover.coverage(0)
         for frame in frames:
             covered &= cover.coverage(frame)

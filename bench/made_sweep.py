@@ -130,6 +130,7 @@ class _Maker:
 
     def _time(self, algorithm: str, ratio: float, period: int, number: int) -> float:
         """The share of the original's time: the parts that are drawn, and what a pass adds."""
+        # What is refreshed, and misses beside it.
         computed = 1.0 / period + 0.03
         overhead = {"1-pass": 0.04, "2-pass": 0.10, "3-pass": 0.15}[algorithm]
         if algorithm == "1-pass":

@@ -74,6 +74,7 @@ def ages(runner: VariantRunner, frames: int, warm: int | None = None) -> Ages:
             missed.append(float(1.0 - refreshed[-1] - (mask == values["hit"]).mean()))
         image = runner.image(frame)
         if frame >= start:
+            # Red is the payload: the frame in which it was computed, blended as the filter blends.
             seen.append(frame - image[..., 0])
     every = np.stack(seen)
     return Ages(

@@ -45,6 +45,7 @@ def evenness(gpu: Gpu) -> Iterator[tuple[str, ...]]:
                 with pan(gpu, (0.0, 0.0), chosen, size) as runner:
                     due = runner.bundle.mask_values["refresh"]
                     runner.draw(0)
+                    # One pixel of each block, whose edge is 4 by default.
                     counts = [
                         int((runner.hit_mask(clock)[::4, ::4] == due).sum())
                         for clock in range(period)
@@ -96,6 +97,7 @@ def on_scenes(gpu: Gpu, size: int, frames: int) -> Iterator[tuple[str, ...]]:
                 linker, str(refresh), [Configuration(nodes, refresh=refresh)]
             )
         ]
+        # All in the same turns: their times are compared with one another, not with the original's.
         how = MeasureOptions(frames, frames // 2, probe_every=1, group=len(subjects), curves=0)
         with RenderScene(gpu, linker.scene, (size, size)) as world:
             variants = [node.variants[0] for node in measure(world, originals, subjects, how).nodes]

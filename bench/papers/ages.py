@@ -50,7 +50,7 @@ def judge(data: OldestAges) -> list[Verdict]:
     words = (
         f"oldest payload at period {PERIOD}: {oldest:.1f} frames with ages, {without:.1f} without"
     )
-    # Ages are kept in half floats, exact up to 2048.
+    # A filter blends numbers of frames, and its weights are rounded.
     return [Verdict("N8", oldest <= PERIOD + 1e-3, words)]
 
 

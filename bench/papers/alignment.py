@@ -125,6 +125,7 @@ def draw(data: Alignment) -> dict[str, bytes]:
         axes.set_xticks(range(len(names)), ticks, fontsize=8)
         axes.axhline(original, color=ORIGINAL, lw=1.2, label=f"original, {original:.1f} ms")
         axes.set_title(f"blocks of {block} x {block}", loc="left", fontsize=11)
+    # Bars without height, for the legend alone.
     every[0].bar(0, 0, color=ORIGINAL, label="aligned to the quads")
     every[0].bar(0, 0, color="white", ec=ORIGINAL, hatch="///", label="shifted by a pixel")
     every[0].set_ylabel("time of a frame (ms)")

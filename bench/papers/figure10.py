@@ -53,6 +53,7 @@ class Figure10:
     def predicted(self, algorithm: str, period: float) -> float:
         """Equations 2 and 3, from the times of all hits and of all misses alone."""
         rate = self.found * (1.0 - 1.0 / period)
+        # With a period of 1 every pixel is computed, as a miss is: that is T_miss.
         hit = self.turns.share(f"{HITS} {algorithm}")
         return rate * hit + (1.0 - rate) * self.turns.share(label(algorithm, 1, MODELLED))
 

@@ -79,6 +79,7 @@ def gather(gpu: Gpu, options: Options, tell: Callable[[int, int], None]) -> Figu
     ):
         for number, block in enumerate(BLOCKS):
             tell(number, len(BLOCKS))
+            # That of two passes: the others reuse the same pixels (law 4).
             subject = bench.variants(PERIOD, block)[1]
             with VariantRunner(bench.world, *subject.objects) as runner:
                 values = runner.bundle.mask_values
@@ -91,6 +92,7 @@ def _map(bench: Bench, runner: VariantRunner, surfaces: Surfaces, block: int) ->
     counts = np.zeros(256)
     whole = split = misses = disoccluded = 0
     mask = np.zeros(0, np.uint8)
+    # The reset frame and a whole period, so that each block has its turn once.
     for frame in range(PERIOD + 1):
         if frame:
             mask = runner.hit_mask(frame)
@@ -111,9 +113,11 @@ def _map(bench: Bench, runner: VariantRunner, surfaces: Surfaces, block: int) ->
 
 def _blocks(mask: NDArray[np.uint8], block: int, due: int) -> tuple[int, int]:
     """How many blocks with refreshed pixels have only such, and how many have others too."""
+    # Blocks that the border of the picture cuts are left out.
     height, width = (edge - edge % block for edge in mask.shape)
     tiles = mask[:height, :width].reshape(height // block, block, width // block, block)
     refreshed, drawn = ((tiles == due).sum((1, 3)), (tiles != 0).sum((1, 3)))
+    # On an outline a block is whole if all is refreshed that is drawn of it.
     whole = int(np.count_nonzero((refreshed > 0) & (refreshed == drawn)))
     return whole, int(np.count_nonzero(refreshed)) - whole
 

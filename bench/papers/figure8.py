@@ -274,6 +274,7 @@ def outliers_overlap(nodes: Sequence[Point], _: float) -> Finding:
     three = [node for node in nodes if node.has("3-pass")]
     ratios, times = [n.ratio for n in three], [n.share("3-pass") for n in three]
     steep = slope(ratios, times).value
+    # The median: outliers, which are looked for, would lift a mean.
     level = float(np.median(np.subtract(times, np.multiply(steep, ratios))))
     above = [time - level - steep * ratio for ratio, time in zip(ratios, times, strict=True)]
     outliers = [node for node, off in zip(three, above, strict=True) if off > 0.1]

@@ -142,6 +142,7 @@ def _decays(data: Figure9) -> Verdict:
         )
     if not holds:
         return Verdict("T8b", None, "no algorithm's time drops")
+    # Three parameters fit a few points, whatever law is behind them.
     if len(data.periods) < 5:
         return Verdict("T8b", None, f"too few periods; {'; '.join(words)}")
     return Verdict("T8b", all_of(holds), "; ".join(words))

@@ -49,6 +49,7 @@ def gather(gpu: Gpu, options: Options, tell: Callable[[int, int], None]) -> Blur
     """Resample with each filter, and compare the last frame; nothing is timed."""
     scene, analysis = open_scene(data_path("corpus", "dragon", "scene.toml"))
     linker = Linker(scene, analysis)
+    # A refresh would bring back the detail whose loss is looked for.
     chosen = replace(as_in_the_papers([scene.nodes["whole noise"]]), refresh=Refresh("none"))
     found = []
     with RenderScene(gpu, linker.scene, (options.size, options.size), "rgba32f") as world:

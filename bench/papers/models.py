@@ -49,6 +49,7 @@ def fit_error(n: Sequence[float], values: Sequence[float]) -> Fit:
 
 
 def _best(fit: Callable[[float], Fit]) -> Fit:
+    # With the rate given, the rest is linear: trying rates one by one misses no minimum.
     fits = [(fit(float(rate)), float(rate)) for rate in RATES]
     found, rate = min(fits, key=lambda pair: pair[0].residual)
     return Fit(found.offset, found.scale, found.residual, rate)

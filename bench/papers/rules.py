@@ -119,6 +119,7 @@ def written(ratio: Ratio) -> str:
 
 def rank_correlation(x: Sequence[float], y: Sequence[float]) -> Interval:
     """Spearman's, with a bootstrap interval over the pairs."""
+    # A resample may be the same pair throughout: nothing rises or falls with it.
     return _over_pairs(
         x, y, lambda a, b: statistics.rank_correlation(a.tolist(), b.tolist()) or 0.0
     )
@@ -126,6 +127,7 @@ def rank_correlation(x: Sequence[float], y: Sequence[float]) -> Interval:
 
 def slope(x: Sequence[float], y: Sequence[float]) -> Interval:
     """Of the least-squares line, with a bootstrap interval over the pairs."""
+    # The same resample has no slope, and must not divide by zero.
     return _over_pairs(x, y, lambda a, b: _covariance(a, b) / max(_covariance(a, a), 1e-30))
 
 

@@ -156,6 +156,7 @@ def compare(
         frames=setting.frames,
         clock=measured.clock,
         environment=environment(gpu),
+        # The mean: of a peer that works in every second frame a median shows one kind only.
         original=1e3 * float(np.mean(group.original.samples)),
         points=points,
         winners={metric: who_wins(points, metric) for metric in METRICS},

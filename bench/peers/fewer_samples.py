@@ -76,6 +76,7 @@ def cheaper_shader(source: Source) -> Source | None:
     if missing := texts.keys() - spans.keys():
         raise ValueError(f"{source.name} has no function {', '.join(sorted(missing))}")
     text = source.text
+    # From the end, so that the spans before it stay right.
     for name in sorted(spans, key=lambda name: -spans[name].start):
         text = text[: spans[name].start] + texts[name] + text[spans[name].end :]
     return Source(source.name, text)

@@ -38,5 +38,6 @@ def _set_bias(world: RenderScene, bias: int) -> None:
         for name, spec in drawable.scene_object.inputs.textures.items():
             texture = drawable.texture(name)
             if spec.mipmap and texture is not None:
+                # OpenGL changes what is bound to the active unit.
                 texture.use(0)
                 change(_TARGETS[type(texture)], _LOD_BIAS, bias)

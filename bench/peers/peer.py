@@ -31,6 +31,7 @@ EMPTY = (0.0, 0.0, 0.0, 0.0)
 def read_shader(name: str, *parts: str) -> Source:
     """A shader of the peers; ``parts`` are put behind ``#version`` and ``#extension``."""
     lines = (GLSL / name).read_text(encoding="utf-8").splitlines()
+    # #version must come first, #extension before all that is no directive (GLSL 4.60 section 3.3).
     head = list(takewhile(lambda line: line.startswith("#"), lines))
     texts = [(GLSL / part).read_text(encoding="utf-8") for part in parts]
     return Source(name, "\n".join([*head, *texts, *lines[len(head) :], ""]))
@@ -105,6 +106,7 @@ class Peer(ABC):
         pair = targets.lend_cache(("rgba16f",))
         self._held.callback(targets.take_back, pair)
         pair.set_filter("linear")
+        # A nearness of 0 is infinitely far: no surface is found there.
         pair.clear((EMPTY,))
         return pair
 
@@ -156,6 +158,7 @@ SEARCH = 4
 def own_surface(world: RenderScene) -> dict[str, Sequence[float]]:
     """The uniforms of ``depth_nearness.glsl`` and ``search.glsl``."""
     camera = world.scene.view.camera
+    # The depth of a perspective is far / (far - near) - far near / (far - near) / w, from 0 to 1.
     far = camera.far / (camera.far - camera.near)
     return {"u_planes": (far, far * camera.near), "u_steps": (SEARCH,)}
 
@@ -211,6 +214,7 @@ class ScreenPass(Resource):
 
     def draw(self, frame: int, numbers: Numbers) -> None:
         """Draw; every pixel is written, so nothing is cleared."""
+        # The scene's depth test and culling are not for this triangle.
         self._view.gpu.ctx.enable_only(moderngl.NOTHING)
         inputs = FrameInputs({}, {}, _encoded(numbers), self._view.viewport(frame))
         self._bound.draw(inputs, None)

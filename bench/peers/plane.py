@@ -124,6 +124,7 @@ def spread(heights: Sequence[float]) -> list[float]:
     placed: list[float] = []
     for height in heights:
         placed.append(max(height, placed[-1] + gap) if placed else max(0.0, height))
+    # Pushed up, the last may stand above 1: then all come down again as far as they must.
     top = 1.0
     for at in range(len(placed) - 1, -1, -1):
         placed[at] = min(placed[at], top)

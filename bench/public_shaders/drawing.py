@@ -154,7 +154,9 @@ def plain_vertex(module: n.Module, facts: Facts, text: str) -> str:
 
     Structs, constants and extensions that the declarations may need are taken over.
     """
+    # Version 100 is of ES by its number alone.
     profile = f" {module.profile}" if module.profile and module.version != 100 else ""
+    # GLSL before 1.30 and ES before 3.00 have attributes in place of inputs.
     old = module.version < (300 if module.profile == "es" else 130)
     lines = [f"#version {module.version}{profile}"]
     extensions = [line.text for line in module.directives if line.text.startswith("#extension")]

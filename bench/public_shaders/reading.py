@@ -82,8 +82,10 @@ def judge(shader: Shader, folder: Path) -> tuple[Verdict, list[str]]:
     path = folder / shader.file
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_bytes(shader.text.encode())
+    # -i prints the tree; -d takes a text without #version for desktop GLSL.
     command = [TOOL, "-i", "-d", shader.file]
     done = subprocess.run(command, cwd=folder, capture_output=True, errors="replace", check=False)
+    # It exits with 2 where a shader has errors.
     if done.returncode not in (0, 2):
         return Verdict("glslang crashes"), []
     lines = done.stdout.splitlines()

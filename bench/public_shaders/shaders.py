@@ -61,6 +61,7 @@ def folder_shaders(folder: Path, include_folders: Sequence[Path] = ()) -> list[S
 def shaders_of(name: str, text: str) -> Iterator[Shader]:
     """The shaders in a file of that name: none, one, or one of each stage."""
     words = _NAME_PARTS.findall(name.lower().rsplit("/", 1)[-1])
+    # The last one: a suffix tells more than what stands before it.
     word = next((word for word in reversed(words) if word in _WORDS), None)
     if word is not None:
         stage = _WORDS[word]
