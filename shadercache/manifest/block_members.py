@@ -64,6 +64,8 @@ def struct_members(kind: Type, rules: Packing | None = None) -> tuple[MemberEntr
 
 def number_of(qualifiers: n.Qualifiers, word: str, facts: Facts) -> int | None:
     """What a word of a ``layout(...)`` is said to be."""
+    # Of a word that stands there twice the last one holds, and case does not matter (GLSL 4.60
+    # section 4.4).
     number = None
     for entry in qualifiers.layout or ():
         if entry.name.lower() == word and entry.value is not None:
@@ -77,12 +79,15 @@ def _member(
 ) -> tuple[MemberEntry, int]:
     """A member that begins at ``start`` or behind it, and where it ends; both in bytes."""
     dims = tuple(size or 0 for size in kind.dims)
+    # Of shared and packed blocks each implementation chooses the places (GLSL 4.60 section 4.4.5).
     if rules is None or rules.packing not in LAID_OUT:
         plain = MemberEntry(name=name, type=str(kind), members=struct_members(kind), dims=dims)
         return plain, 0
     by_rows = rules.matrices == "row_major"
     unit, size = alignment(kind, rules.packing, by_rows)
     stride, matrix_stride = strides(kind, rules.packing, by_rows)
+    # `align` moves a written `offset` up as well, and never goes below what the packing asks for
+    # (GLSL 4.60 section 4.4.5).
     offset = up(start, max(unit, align))
     member = MemberEntry(
         name=name,
@@ -93,12 +98,14 @@ def _member(
         stride=UNSET if stride is None else stride,
         matrix_stride=UNSET if matrix_stride is None else matrix_stride,
     )
+    # The buffer that is bound decides how long such an array is: it adds nothing to what is needed.
     return member, offset if kind.is_unsized else offset + size
 
 
+# Forty structs that hold the next one twice have 2^40 members; each struct is counted once.
 @lru_cache
 def _count(struct: StructType) -> int:
-    """The members of a struct, and of those in it: forty structs of two have 2^40."""
+    """The members of a struct, and of those in it."""
     inner = (kind.struct for kind in struct.fields.values())
     return len(struct.fields) + sum(_count(below) for below in inner if below is not None)
 

@@ -27,6 +27,8 @@ from shadercache.manifest.state import state_of
 from shadercache.manifest.uniforms import added_uniforms
 from shadercache.source import Source
 
+# 16/w is as precise in half floats from w = 2.4e-4 to 2.6e5. Plain 1/w falls below 2^-14, and loses
+# bits, at w = 16,384 (docs/why/reuse.md).
 _DEPTHS = {"inverse-w": "16/w", "ndc": "z/w", "linear": "w"}
 
 _ALWAYS = ("previous-cache", "current-cache", "previous-cache-2", "current-cache-2", "epsilon")
@@ -166,6 +168,8 @@ def _cache(layout: Layout, configuration: Configuration) -> cache_model.CacheEnt
         "format": formats[0],
         "buffers": 2,
         "clear": (0.0, 0.0, 0.0, empty_depth(layout, configuration)),
+        # Look-ups fetch single texels and blend them themselves. Besides, a texture of integers
+        # with a linear filter is incomplete (OpenGL 4.6 section 8.17).
         "filter": "nearest",
         "wrap": "clamp-to-edge",
         "channels": {"payload": XYZW[: min(layout.used, FIRST_TEXEL)], "depth": "w"}

@@ -8,6 +8,7 @@ from msgspec import UNSET, Meta, UnsetType
 
 from shadercache.manifest import kinds
 
+# Three channels are missing: such formats need not be render targets (OpenGL 4.6 section 8.5.1).
 TextureFormat: TypeAlias = Literal[
     "r16f", "rg16f", "rgba16f", "r32f", "rg32f", "rgba32f", "r32ui", "rg32ui", "rgba32ui"
 ]

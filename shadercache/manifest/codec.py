@@ -13,6 +13,8 @@ from shadercache.manifest.rules import problems
 
 _LONGEST = 200
 """Characters of what is wrong: a file may hold a word of megabytes."""
+# msgspec ends a sentence with its place, " - at `$.inputs[0]`". It quotes keys of the file, which
+# may hold line ends.
 _PLACE = re.compile(r"(?P<what>.*) - at (?P<key>`key` in )?`\$\.?(?P<path>.*)`", re.DOTALL)
 
 
@@ -27,6 +29,7 @@ def decode(data: Any, name: str) -> Manifest:
     Raises:
         InputError: SC021 with the path to what is wrong; also where it is of another version.
     """
+    # Asked first, since of another version any other complaint would mislead.
     if not isinstance(data, dict) or data.get("schema_version") != SCHEMA_VERSION:
         raise unusable(f"{name} is not of schema_version {SCHEMA_VERSION}")
     try:

@@ -103,6 +103,7 @@ class Manifest(kinds.ManifestPart, frozen=True, kw_only=True):
         Meta(
             description="the values that are cached, all or none of them in each texel",
             min_length=1,
+            # Three scalars fit beside the depth of the first texel, and four into the second.
             max_length=7,
         ),
     ]

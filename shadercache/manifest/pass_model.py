@@ -35,6 +35,7 @@ Outcomes: TypeAlias = Annotated[
         Literal[
             "hit", "refresh", "outside", "depth", "id", "poison", "magnified", "opted-out", "old"
         ],
+        # Masks are read back as bytes.
         Annotated[int, Meta(ge=1, le=255)],
     ],
     Meta(

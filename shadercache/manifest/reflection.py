@@ -69,6 +69,7 @@ def dependencies(
     entries: list[DependencyEntry] = []
     for entry in inputs:
         members = [member.name for member in entry.members] if isinstance(entry, _BLOCKS) else []
+        # Reads are known by variable. Of a block with an instance that is the whole of it.
         if isinstance(entry, _BLOCKS) and entry.instance is not None:
             known, members = {entry.instance}, []
         else:
@@ -95,6 +96,7 @@ def _joined(one: InputEntry, other: InputEntry) -> InputEntry:
     """One input that both stages declare; a place may stand in one of them only."""
     changed: dict[str, Any] = {"stages": (*one.stages, *other.stages)}
     for name in ("location", "binding", "default"):
+        # 0 stands for an input that has no such field.
         if getattr(one, name, 0) in (None, UNSET):
             changed[name] = getattr(other, name, getattr(one, name))
     if isinstance(one, _BLOCKS) and isinstance(other, _BLOCKS):
@@ -129,6 +131,8 @@ def _twin(entry: InputEntry, previous: Mapping[str, str]) -> InputEntry:
 def _inputs(module: n.Module, facts: Facts, stage: Stage) -> Iterator[InputEntry]:
     defaults = {storage: Packing() for storage in _STORAGES}
     for decl in module.decls:
+        # `layout(std140) uniform;` holds for the blocks behind it, so declarations are taken in
+        # order (GLSL 4.60 section 4.4.5).
         if isinstance(decl, n.QualifierDecl):
             for storage in _STORAGES:
                 if is_default(decl, storage):
@@ -137,6 +141,7 @@ def _inputs(module: n.Module, facts: Facts, stage: Stage) -> Iterator[InputEntry
             storage = next(word for word in _STORAGES if decl.qualifiers.has(word))
             packing = defaults[storage].under(decl.qualifiers)
             yield _block(decl, module, facts, stage, packing)
+        # What a fragment shader has as `in` are varyings, which no engine gives.
         elif isinstance(decl, n.VarDecl) and (
             decl.qualifiers.has("uniform") or (stage == "vertex" and decl.qualifiers.has("in"))
         ):
@@ -154,6 +159,7 @@ def _variable(
     binding = number_of(qualifiers, "binding", facts)
     if not qualifiers.has("uniform"):
         return interface.AttributeInput(**about, location=location)
+    # Counters are opaque as well, so they are sorted out before textures.
     if kind.name == "atomic_uint":
         return interface.CounterInput(**about, binding=binding)
     if kind.struct is None and kind.holds_opaque:
@@ -165,6 +171,7 @@ def _variable(
 def _texture(about: dict[str, Any]) -> InputEntry:
     """A sampler or an image, with what the name of its type says of the texture."""
     kind = about["type"]
+    # Not the whole of it: the sizes of an array may follow.
     words = _TEXTURE.match(kind)
     assert words is not None, kind
     about = about | {

@@ -173,6 +173,7 @@ def reset_sentences(
     """What it does on the first frame, whenever the last one does not fit, and on a change."""
     sentences = list(RESET_FULL_SCREEN if setting.full_screen else RESET)
     at_once = [name for name in programs.variants if algorithm(name).resets_at_once]
+    # An algorithm that resets in one pass does so anyway, and without it no pass can be borrowed.
     if not at_once or len(programs.variants) == 1:
         sentences.remove(SHORT_RESET)
     twins = [RESET_TWINS] * bool(programs.previous)
@@ -193,6 +194,8 @@ def _of_changes(refresh: Refresh, setting: Setting) -> list[str]:
 
 def _age(refresh: Refresh, setting: Setting) -> str:
     """How old a payload may become."""
+    # A payload that stays at its pixel has that pixel's turn in every period. One that moves may
+    # leave each block just before its turn.
     if refresh.age or (setting.mapping == "screen" and refresh.schedule != "none"):
         return "at most a period old"
     if refresh.schedule == "none":

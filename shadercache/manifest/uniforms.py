@@ -54,6 +54,7 @@ _UNIFORMS = (
         "frames between two refreshes of a pixel; 1 refreshes everything in every frame. "
         "Variants that run beside each other may have different ones",
         "frames",
+        # Schedules multiply the period by 16 bits of a hash, which has to fit into 32 bits.
         "[1, 65536)",
         32,
     ),
@@ -61,6 +62,7 @@ _UNIFORMS = (
         "int block",
         "edge of the squares of pixels that are refreshed together",
         "pixels",
+        # Even, so that whole quads of 2 x 2 pixels take the same path.
         ">= 2, even",
         4,
     ),
@@ -120,7 +122,7 @@ def added_uniforms(prefix: str, layout: Layout, configuration: Configuration) ->
         "least": {"default": held.least},
     }
     if configuration.refresh.age and not layout.bits:
-        # An age is a float, and half floats count no further without rounding.
+        # Ages are means of several texels, and above 1,024 half floats hold no fractions.
         chosen["period"] = {"range": f"[1, {MOST_IN_HALF // 2}], with rgba32f [1, 65536)"}
     uniforms: list[AddedUniform] = []
     for uniform in _UNIFORMS:
