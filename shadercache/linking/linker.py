@@ -29,6 +29,7 @@ class Linker:
         self.analysis = analysis
         self._own: dict[tuple[Path, Path | None], Analysis] = {}
         self._bundles: dict[tuple[object, ...], Bundle] = {}
+        # `analysis_of` needs a scene before that with the aliases can be made.
         self.scene = scene
         named = tuple(
             replace(part, inputs=part.inputs.with_aliases(self.analysis_of(part).renamed))
@@ -95,6 +96,8 @@ class Linker:
         """Without a part they are the scene's own shader's."""
         analysis = self.analysis if part is None else self.analysis_of(part)
         first = replace(configuration.compiled, algorithm=NAMES[0])
+        # `compiled` leaves out the format, which no program depends on, but the manifest tells it.
+        # An id stands for its analysis, since this linker keeps them all alive.
         key = (id(analysis), first, configuration.storage.format)
         # All algorithms, since the parts of P/T and of the floor are measured on their passes.
         every = by_every_algorithm(configuration)

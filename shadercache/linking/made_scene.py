@@ -43,6 +43,7 @@ CONSTANT: Mapping[str, tuple[float, ...]] = {
     "framerate": (60.0,),
     "samplerate": (44_100.0,),
     "channeltime": (START,) * 4,
+    # The size of generated textures, and the shape of their pixels.
     "channelresolution": (64.0, 64.0, 1.0) * 4,
 }
 """The same for what does not change; a shorter uniform takes the first numbers."""
@@ -51,6 +52,7 @@ MADE_TEXTURES = {"sampler2D": "pixels", "samplerCube": "faces", "sampler2DArray"
 """The samplers there are textures for, and what those hold (:func:`textures.made_pixels`)."""
 
 _VECTOR = (0.8, 0.6, 0.4, 1.0)
+# `iTime` and `uTime` lose their first letter, `intensity` keeps it.
 _PREFIX = re.compile(r"(?:[ug]_|[iu](?=[A-Z]))")
 
 
@@ -99,6 +101,7 @@ def _declared(
                 kind = stage.facts.declared[declarator].type
                 if declarator.init is None:
                     yield declarator.name, kind
+                    # Law 1 draws the user's own text as well, which has the old name.
                     if declarator.name in old:
                         yield old[declarator.name], kind
 
@@ -132,6 +135,7 @@ def _constants(name: str, word: str, kind: Type) -> dict[str, tuple[float, ...]]
                 for at in range(count)
                 for part, values in _constants(f"{name}[{at}]", "", kind.element).items()
             }
+        # Too many numbers do no harm: `Uniform.encode` takes those that the driver kept.
         values = CONSTANT.get(word, ()) or _by_type(kind.element) * count
         return {name: values}
     known = CONSTANT.get(word, ())
@@ -144,6 +148,7 @@ def _by_type(kind: Type) -> tuple[float, ...]:
     if kind.base != "float":
         return (1.0,) * count
     if kind.is_matrix:
+        # Column by column, which is the order of upload.
         rows = count // kind.cols
         return tuple(float(at // rows == at % rows) for at in range(count))
     return (0.5,) if count == 1 else _VECTOR[:count]

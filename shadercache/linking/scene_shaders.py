@@ -71,6 +71,7 @@ def _rests(scene: Scene, analysis: Analysis) -> bool:
     """Is each vertex at the same place of the picture in every frame?"""
     names = analysis.vertex_emitter.previous_twins()
     frames = range(scene.common.motion.frames + 1)
+    # Objects with shaders of their own are analysed alone, so their motion has no say here.
     items = [part for part in scene.objects if not part.own_shader] or [scene.common]
     return all(_is_constant(scene.view, part, names, frames) for part in items)
 

@@ -31,6 +31,7 @@ def _told(diagnostic: Diagnostic, analysis: Analysis) -> Diagnostic:
     """The diagnostic at the user's place, or at the file alone where that is not found."""
     own = (analysis.fragment, analysis.vertex or analysis.fragment)
     if diagnostic.source is None:
+        # A user who wrote no vertex shader would not know what the name means.
         generated = "original.vert + " if analysis.vertex is None else ""
         message = diagnostic.message.replace(generated, "")
         for name, source in zip(_PRINTED, own, strict=True):
@@ -55,6 +56,7 @@ def _place(printed: Source, span: Span, written: n.Module) -> Span | None:
     around = [
         (one.span.end - one.span.start, other.span)
         for one, other in zip(ones, others, strict=True)
+        # What a pass has made stands nowhere in the user's text.
         if one.span.start <= span.start < one.span.end and other.span.start >= 0
     ]
     return min(around, key=lambda pair: pair[0])[1] if around else None
