@@ -36,6 +36,7 @@ def uniform_values(
     """
     width, height = size
     x, y = view.engine.shift(frame if jittered is None else jittered)
+    # Clip space is two wide and two high.
     shift = (2.0 * x / width, 2.0 * y / height)
     values = semantic_values(view, scene_object.motion, frame, width / height, shift) | {
         "resolution": np.array([width, height], np.float64),
@@ -107,6 +108,7 @@ def _between_keys(camera: Camera, path: CameraPath, frame: int) -> Camera:
     end = next((at for at, key in enumerate(rest) if key.cut), len(rest))
     shot = [*past[first:], *rest[:end]]
     at = max(0, len(past) - first - 1)
+    # At either end of a shot its last key stands in for the one that is missing.
     four = [shot[min(max(at + step, 0), len(shot) - 1)] for step in (-1, 0, 1, 2)]
     start, stop = four[1].frame, four[2].frame
     part = min(1.0, max(0.0, (frame - start) / (stop - start))) if stop > start else 0.0
@@ -154,6 +156,7 @@ def turn_about(axis_of_turn: Sequence[float], degrees: float) -> Matrix:
 def look_at(camera: Camera) -> Matrix:
     """The view matrix."""
     eye = np.asarray(camera.eye, np.float64)
+    # The camera looks along its own negative z axis.
     back = eye - np.asarray(camera.target, np.float64)
     back /= np.linalg.norm(back)
     right = np.cross(np.asarray(camera.up, np.float64), back)

@@ -152,11 +152,13 @@ def load_scene(path: Path) -> Scene:
     known = get_args(MappingKind)
     mapping = top.text("mapping", known[0], known) if top.has("mapping") else None
     many = top.has("objects")
+    # A full-screen scene is not asked for camera and motion: there they are unknown keys.
     flat = mapping not in (None, "surface") and not top.has("mesh") and not many
     common = SceneObject(
         name=top.text("name"),
         fragment=top.file("fragment"),
         vertex=None if flat and not top.has("vertex") else top.file("vertex"),
+        # Where all objects have meshes of their own, the scene need not have one.
         mesh=None if flat or (many and not top.has("mesh")) else top.file("mesh"),
         verify_mesh=top.optional_file("verify_mesh"),
         cull=_culls(top, False),
@@ -206,6 +208,7 @@ def _object(table: Table, common: SceneObject, nodes: Mapping[str, str]) -> Scen
     """One object; what its table does not say is as ``common`` has it."""
     own = table.has("fragment") or table.has("vertex")
     mesh = table.file("mesh", common.mesh)
+    # A stand-in belongs to its mesh: for another one it would be the wrong shape.
     stand_in = common.verify_mesh if mesh == common.mesh else None
     return SceneObject(
         name=table.text("name"),
@@ -231,6 +234,7 @@ def _caching(table: Table, own_shader: bool, nodes: Mapping[str, str]) -> Cachin
     message = f"{table.full('node')}: an object has a node of its own only with its own shader"
     table.require(own_shader or node is None, "node", message)
     return Caching(
+        # The id of a node means nothing in another shader.
         on=table.boolean("cached", True) and (node is not None or not own_shader),
         node=None if node is None else "+".join(nodes.get(part, part) for part in node.split("+")),
         period=table.whole("period", None, least=1) if table.has("period") else None,

@@ -77,6 +77,7 @@ class GraphicsState:
         """A projection (clip z from -w to w) as it is here, shifted by ``shift`` of the picture's
         half width and height."""
         here = matrix.copy()
+        # z/w becomes (z/w + 1) / 2, and 1 minus that where depth is reversed.
         if self.clip == "zero-to-one":
             here[2] = 0.5 * (here[2] + here[3])
             if self.reversed:
@@ -84,6 +85,7 @@ class GraphicsState:
         elif self.reversed:
             here[2] = -here[2]
         if self.jittered:
+            # Times w, so that after the division the shift is the same at every depth.
             here[0] += shift[0] * here[3]
             here[1] += shift[1] * here[3]
         return here
@@ -99,6 +101,7 @@ class GraphicsState:
             return self.places[frame % len(self.places)]
         if not self.jitter:
             return 0.0, 0.0
+        # From 1 on: the first number of every Halton sequence is 0, a corner of the pixel.
         place = frame % self.jitter + 1
         return _halton(place, 2) - 0.5, _halton(place, 3) - 0.5
 

@@ -53,6 +53,7 @@ def load_mesh(path: Path) -> Mesh:
     return Mesh(str(path), arrays, _index(path, raw, count))
 
 
+# One triangle, larger than the picture: two would shade the quads along their diagonal twice.
 FULL_SCREEN = Mesh(
     "full-screen triangle",
     {
@@ -122,6 +123,7 @@ def _index(path: Path, raw: Mapping[str, NDArray[np.generic]], count: int) -> ND
         raise input_error("SC511", f"the mesh {path} has no array 'index'")
     if stored.dtype.kind not in "iu" or stored.size == 0 or stored.size % 3:
         raise _bad_shape(path, "index", f"{stored.dtype} {stored.shape}")
+    # Differences are stored in few bits, which their sums would overflow.
     flat = stored.astype(np.int64).ravel()
     if "index" not in raw:
         flat = np.cumsum(flat)

@@ -145,6 +145,7 @@ def _spans(camera: Camera | Key) -> bool:
     a = [target - eye for eye, target in zip(camera.eye, camera.target, strict=True)]
     b = camera.up
     cross = (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+    # Relative, since scenes have any size. Zero vectors do not pass either.
     return max(map(abs, cross)) > 1e-9 * max(map(abs, a)) * max(map(abs, b))
 
 

@@ -69,6 +69,7 @@ def _arrays(archive: zipfile.ZipFile) -> dict[str, NDArray[np.generic]]:
     arrays: dict[str, NDArray[np.generic]] = {}
     numbers = 0
     for entry in members:
+        # Before a byte is inflated: `file_size` is what the archive claims.
         if entry.file_size > INFLATION * (entry.compress_size + 1):
             raise _claims(entry, f"{entry.file_size:,} bytes")
         with archive.open(entry) as stream:
@@ -81,6 +82,8 @@ def _arrays(archive: zipfile.ZipFile) -> dict[str, NDArray[np.generic]]:
 
 
 def _array(stream: IO[bytes], entry: zipfile.ZipInfo) -> NDArray[np.generic]:
+    # `np.load` takes all the memory that a header claims before it reads. Version 3.0 of the format
+    # differs in the names of fields alone, and a plain array has none.
     readers = {
         (1, 0): np.lib.format.read_array_header_1_0,
         (2, 0): np.lib.format.read_array_header_2_0,
@@ -92,7 +95,9 @@ def _array(stream: IO[bytes], entry: zipfile.ZipInfo) -> NDArray[np.generic]:
         shape, by_columns, dtype = read(stream)
     except _NO_HEADER:
         raise ValueError from None
+    # Python's integers do not wrap around, as the product of a forged shape would in 64 bits.
     count = math.prod(shape)
+    # Objects would have to be unpickled, which runs whatever the file says.
     if min(shape, default=0) < 0 or dtype.hasobject or dtype.itemsize == 0:
         raise ValueError
     if stream.tell() + count * dtype.itemsize != entry.file_size or count > MAX_NUMBERS:

@@ -68,6 +68,7 @@ class Rows:
         """The numbers at a frame. Raises InputError SC541 for a file that does not hold them."""
         rows = _rows(self.path, self.array)
         place = self.start + frame * self.rate
+        # Places may be negative, where int() alone would take the row behind.
         low = int(np.floor(place))
         part = place - low
         first, second = rows[low % len(rows)], rows[(low + 1) % len(rows)]
@@ -95,6 +96,7 @@ class Inputs:
 
     def over(self, other: Inputs) -> Inputs:
         """These, and those of ``other`` that have no value here."""
+        # A uniform has one source, so a name in one group drops it from the others.
         mine = {*self.constants, *self.semantics, *self.animated}
 
         def rest(values: Mapping[str, T]) -> dict[str, T]:

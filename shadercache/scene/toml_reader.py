@@ -20,6 +20,7 @@ _HEADER = re.compile(r"^[ \t]*\[+([^\[\]\n]*)\]+", re.MULTILINE)
 MAX_SCENE = 1 << 20
 """Bytes of a scene file."""
 
+# The stems of a name are quadratic in its parts, and a file may hold a million dots.
 _MOST_PARTS = 20
 """Parts of the name of a table; those behind are taken for one."""
 
@@ -48,6 +49,7 @@ def read_toml(path: Path) -> tuple[Source, dict[str, Any]]:
 
 def _syntax_error(source: Source, message: str) -> Diagnostic:
     at = _AT.search(message)
+    # tomllib gives no place where a text ends too early.
     offset = len(source.text)
     if at is not None:
         lines = source.text.splitlines(keepends=True)
@@ -180,6 +182,7 @@ class Table:
         """A whole number not below ``least``."""
         wanted = f"a whole number from {least} up"
         return int(
+            # For isinstance true and false are integers.
             self.checked(key, wanted, lambda v: type(v) is int and v >= least, default, least)
         )
 
@@ -256,6 +259,7 @@ def is_number(value: Any) -> bool:
     """Whether a TOML value is a finite number (a boolean is not)."""
     if isinstance(value, bool) or not isinstance(value, int | float):
         return False
+    # NaN fails this, and so do integers that no float can hold.
     return -sys.float_info.max <= value <= sys.float_info.max
 
 
