@@ -33,6 +33,7 @@ class WallClock:
 
     def time(self, draw: Callable[[], None]) -> float:
         """See ``Clock``."""
+        # Or work that was submitted earlier would be counted.
         self._finish()
         start = perf_counter()
         draw()

@@ -62,6 +62,7 @@ def open_context() -> Gpu:
     Raises:
         GraphicsError: SC601, there is no OpenGL 3.3 here; the hint is the line to run.
     """
+    # On Linux moderngl's own choice is X11, which needs a display.
     ctx = _first_that_opens({"backend": "egl"}, {})
     # Every engine samples cube maps across their edges today; GL keeps it off by default.
     ctx.enable_direct(_SEAMLESS_CUBE_MAPS)
@@ -86,6 +87,7 @@ def apply_state(ctx: moderngl.Context, state: GraphicsState) -> None:
     ctx.polygon_offset = state.offset
     control = gl_function(ctx, "glClipControl", c_uint, c_uint)
     if control is not None:
+        # GL's default is set as well: another scene of this context may have left the other one.
         control(_LOWER_LEFT, _CLIP[state.clip])
     elif state.clip != "symmetric":
         message = "this OpenGL has no glClipControl (4.5 has it)"

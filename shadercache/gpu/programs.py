@@ -110,6 +110,7 @@ class Programs:
         Raises:
             InputError: SC602 with the driver's log, SC524 for inputs the harness cannot give.
         """
+        # The line of the heading stays, so that the driver's line numbers are those of the file.
         key = (_HEADING.sub("//", vertex.text), _HEADING.sub("//", fragment.text), captured)
         program = self._by_text.get(key)
         if program is None:
@@ -121,6 +122,7 @@ class Programs:
     def release(self, program: Program) -> None:
         """Give one use back."""
         program.users -= 1
+        # In the order of their last use, the oldest in front.
         idle = [key for key, kept in self._by_text.items() if kept.users == 0]
         for key in idle[: max(0, len(idle) - MOST_IDLE)]:
             self._by_text.pop(key).release()
@@ -154,10 +156,12 @@ def _link(
         if isinstance(member, moderngl.Uniform):
             uniforms[name] = _uniform(fragment.name, name, member)
         elif isinstance(member, moderngl.Attribute):
+            # Drivers list gl_VertexID and its like among the active attributes.
             if not name.startswith("gl_"):
                 _check_attribute(vertex.name, name, member)
                 attributes.append(name)
         elif isinstance(member, moderngl.UniformBlock):
+            # An array of blocks is listed element by element; `block_uniforms` refuses it.
             buffers[name.partition("[")[0]] = UniformBuffer(ctx, member, len(buffers))
     uniforms |= {
         uniform.name: uniform for uniform in block_uniforms(fragment.name, inputs, buffers)
@@ -185,6 +189,7 @@ def _check_attribute(shader: str, name: str, member: Any) -> None:
 
 def _refused(log: str, vertex: Source, fragment: Source) -> InputError:
     """The driver's words; each complaint with a line number is put at that line of the text."""
+    # moderngl heads the log with the stage, underlined by equal signs.
     at_vertex = "vertex_shader" in log.split("=", 1)[0]
     source = vertex if at_vertex else fragment
     body = log.split("=\n", 1)[-1].strip()

@@ -88,6 +88,7 @@ class Targets:
         self, textures: tuple[moderngl.Texture, ...], depth_write: bool | None
     ) -> moderngl.Framebuffer:
         """The framebuffer with these attachments (in order) and the shared depth; None: without."""
+        # GL reuses the names of what is freed; these textures live as long as their framebuffers.
         key = (*(texture.glo for texture in textures), depth_write)
         if key not in self._framebuffers:
             depth = None if depth_write is None else self.depth

@@ -75,6 +75,8 @@ def load_pixels(path: Path) -> tuple[NDArray[np.generic], str]:
 
 def _load_png(path: Path) -> NDArray[np.generic]:
     try:
+        # One decoder for files of strangers. Opening reads the header alone, so the size is checked
+        # before any pixel is decoded.
         with Image.open(path, formats=("PNG",)) as image:
             _check_size(path, image.width, image.height)
             return np.asarray(image.convert("RGBA"))
@@ -82,6 +84,7 @@ def _load_png(path: Path) -> NDArray[np.generic]:
         reason = "it is not a PNG file"
     except OSError as error:
         reason = error.strerror or str(error)
+    # Pillow raises SyntaxError for a broken PNG.
     except (ValueError, SyntaxError, EOFError, struct.error, zlib.error) as error:
         reason = str(error) or "it is broken"
     except (Image.DecompressionBombError, Image.DecompressionBombWarning) as error:
@@ -136,6 +139,7 @@ def upload_texture(gpu: Gpu, spec: TextureSpec) -> GlTexture:
     if spec.mipmap:
         texture.build_mipmaps()
     texture.filter = _FILTERS[spec.filter, spec.mipmap]
+    # A cube map is sampled by direction, and has nothing beyond its edges.
     if not isinstance(texture, moderngl.TextureCube):
         texture.repeat_x = texture.repeat_y = spec.wrap == "repeat"
     if spec.anisotropy > 1.0:

@@ -24,6 +24,7 @@ from shadercache.manifest.interface import InputEntry, MemberEntry, UniformBlock
 
 _WORD = 4
 _VEC4 = 16
+# In a block a boolean is a whole word, true unless that is zero (OpenGL 4.6 section 7.6.2.1).
 _DTYPES = {"float": "f4", "int": "i4", "uint": "u4", "bool": "i4"}
 
 
@@ -53,6 +54,7 @@ class Uniform:
 
     def write(self, data: bytes) -> None:
         """Upload, unless the program holds these bytes already."""
+        # GL keeps uniforms with the program, and all who share that share this object.
         if data != self._written:
             self.upload(data)
             self._written = data
@@ -125,10 +127,13 @@ def _is_usual(block: UniformBlockInput, size: int) -> bool:
 def _leaves(name: str, buffer: UniformBuffer, member: MemberEntry, start: int) -> Iterator[Uniform]:
     """The uniforms that a member is, as GL counts them: parts of structs are uniforms."""
     offset, step = start + _given(member.offset), _given(member.stride)
+    # An innermost array of numbers is one uniform. Arrays around it, and those of structs, have one
+    # for each element (OpenGL 4.6 section 7.3.1).
     whole = member.dims if member.members else member.dims[:-1]
     left = prod(member.dims[len(whole) :])
     for at, place in enumerate(product(*map(range, whole))):
         element = name + "".join(f"[{index}]" for index in place)
+        # The stride is that of the innermost array, of which an outer step spans `left` elements.
         first = offset + at * left * step
         for inner in member.members:
             yield from _leaves(f"{element}.{inner.name}", buffer, inner, first)
