@@ -82,6 +82,7 @@ class BoundPass:
         try:
             self._array = drawable.vertex_array(self._program, self.over_screen)
             self._bind(naming)
+        # There will be no pass by which the caller could give the program back.
         except InputError:
             self.release()
             raise
@@ -131,6 +132,7 @@ class BoundPass:
 
     def _bind(self, naming: Naming) -> None:
         problems: list[Diagnostic] = []
+        # Names and sizes are the same in all frames, so one of them shows what is missing.
         values = self._drawable.values(0)
         for name, uniform in self._program.uniforms.items():
             try:
@@ -172,6 +174,7 @@ class BoundPass:
             uniform.encode(values[name], f"{name} of {self._drawable.scene.path}")
             self._values.append((uniform, "before" if twin_of else "now", name))
             return
+        # A uniform with an initialiser has that value from linking on (GLSL 4.60 section 4.3.5).
         initialised = (
             entry.name == uniform.name and entry.default is not UNSET
             for entry in self._spec.inputs

@@ -137,6 +137,7 @@ class Bundle:
         cache = self._variants.cache
         said = with_settings(plain, [f"{key}={word}" for key, word in cache.options.items()])
         epsilon = self.naming.defaults.get("epsilon", DEFAULT_EPSILON)
+        # rgba32ui follows from integers in the payload, and holds the bits of rgba32f.
         form: Literal["rgba16f", "rgba32f"] = "rgba16f" if cache.format == "rgba16f" else "rgba32f"
         return replace(
             said,
@@ -226,6 +227,7 @@ class Bundle:
     def coverage(self) -> PassSpec:
         """The original's vertex shader with a fragment shader that writes 1/4 everywhere."""
         vertex = self.original.vertex
+        # In GLSL ES both stages of a program must be of one version.
         version = _VERSION_LINE.search(vertex.text)
         text = _CONSTANT.read_text(encoding="utf-8")
         if version is not None:
@@ -244,6 +246,7 @@ class Bundle:
             clear.append(cache.second.clear)
             extras.append(cache.second.channels.extras)
         ages = (
+            # The first texel has four channels always: the last one is the depth.
             4 * texel + "xyzw".index(held["age"])
             for texel, held in enumerate(extras)
             if held is not UNSET and "age" in held

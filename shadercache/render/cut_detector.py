@@ -82,6 +82,8 @@ class CutDetector:
         """
         changes = (_change(before[name], now[name]) for name in now if root_of(name) in names)
         change = max(changes, default=0.0)
+        # The median, so that one leap does not excuse the next. A frame with none before it is its
+        # own measure, and never suspected.
         usual = float(np.median(self._changes)) if self._changes else change
         if change > max(LEAP, UNUSUAL * usual):
             self._suspect(frame, f"what it is seen from changed by {change:.0%} at once")

@@ -77,6 +77,7 @@ def cached_item(
         bound if spec.on_reset else None for bound, spec in zip(passes, specs, strict=True)
     )
     whole = bundle.reset_pass if short_reset else None
+    # Two passes have the pass themselves, and keep it at its place in their order.
     if whole is not None and whole.fragment.name not in {spec.fragment.name for spec in specs}:
         on_reset = (run.bind(drawable, whole, naming),)
     return DrawItem(drawable, linked, naming, passes, on_reset, bundle.debug, caches)
@@ -108,12 +109,15 @@ class RunInputs:
     def of(self, role: DrawItem, frame: int) -> FrameInputs:
         """What an object's passes read."""
         shown = self.shown(frame)
+        # After a reset twins may have any value: nothing is looked up, or nothing found.
         before = shown if role.before is None else role.before
         chosen = role.linked.configuration or self._configuration
         refresh = chosen.refresh
+        # What comes later wins: the run's own numbers over defaults, those of a reset over both.
         numbers = {
             **role.naming.defaults,
             "unit": self._unit,
+            # Reduced here: shaders add the clock to a turn below the period and take no remainder.
             "clock": frame % refresh.period,
             "period": refresh.period,
             "block": refresh.block,
@@ -147,6 +151,7 @@ class Turn(NamedTuple):
 def turns(items: Sequence[DrawItem], inputs: RunInputs, frame: int) -> Iterator[Turn]:
     """Every draw of a frame: all objects finish a pass before the next begins."""
     reads = [inputs.of(role, frame) for role in items]
+    # A pass over the screen is drawn once for all objects of a bundle.
     over_screen: set[tuple[Bundle, str]] = set()
     for number in range(max((len(role.due) for role in items), default=0)):
         for role, read in zip(items, reads, strict=True):

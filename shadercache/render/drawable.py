@@ -66,6 +66,7 @@ class Drawable:
         """
         view = self.scene.view
         key = (frame, frame if jittered is None or not view.engine.jittered else jittered)
+        # The same object again: who compares frames, for a cut or for rest, looks at that first.
         values = self._values.get(key)
         if values is None:
             size = view.engine.viewport(frame, self._size)[2:]
@@ -138,4 +139,6 @@ def _is_outside(matrix: np.ndarray, bounds: np.ndarray) -> bool:
     corners = np.take_along_axis(bounds, picks, axis=0)
     clip = np.concatenate([corners, np.ones((8, 1))], axis=1) @ matrix.T
     xyz, w = clip[:, :3], clip[:, 3:]
+    # Compared with w and not divided by it, so that corners behind the eye count rightly. A box
+    # that is outside, but of no single plane, is kept: nothing is lost but time.
     return bool((xyz > w).all(axis=0).any() or (xyz < -w).all(axis=0).any())

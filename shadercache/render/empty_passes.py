@@ -26,6 +26,7 @@ class EmptyPasses:
     def __init__(self, refresh: Refresh, query: moderngl.Query) -> None:
         """Args: ``refresh``: what is recomputed on purpose."""
         self.skipped = 0
+        # With ages a payload gets too old though nothing moves.
         self._fits = refresh.schedule == "none" and not refresh.age
         self._query = query
         self._shown: Mapping[Drawable, Values] = {}

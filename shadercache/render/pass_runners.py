@@ -149,6 +149,7 @@ class CoverageRunner(PassRunner):
         self.draw(frame)
         targets, context = self.world.targets, self.world.gpu.ctx
         targets.clear(targets.color, keep_depth=True)
+        # Fragments at the smallest depth are all that passes, and each is added to the pixel.
         context.enable(moderngl.BLEND)
         context.blend_func = (moderngl.ONE, moderngl.ONE)
         self._draw_objects(frame, depth_test="==")

@@ -44,6 +44,7 @@ class PositionPass(BoundPass):
         self._world.targets.framebuffer(self._targets(None), depth_write=False).use()
         self._load(inputs, None)
         buffer = context.buffer(reserve=16 * self._count)
+        # As points nothing is assembled: each index gives one vertex, in the order of drawing.
         self._array.transform(buffer, moderngl.POINTS)
         positions = np.frombuffer(buffer.read(), np.float32).reshape(self._count, 4)
         buffer.release()

@@ -114,6 +114,7 @@ class RenderScene(Resource):
 
     def begin(self) -> None:
         """Set the state a frame starts from, and clear colour and depth."""
+        # One state for all. Where objects differ, `set_culling` sets it with each draw.
         flags = moderngl.DEPTH_TEST | (
             moderngl.CULL_FACE if self.drawables[0].scene_object.cull else 0
         )

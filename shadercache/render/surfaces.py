@@ -120,6 +120,7 @@ class Surfaces(Resource):
         framebuffer = targets.framebuffer((targets.surface, targets.mask), depth_write=False)
         framebuffer.viewport = self.world.viewport(frame)
         framebuffer.use()
+        # Captured positions are the originals' to the bit, and so are their depths.
         context.depth_func = "=="
         for drawable, now, was in parts:
             self.world.set_culling(drawable)

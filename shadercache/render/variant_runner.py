@@ -75,6 +75,7 @@ class VariantRunner(Runner):
         self._holds_caches = True
         try:
             self._caches.set_filter(self.bundle.cache.filter)
+            # Asked for its error alone: objects that their originals draw ask for no passes.
             self.bundle.passes(self.algorithm)
             roles = [
                 cached_item(self, drawable, linked_object, self._caches, short_reset)
@@ -142,6 +143,7 @@ class VariantRunner(Runner):
         Occlusion queries count overdraw. What a pass of the frame would skip counts as 0.
         """
         counts = dict.fromkeys(self.pass_names, 0)
+        # What these draws store is cleared when the frame itself begins.
         query = self.world.sample_counter
         for turn in self._begin(self._drawn(frame), frame):
             with query:
@@ -154,6 +156,8 @@ class VariantRunner(Runner):
 
         Objects that are not cached hide what is behind them and count as uncovered.
         """
+        # The mask's draws would close the depth that passes must find open. It is cleared here and
+        # when the frame itself begins.
         self.world.begin()
         targets = self.world.targets
         targets.clear(targets.mask)
@@ -189,6 +193,7 @@ class VariantRunner(Runner):
     def release(self) -> None:
         """Give programs and caches back to the render scene."""
         super().release()
+        # Given back twice, the pair would be lent to two runners.
         if self._holds_caches:
             self.world.targets.take_back(self._caches)
             self._holds_caches = False
