@@ -31,6 +31,7 @@ def tells_true_levels(gpu: Gpu) -> bool:
         (_GLSL / f"levels.{stage}").read_text(encoding="utf-8") for stage in ("vert", "frag")
     )
     program = ctx.program(vertex_shader=vertex, fragment_shader=fragment)
+    # Noise, so that every level of detail is another picture.
     pixels = np.random.default_rng(1).random((*_SIZE, 4), dtype=np.float32)
     texture = ctx.texture(_SIZE, 4, pixels.tobytes(), dtype="f4")
     texture.build_mipmaps()

@@ -222,6 +222,7 @@ def _taps(
     far = np.minimum(near + np.ceil(part).astype(np.int64), last)
     for up in (0, 1):
         for right in (0, 1):
+            # 1 - part for a near texel, part for a far one.
             weight = np.abs(1 - right - part[..., 0]) * np.abs(1 - up - part[..., 1])
             yield weight, ((far if up else near)[..., 1], (far if right else near)[..., 0])
 

@@ -13,7 +13,9 @@ from shadercache.verify.reuse_checks import DEPTH, Look, Reuse
 from shadercache.verify.verdict import PERIOD, Difference, Image, Verdict, difference, worst_of
 
 ALWAYS = range(3)
+# The first frame, which is a reset, and one period, over which `at_rest` counts.
 RESTING = range(5)
+# Long enough for a payload to get older than a period, if nothing stopped it.
 AGEING = range(3 * PERIOD)
 
 Frames = list[tuple[Image, Image]]

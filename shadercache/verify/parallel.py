@@ -90,6 +90,7 @@ def verify_in_parallel(
         with ProcessPoolExecutor(workers, spawn, _start, (scene,)) as pool:
             _drain(pool, left, plain, keep)
         if any(node in verdicts for node in left):
+            # Some came through, so it is not the driver as a whole that crashes.
             workers, lost = jobs, 0
         elif workers > 1:
             workers = 1  # which of them it was shows when they come one by one
@@ -137,6 +138,7 @@ def _drain(
     except BrokenProcessPool:
         return
     except BaseException:
+        # Or the `with` block of the pool would wait for all nodes before the error gets through.
         pool.shutdown(cancel_futures=True)
         raise
 

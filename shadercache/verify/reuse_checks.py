@@ -128,6 +128,7 @@ class Reuse:
     def _position_fault(
         self, role: DrawItem, spec: PassSpec, asked: list[tuple[FrameInputs, Positions]]
     ) -> str:
+        # Added names share a prefix. The manifest tells of no varying, but of the cache's sampler.
         names = {added: name for name, added in role.naming.roles.items()}
         varying = names["previous-cache"].removesuffix("cache") + "previous"
         world, drawable = self.references.world, role.drawable
@@ -184,6 +185,7 @@ class Reuse:
 
     def _has(self, runner: VariantRunner, frame: int) -> Mask:
         """The pixels that have payloads of the bundle's nodes and are refreshed in its period."""
+        # Draws that opt out, and those with a shorter period, miss more often than is expected.
         counted = [
             role.drawable.number
             for role in runner.cached
@@ -228,6 +230,7 @@ class Reuse:
         """Which texels hold what no guard minds: depths that match, and usual numbers."""
         floats = [channel for channel in self._channels if channel not in self._discrete]
         sizes = np.abs(texels[..., floats])
+        # What is smaller a driver may flush to zero (GLSL 4.60 section 4.7.1).
         usual = np.isfinite(sizes) & ((sizes == 0.0) | (sizes >= np.finfo(np.float32).tiny))
         fit: Mask = usual.all(axis=-1)
         return fit & (texels[..., DEPTH] > 0.0) if self._marks else fit
@@ -266,6 +269,7 @@ def _exchange(texels: Texels, among: Mask, channels: list[int]) -> bool:
     if len(known) < 2:
         return False
     part = texels[among]
+    # Versions of numpy differ in the shape of the inverse.
     part[:, channels] = np.roll(known, -1, axis=0)[which.reshape(-1)].view(np.float32)
     texels[among] = part
     return True

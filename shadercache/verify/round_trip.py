@@ -72,6 +72,7 @@ def _in_two_steps(references: References, text: str, own: list[Image]) -> Differ
     """
     module = parse(Source(references.analysis.fragment.name, text))
     leaving = leave_discarded(module, references.analysis.program.prefix)
+    # A rewrite that finds nothing to change returns the very tree.
     if leaving is module:
         return None
     try:

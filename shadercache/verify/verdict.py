@@ -48,6 +48,7 @@ class Difference:
 def difference(image: Image, reference: Image, covered: NDArray[np.bool_]) -> Difference:
     """Compare colours bit by bit where ``covered``; NaN equals NaN of the same bits only."""
     one, other = image[covered], reference[covered]
+    # Bits, since NaN is not equal to itself, and -0 is equal to 0.
     changed = (one.view(np.uint32) != other.view(np.uint32)).any(axis=-1)
     if not changed.any():
         return Difference()
@@ -137,6 +138,7 @@ class Verdict:
                 if words:
                     reasons[law] = words
         for name, age in self.ages.items():
+            # So written an age that is NaN breaks the law.
             if not age <= PERIOD:
                 reasons[f"law 7 ({name})"] = [f"a payload is {age:g} frames old, {PERIOD} expected"]
         return reasons

@@ -45,6 +45,7 @@ def misplaced(of: PositionPass, inputs: FrameInputs, truth: Positions) -> str:
 def shaken(values: Values) -> Values:
     """The uniforms, every number of them changed: what a frame before might have had."""
     random = np.random.default_rng(20)
+    # A share alone would leave a zero as it is.
     share, more = _SHAKEN
     return {
         name: value * (1.0 + share * random.uniform(-1.0, 1.0, value.shape))
