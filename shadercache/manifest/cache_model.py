@@ -92,6 +92,7 @@ class PlacesEntry(kinds.ManifestPart, frozen=True, kw_only=True):
     """Where its scalars lie, in the order of a constructor's arguments: first those in the cache,
     then those in its second texture."""
 
+    # Scalars lie side by side, so none but runs of channels occur.
     cache: Literal["x", "xy", "xyz", "y", "yz", "z"] | UnsetType = UNSET
     second: Literal["x", "xy", "xyz", "xyzw", "y", "yz", "yzw", "z", "zw", "w"] | UnsetType = UNSET
 
