@@ -53,6 +53,7 @@ class QueryClock:
         """See ``Clock``."""
         with self._query:
             draw()
+        # Reading it waits for the GPU.
         return float(self._query.elapsed) * 1e-9
 
 

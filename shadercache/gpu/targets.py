@@ -93,6 +93,7 @@ class Targets:
         if key not in self._framebuffers:
             depth = None if depth_write is None else self.depth
             self._framebuffers[key] = self.ctx.framebuffer(textures, depth)
+            # moderngl keeps this mask with the framebuffer, hence one for each.
             self._framebuffers[key].depth_mask = bool(depth_write)
         return self._framebuffers[key]
 
