@@ -99,6 +99,7 @@ class BoundPass:
         """
         targets = self._targets(caches)
         framebuffer = self._world.targets.framebuffer(targets, self._spec.depth_write)
+        # Views and frames share framebuffers, and may have viewports of their own.
         framebuffer.viewport = inputs.viewport
         framebuffer.use()
         test = depth_test or self._world.scene.view.engine.function(self._spec.depth_test)
@@ -115,6 +116,7 @@ class BoundPass:
         for uniform, table, name in self._values:
             uniform.write(uniform.encode(getattr(inputs, table)[name], name))
         for unit, (uniform, source) in enumerate(self._units):
+            # Caches swap with each frame, so their textures are found by role in each draw.
             texture = _cache_texture(source, caches) if isinstance(source, str) else source
             texture.use(unit)
             uniform.write(self._unit_bytes[unit])
@@ -171,6 +173,7 @@ class BoundPass:
     def _bind_value(self, uniform: Uniform, twin_of: str | None, values: Values) -> None:
         name = twin_of or uniform.name
         if name in values:
+            # For its error alone, so that a wrong size is told before anything is drawn.
             uniform.encode(values[name], f"{name} of {self._drawable.scene.path}")
             self._values.append((uniform, "before" if twin_of else "now", name))
             return

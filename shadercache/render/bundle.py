@@ -180,6 +180,7 @@ class Bundle:
         """The algorithm, and its pass, that shades hits and nothing else, if there is one."""
         for name in self.algorithms:
             for spec in self.passes(name):
+                # One pass looks up as well, but a reset draws it: it computes what it misses.
                 if spec.looks and not spec.on_reset and "color" in spec.targets:
                     return name, spec.name
         return None

@@ -51,6 +51,7 @@ class EmptyPasses:
     def draw(self, turn: Turn) -> bool:
         """Draw a pass, unless it is known to have nothing to do; whether it was drawn."""
         bound = turn.bound
+        # The first frame at rest is queried; what it finds holds until something moves.
         if self._still and bound not in self._empty:
             with self._query:
                 turn.draw()
