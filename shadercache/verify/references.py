@@ -46,6 +46,7 @@ class References(Resource):
         """Render the originals. Raises as ``RenderScene`` and ``BoundPass``."""
         scene, self.analysis = opened
         self.linker = Linker(scene, self.analysis)
+        # The linker's scene has the inputs under the names that raised shaders have for them.
         self.world = RenderScene(gpu, self.linker.scene.small, size, "rgba32f", mesh)
         self.images: dict[Mode, list[Image]] = {}
         modes: tuple[Mode, ...] = ("plain", "proof")
