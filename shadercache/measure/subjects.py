@@ -93,6 +93,7 @@ class VariantSubject:
     def bundle(self) -> Bundle:
         """The programs of the scene's own shader."""
         nodes = self.configuration.nodes
+        # Objects with shaders of their own cache nodes of those.
         of_scene = (
             linked.bundle
             for linked in self.objects

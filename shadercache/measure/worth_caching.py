@@ -49,6 +49,7 @@ def weigh(
 def _own_shaders(world: RenderScene, subject: VariantSubject) -> dict[Path, list[str]]:
     """Shaders of cached objects beside the scene's own, and the objects' names."""
     shaders: dict[Path, list[str]] = {}
+    # One that stands for all objects has no shader but the scene's.
     if len(subject.objects) == len(world.drawables):
         for drawable, linked in zip(world.drawables, subject.objects, strict=True):
             if drawable.scene_object.own_shader and linked.configuration is not None:

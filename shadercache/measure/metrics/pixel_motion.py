@@ -66,6 +66,7 @@ def motion_between(now: Surface, before: Surface) -> PixelMotion:
     place = now.place
     with np.errstate(invalid="ignore", divide="ignore"):
         corner = np.floor(place - 0.5)
+        # Where 1/w was not positive, the point lay behind the camera.
         both: Mask = (now.number > 0) & (now.before > 0.0) & np.isfinite(place).all(axis=-1)
         both &= (corner >= 0).all(axis=-1) & (corner[..., 0] <= width - 1)
         both &= corner[..., 1] <= height - 1
