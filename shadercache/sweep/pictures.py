@@ -50,5 +50,6 @@ def payload_picture(pixels: NDArray[np.generic]) -> bytes:
 
 def _png(pixels: NDArray[np.generic]) -> bytes:
     buffer = io.BytesIO()
+    # Level 6 takes twice the time for files 4 % smaller.
     Image.fromarray(np.ascontiguousarray(pixels)).save(buffer, "PNG", compress_level=4)
     return buffer.getvalue()

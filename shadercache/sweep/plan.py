@@ -74,6 +74,7 @@ class SweepTrial:
         where = [machine.renderer, machine.driver, machine.clock, machine.processor, machine.cores]
         # Named by its last two parts: a store may be filled from any folder.
         named = [*self.file.path.resolve().parts[-2:], str(self.file.reading)]
+        # Without how long is timed: rows that differ in that alone differ in times alone.
         what = [named, list(scene.size), scene.frames, self.limits.perceptual, self.payload.label]
         return short_hash([what, configuration.to_json(), where])
 
