@@ -105,6 +105,7 @@ def _subjects(
     linker, subjects = Linker(scene, analysis), []
     base = cached.Configuration(storage=cached.Storage(cache_format))
     base = base.with_refresh(scene.demo.period, scene.demo.block)
+    # The costliest stands last.
     labels = scene.demo.nodes if full else scene.demo.nodes[-1:]
     for payload in choose_nodes(scene, analysis, labels):
         chosen = cached.by_every_algorithm(replace(base, nodes=payload.ids))
