@@ -64,6 +64,7 @@ def compile_for_ever(path: Path) -> None:
 def times(path: Path, size: int) -> tuple[list[float], list[float]]:
     """Seconds of frames with the other process stopped, and with it at work."""
     other = Process(target=compile_for_ever, args=(path,), daemon=True)
+    # Before OpenGL is opened: a forked child would share the driver's state.
     other.start()
     assert other.pid is not None
     sleep(5.0)  # it has read the scene

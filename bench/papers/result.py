@@ -95,6 +95,7 @@ def store(path: Path, result: Result) -> None:
     }
     for name, image in result.experiment.draw(result.data).items():
         write_bytes(path.parent / f"{name}.png", image)
+    # Last, for a result stands by its JSON: what was interrupted is measured again.
     write_json(path, written)
 
 

@@ -48,6 +48,7 @@ def color_node(analysis: Analysis) -> Candidate:
     Raises:
         InputError: SC407, there is no such node, or it may not be cached.
     """
+    # Not only what is offered: whether caching the colour pays is what is measured.
     by_expression = {node.expr: node for node in analysis.nodes if node.legal}
     written = (
         part.value
@@ -68,6 +69,7 @@ def _values(value: n.Expr, legal: dict[n.Expr, Candidate]) -> list[Candidate]:
     if isinstance(value, n.Construct) and len(value.args) == 2:
         color, alpha = value.args
         if color in legal and isinstance(alpha, n.Literal):
+            # Three channels and the depth fit one texture; a constant needs no channel.
             return [*whole, legal[color]]
     return whole
 
