@@ -68,7 +68,7 @@ def test_the_clip_position_of_the_report() -> None:
 
 
 def test_without_a_vertex_shader_only_what_the_fragment_shader_says_counts() -> None:
-    for name, refused in (("same_expression", 0), ("interpolation", 6)):
+    for name, refused in (("same_expression", 0), ("interpolation", 7)):
         analysis = analyse(sources(FOLDER, name)[0], mapping="surface")
         found = [node for node in waves(analysis).values() if not node.legal]
         assert len(found) == refused

@@ -48,7 +48,9 @@ def screen_marks(
         for ours, theirs in pairs:
             components = varyings.components.get(theirs.key)
             if components:
-                bound[ours.used] = components
+                # One that is interpolated on the screen is bound as a whole already, though of a
+                # position only some components are.
+                bound.setdefault(ours.used, components)
     own = {decl.name for decl in module.decls if isinstance(decl, n.FunctionDef)}
     marks: dict[n.Node, str] = {}
     for parent in walk(module):
