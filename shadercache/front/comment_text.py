@@ -49,6 +49,7 @@ def find_comments(source: Source, lexemes: Lexemes) -> tuple[Comment, ...]:
     if "//" not in text and "/*" not in text:
         return ()
     if "\r" in text:
+        # Of the same length, so that offsets stay.
         text = text.replace("\r\n", " \n").replace("\r", "\n")
     file = _read(text, lexemes)
     matches = [match for match in _COMMENT.finditer(text) if _counts(file, match.start())]
@@ -62,6 +63,7 @@ def find_comments(source: Source, lexemes: Lexemes) -> tuple[Comment, ...]:
 
 
 def _read(text: str, lexemes: Lexemes) -> _File:
+    # Blanked first: a '#' in a comment begins no directive.
     blank = _COMMENT.sub(lambda match: _NOT_NEWLINE.sub(" ", match[0]), text)
     directives = [match.span() for match in _DIRECTIVE.finditer(blank)] if "#" in blank else []
     words, starts, ends = lexemes.texts, lexemes.starts, lexemes.ends
@@ -78,6 +80,7 @@ def _counts(file: _File, start: int) -> bool:
     Text between two directives counts as left out where it holds code and none of it is a lexeme,
     or where it is all of a group of an ``#if`` and holds no code.
     """
+    # The pair sorts behind any directive that begins there or before.
     index = bisect_right(file.directives, (start, len(file.text)))
     opening, before = file.directives[index - 1] if index else (0, 0)
     if before > start:
@@ -95,6 +98,7 @@ def _header(file: _File, matches: list[re.Match[str]]) -> int:
     for match in reversed(matches):
         if match.end() <= edge:
             gap = file.text[match.end() : edge]
+            # An empty line parts the head of a file from the comment of its first declaration.
             if gap.strip() or gap.count("\n") > 1:
                 return match.end()
             edge = match.start()
@@ -107,6 +111,7 @@ def _anchor(file: _File, match: re.Match[str], in_header: bool) -> tuple[int, bo
         return 0, False
     index = bisect_left(file.starts, match.start())
     words, count = file.words, len(file.words)
+    # The statement does not end at such a `}`, so no comment stands behind it.
     then_block = index and words[index - 1 : index + 1] == ["}", "else"]
     if index and words[index - 1] in _ENDS and not then_block:
         end = file.ends[index - 1]

@@ -56,6 +56,7 @@ class TypeRules:
 
     def layout_item(self, parts: list[Any]) -> n.LayoutItem:
         name, _, value = parts
+        # These two are words of layouts and also keywords or reserved words of some versions.
         if name.type != "NAME" and name.text not in ("shared", "packed"):
             message = f"'{name.text}' is a keyword and cannot be a layout"
             self._state.refuse("SC106", message, name.span)
@@ -104,6 +105,7 @@ class DeclarationRules:
     def declarator(self, parts: list[Any]) -> n.Declarator:
         """A name; in its own initialiser it still means what it meant before."""
         name, dims, _, init = parts
+        # The rule is complete behind the initialiser, which was read with the name's older meaning.
         self._state.scopes.declare_variable(name.text)
         end = dims[-1].end if dims else name.end
         if init is not None:
@@ -185,6 +187,7 @@ class DeclarationRules:
     def proto_open(self, parts: list[Any]) -> DeclaredHead:
         """``type name(``: the parameters have a scope together with the body."""
         full, name, _ = parts
+        # Before the scope is opened: the name of the function may hide a struct outside of it.
         self._state.scopes.declare_variable(name.text)
         self._state.scopes.open()
         return DeclaredHead(full.span.start, full.qualifiers, name.text, full.type)

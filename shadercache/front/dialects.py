@@ -49,6 +49,7 @@ class Host:
 
     def needed(self, user: list[str]) -> list[tuple[str, ...]]:
         """The declarations of what the user's lexemes do not declare as ``uniform TYPE NAME``."""
+        # The host's lines have the same form: their third word is the name, too.
         own = {name for word, name in zip(user, user[2:], strict=False) if word == "uniform"}
         return [decl for decl in self.declarations if decl[2] not in own]
 
@@ -70,6 +71,7 @@ def host_of(source: Source, dialect: Dialect) -> Host | None:
     """
     if dialect == "glsl" or (dialect == "auto" and "mainImage" not in source.text):
         return None
+    # A `main` in a comment is none. Mistakes are dropped here: the preprocessor finds them again.
     text = clean(source, joins_comments(source.text), [], source)
     mains = {match[1]: match for match in _MAIN.finditer(text.text)}
     if "main" not in mains:
@@ -89,6 +91,7 @@ def surrounded(source: Source, dialect: Dialect) -> str:
         return source.text
     head = map(" ".join, host.needed(re.findall(r"\w+|[^\w\s]", source.text)))
     named = version_line(source.text)
+    # The user's #version moves to the top: the host's lines must not stand before it either.
     version, user = f"#version {host.version.number}", source.text
     if named is not None:
         version, user = user[slice(*named)], user[: named[0]] + user[named[1] :]

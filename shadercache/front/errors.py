@@ -53,6 +53,7 @@ def _reserved(mistake: Unexpected) -> Diagnostic | None:
     if mistake.kind != "RESERVED":
         return None
     hint = "choose another name"
+    # Where a type could stand, the word was meant as one; elsewhere it was meant as a name.
     if "NAME" not in mistake.right or "BASIC_TYPE" in mistake.right:
         instead = foreign.INSTEAD_OF_RESERVED.get(mistake.text)
         hint = instead or _needs(mistake.text, mistake.language) or hint
@@ -65,6 +66,7 @@ def _of_extension(mistake: Unexpected) -> Diagnostic | None:
     if mistake.kind not in ("NAME", "QUALIFIER", "BASIC_TYPE", "TYPE_NAME"):
         return None
     here, before = (mistake.text, mistake.span), (mistake.before, mistake.before_span)
+    # The word before comes first: an unknown type is met only at the name behind it.
     for text, span in (before, here):
         if of_extension := unsupported.explained(text):
             return mistake.at(span, *of_extension, "SC111")
@@ -83,6 +85,7 @@ def _later_keyword(mistake: Unexpected) -> Diagnostic | None:
     """A word that only another version knows, as in ``precise float x;``."""
     language = mistake.language
     here, before = (mistake.text, mistake.span), (mistake.before, mistake.before_span)
+    # `switch (x) {` reads as a call up to its brace where the version has no switch.
     for text, span in (here, before, (mistake.callee, mistake.span)):
         if is_word(text) and text not in keywords(*language) and (hint := _needs(text, language)):
             return mistake.at(span, f"'{text}' has no meaning in {language}", hint, "SC106")
@@ -116,6 +119,7 @@ def _never_closed(mistake: Unexpected) -> Diagnostic | None:
     if mistake.text or not mistake.openings:
         return None
     opening, span, _ = mistake.innermost
+    # Behind an unfinished expression the missing operand is the nearer mistake.
     complete = mistake.before in (";", "}", "{") or CLOSERS[PAIRS[opening]] in mistake.right
     return mistake.at(span, f"this '{opening}' is never closed") if complete else None
 
@@ -131,6 +135,7 @@ def _unknown_type(mistake: Unexpected) -> Diagnostic | None:
     if mistake.kind != "NAME":
         return None
     span, name = mistake.span, mistake.text
+    # `Foo` alone reads as an expression, so the parser stops only at the name behind it.
     if "NAME" in mistake.right or "TYPE_NAME" not in mistake.right:
         span, name = mistake.before_span, mistake.before
         starts = mistake.same_line and mistake.earlier in _STATEMENT_ENDS
@@ -201,6 +206,7 @@ def _missing_semicolon(mistake: Unexpected) -> Diagnostic | None:
         return None
     if mistake.text == ")":
         return mistake.behind("expected ';' before ')'")
+    # On the same line a sign is more likely out of place itself than the sign of a missing ';'.
     if mistake.same_line and mistake.text not in ("", "{", "}") and not is_word(mistake.text):
         return None
     hint = _opened(mistake) if isinstance(mistake.values[-1], FunctionProto) else None
@@ -258,6 +264,8 @@ def _missing_declaration(mistake: Unexpected) -> Diagnostic | None:
     return mistake.here(f"expected a type {mistake.place}")
 
 
+# The first that recognises its mistake wins. So what one word gives away comes first, then brackets
+# and habits of other languages, and last what is merely missing, which fits almost anywhere.
 _RECOGNISERS: tuple[Callable[[Unexpected], Diagnostic | None], ...] = (
     _reserved,
     _of_extension,

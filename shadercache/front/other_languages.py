@@ -40,6 +40,7 @@ _SIZES = (2, 3, 4)
 _TYPES = {
     **{f"{kind}{n}": f"{name}{n}" for kind, name in _VECTORS.items() for n in _SIZES},
     **{f"float{n}x{n}": f"mat{n}" for n in _SIZES},
+    # HLSL names rows before columns, GLSL columns before rows.
     **{f"float{r}x{c}": f"mat{c}x{r}" for r in _SIZES for c in _SIZES if r != c},
     **dict.fromkeys(("Texture2D", "texture2d", "sampler"), "sampler2D"),
     **dict.fromkeys(("Texture3D", "texture3d"), "sampler3D"),

@@ -36,6 +36,7 @@ _WITH_ATTRIBUTES = (
 )
 _OPENING = frozenset("([{")
 _CLOSING = frozenset(")]}")
+# The one parser of the process has a builder with the state of the file that is being parsed.
 _one_at_a_time = Lock()
 
 
@@ -79,6 +80,8 @@ def parse_before(source: Source, options: ReadOptions, offset: int) -> Module | 
     whole = _without_attributes(prepared.lexemes, prepared.directives)
     for lexemes, own in recoverable_beginnings(whole, offset):
         if host is not None:
+            # Declarations come to stand before the lexemes and `main` behind them, so this adds the
+            # number of the declarations: what is ours begins that much later.
             own -= len(lexemes.texts) + len(host.main)
             lexemes = host.surround(lexemes, len(source.text))
             own += len(lexemes.texts)
@@ -123,16 +126,19 @@ def _decls(source: Source, prepared: Preprocessed, lexemes: Lexemes, own: int) -
     try:
         return lark.parse(stream)
     except UnexpectedToken as error:
+        # The mistake lies in the brackets that were added, or in that nothing follows them.
         if 0 <= own <= stream.index or (own >= 0 and error.token.type == "$END"):
             raise _CannotEndError from None
         from shadercache.front.errors import explain
 
         raise InputError(explain(error, stream)) from None
     finally:
+        # The parser outlives the file and would keep its source and nodes alive.
         builder.state.end()
 
 
 def _check_depth(source: Source, lexemes: Lexemes) -> None:
+    # Passes recurse into blocks and lists, so their depth is bounded before there is a tree.
     depth = 0
     for index, text in enumerate(lexemes.texts):
         if text in _OPENING:
@@ -166,11 +172,13 @@ def _without_attributes(lexemes: Lexemes, directives: Iterable[Directive]) -> Le
 
 def _behind_attribute(texts: Sequence[str], at: int) -> int:
     """The index behind the attribute that begins at an index, or that index if none does."""
+    # No expression of GLSL begins with `[`, so two of them are never an index in an index.
     if texts[at] != "[" or texts[at + 1 : at + 2] != ["["]:
         return at
     depth = 0
     for index in range(at, len(texts)):
         depth += (texts[index] in "([") - (texts[index] in ")]")
+        # No attribute holds these: the brackets are a mistake, which the parser tells.
         if texts[index] in ";{}":
             break
         if depth == 0:

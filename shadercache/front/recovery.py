@@ -46,8 +46,10 @@ def _ends(texts: list[str]) -> tuple[int, int, int]:
     for behind, text in enumerate(texts, 1):
         if text in ("(", "[", "{"):
             opened.append(text)
+        # Behind a bracket that fits no other nobody knows which are open.
         elif text in _PAIRS and (not opened or opened.pop() != _PAIRS[text]):
             break
+        # The ';' in the head of a `for` stands in parentheses and ends nothing.
         if text in (";", "{", "}") and (not opened or opened[-1] == "{"):
             inner, blocks = behind, len(opened)
             if not opened:

@@ -91,6 +91,7 @@ class TypeScopes:
     def close(self) -> None:
         """Close the innermost scope and judge the pending token anew."""
         self._frames.pop()
+        # LALR reads one token ahead: this one was judged in the scope that has just ended.
         token = self.pending
         if token is not None and token.text in self.types:
             token.type = "TYPE_NAME" if self.is_type(token.text) else "NAME"
@@ -102,6 +103,7 @@ class TypeScopes:
 
     def declare_variable(self, name: str) -> None:
         """A variable of this name begins; it may hide a struct."""
+        # A name that no struct ever had is a NAME everywhere: most declarations cost one look-up.
         if name in self.types:
             self._frames[-1][name] = False
 
@@ -143,11 +145,13 @@ class TokenLexer(Lexer):
         """The tokens of a stream, each made when the parser asks for it."""
         stream: Any = lexer_state.text
         scopes = stream.scopes
+        # A copy, because the file's own names and numbers are entered below.
         kinds = self._kinds_of(stream.language).copy()
         check_at = MAX_OPERATORS
         stack = parser_state.state_stack
         states = parser_state.parse_conf.states
         lexemes = stream.lexemes
+        # The parser's callbacks add to this set while the loop runs.
         types = scopes.types
         find = kinds.get
         for text, start, end in zip(lexemes.texts, lexemes.starts, lexemes.ends, strict=True):
@@ -155,6 +159,7 @@ class TokenLexer(Lexer):
             kind = find(text)
             if kind is None:
                 kind = kinds[text] = _kind_of(text, stream)
+            # The row of the state on top of the stack has the terminals that the parser can take.
             if text in types:
                 kind = _name_kind(text, scopes, states[stack[-1]])
             if len(stack) > check_at:
@@ -203,6 +208,7 @@ def _word_kinds(language: Edition) -> dict[str, str]:
         **dict.fromkeys(words.TRUTH_WORDS, "LITERAL"),
         **dict.fromkeys(words.PRECEDENCE, "BINARY"),
         **dict.fromkeys(words.ASSIGN_OPS, "ASSIGN"),
+        # Behind BINARY, which these two are as well: they may also stand before an operand.
         **dict.fromkeys(words.SIGN_OPS, "SIGN"),
         **dict.fromkeys(words.PREFIX_OPS, "PREFIX"),
         **dict.fromkeys(words.STEP_OPS, "STEP"),
@@ -240,6 +246,7 @@ _SUFFIXES: dict[str, tuple[int | None, int | None, tuple[str, ...]]] = {
 
 def _check_suffix(text: str, stream: TokenStream) -> None:
     """Refuse the suffix of a literal where the version has none such (section 4.1)."""
+    # The last f of a hexadecimal number is a digit.
     if text[-1] not in "fFuU" or (text[:2] in ("0x", "0X") and text[-1] in "fF"):
         return
     suffix = text[-2:] if text[-2] in "lL" else text[-1]

@@ -88,6 +88,7 @@ class TreeBuilder:
 
 def _append(parts: list[Any]) -> list[Any]:
     """A list and one more element, with or without a comma between."""
+    # In place: a copy for each element would take quadratic time.
     elements: list[Any] = parts[0]
     elements.append(parts[-1])
     return elements
@@ -134,6 +135,7 @@ class _Expressions:
         """One more operator; those on the stack that bind as tight or tighter are complete."""
         stack, operator, operand = parts
         precedence = PRECEDENCE[operator.text]
+        # `>=`, because all binary operators associate to the left (section 5.1).
         while len(stack) > 1 and PRECEDENCE[stack[-2]] >= precedence:
             self._fold_top(stack)
         stack += (operator.text, operand)

@@ -54,6 +54,7 @@ class TreeState:
         # Its code is put together once, as that of a dataclass is: this runs for every node.
         symbols = pattern.split()
         types = {field.name: str(field.type) for field in fields(kind)}
+        # A symbol without a field is a terminal, or a span in its place: both know their ends.
         is_token = [types.get(symbol, "str") == "str" for symbol in symbols]
         start = "parts[0].start" if is_token[0] else "start_of(parts[0])"
         end = "parts[-1].end" if is_token[-1] else "end_of(parts[-1])"

@@ -75,6 +75,7 @@ class Unexpected:
 
     @property
     def operand_missing(self) -> bool:
+        # A literal may stand wherever an operand may begin, and nowhere else.
         return "LITERAL" in self.right
 
     @property
@@ -86,6 +87,7 @@ class Unexpected:
 def gather(error: UnexpectedToken, stream: TokenStream) -> Unexpected:
     """What is known about the token that the parser stopped at."""
     lexemes = stream.lexemes
+    # At the end nothing more was read, so the stream still points to the last lexeme.
     index = len(lexemes.texts) if error.token.type == "$END" else stream.index
     parser: Any = error.interactive_parser
     openings: list[tuple[str, Span, str]] = []
@@ -94,6 +96,7 @@ def gather(error: UnexpectedToken, stream: TokenStream) -> Unexpected:
         if text in PAIRS:
             openings.append((text, _place(stream, at), _spelling(stream, at - 1)))
         elif text in CLOSERS:
+            # The parser took all of this, so each closing bracket has an opening one.
             _, _, callee = openings.pop()
     return Unexpected(
         stream=stream,
@@ -106,6 +109,7 @@ def gather(error: UnexpectedToken, stream: TokenStream) -> Unexpected:
         after=_spelling(stream, index + 1),
         callee=callee if _spelling(stream, index - 1) in CLOSERS else "",
         openings=openings,
+        # Not the row of the LALR state: that also has terminals which fail after a reduction.
         right=frozenset(parser.accepts()),
         values=parser.parser_state.value_stack,
     )

@@ -21,6 +21,7 @@ from shadercache.source import Source
 
 WEBGL = Version(100, "es")
 
+# A quick test of the text; the precision may stand in an included file.
 _TELLING = re.compile(r"\b(?:highp|mediump|lowp)\b|#[ \t]*include\b")
 
 
@@ -35,6 +36,7 @@ def is_webgl(source: Source, options: ReadOptions) -> bool:
         return False
     if host_of(source, options.dialect) is not None:
         return False
+    # Read as GLSL 1.10, so that precisions behind `#ifdef GL_ES` are left out: such a file is both.
     texts = preprocess_broken(source, options, NO_VERSION)[0].lexemes.texts
     types = type_names(WEBGL.number, es=True)
     return any(one in PRECISIONS and other in types for one, other in pairwise(texts))

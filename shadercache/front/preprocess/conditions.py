@@ -34,6 +34,8 @@ _BINARY: dict[str, tuple[int, Callable[[int, int], int]]] = {
     ">": (7, operator.gt),
     "<=": (7, operator.le),
     ">=": (7, operator.ge),
+    # C leaves shifts by 32 and more undefined; compilers take the last five bits. Without the mask
+    # `1 << 2147483647` would fill the memory.
     "<<": (8, lambda left, right: left << (right & 31)),
     ">>": (8, lambda left, right: left >> (right & 31)),
     "+": (9, operator.add),
@@ -75,6 +77,7 @@ def evaluate(words: Sequence[str], es: bool) -> int:
     waiting: list[tuple[str, int]] = []  # Operators and brackets with their precedence.
     operand = True
     for word in words:
+        # Prefix operators wait without anything being carried out: the innermost comes first.
         if operand and word == "(":
             waiting.append(("(", 0))
         elif operand and word in _UNARY:
@@ -83,6 +86,7 @@ def evaluate(words: Sequence[str], es: bool) -> int:
             values.append(_operand(word, es))
             operand = False
         elif word == ")":
+            # Brackets wait with precedence 0: this stops at the innermost one.
             _apply(values, waiting, 1)
             if not waiting:
                 raise DirectiveError("SC122", "this expression has a ')' without a '('")

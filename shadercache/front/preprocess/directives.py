@@ -46,6 +46,7 @@ class Line:
 
 def _if(state: ReadingState, line: Line) -> None:
     groups, holds = state.file.groups, None
+    # A wrong condition opens its group all the same, or the #endif would close another.
     try:
         if groups.live:
             holds = state.value(line.rest) != 0
@@ -58,6 +59,7 @@ def _ifdef(state: ReadingState, line: Line) -> None:
     valid = is_word(line.rest)
     holds = (line.rest in state.macros) == (line.name == "ifdef")
     groups.begin(line.span, holds if valid else None)
+    # In text that is skipped anyway nothing is a mistake.
     if not valid and groups[-1].outer:
         raise DirectiveError("SC121", f"#{line.name} is followed by the name of a macro")
 
@@ -65,6 +67,7 @@ def _ifdef(state: ReadingState, line: Line) -> None:
 def _elif(state: ReadingState, line: Line) -> None:
     groups, holds = state.file.groups, None
     try:
+        # Behind a branch that was taken the condition is not evaluated and may be anything.
         holds = groups.asks and state.value(line.rest) != 0
     finally:
         groups.go_on("elif", holds)
@@ -157,6 +160,7 @@ def _line(state: ReadingState, line: Line) -> None:
         hint = "#extension GL_GOOGLE_cpp_style_line_directive : require"
         raise DirectiveError("SC108", "the file of a #line is a number", hint)
     words = state.expander.expand(spellings(rest))
+    # `#line 1 + 2` is one expression; in `#line (1) 2` the last number is the file's.
     if len(words) > 1 and words[-1].isdecimal() and _ends_value(words[-2]):
         state.set_file_number(words.pop())
     number = evaluate(words, state.version.es)

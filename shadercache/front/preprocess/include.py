@@ -46,6 +46,7 @@ def find(name: str, beside: Path | None, folders: tuple[Path, ...]) -> Path:
     inside = False
     for path in _candidates(name, looked_at):
         try:
+            # Links first: one inside a folder may lead out of it.
             real = path.resolve()
             if any(real.is_relative_to(folder.resolve()) for folder in looked_at):
                 inside = True
@@ -70,6 +71,7 @@ def _candidates(name: str, folders: tuple[Path, ...]) -> Iterator[Path]:
 def read(path: Path, room: int) -> str:
     """The text of a file that may have ``room`` characters."""
     try:
+        # Before it is read. A file has at least as many bytes as characters.
         if path.stat().st_size > room:
             message = f"included files have more than {MAX_TEXT >> 20} million characters"
             raise RunawayError("SC123", message)

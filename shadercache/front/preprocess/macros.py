@@ -30,6 +30,7 @@ MAX_NESTING = 100
 USUAL_GROWTH = 20
 """Tokens that macros may expand to, for each character of the text."""
 
+# As in C, only a `(` that follows the name at once begins parameters.
 _DEFINITION = re.compile(r"([A-Za-z_]\w*)(\([^)]*\)?)?(.*)", re.DOTALL | re.ASCII)
 _PASTE = "##"
 
@@ -77,11 +78,13 @@ def define(text: str) -> Macro:
 
 
 def _beside_paste(body: tuple[str, ...], at: int) -> bool:
+    # Slices, for they are empty at both ends; the index -1 would be the last word.
     return body[at - 1 : at] == (_PASTE,) or body[at + 1 : at + 2] == (_PASTE,)
 
 
 def _parameters(text: str) -> tuple[str, ...]:
     words = spellings(text)
+    # `( name , name )`: names at odd places, commas at even ones.
     names = words[1:-1:2]
     if words[-1] != ")":
         raise DirectiveError("SC108", "the list of macro parameters has no ')'")
@@ -121,6 +124,7 @@ class _Feed:
         """Is what comes next of a macro? Expansions that are read to their end are forgotten."""
         frames = self.frames
         while len(frames) > 1 and frames[-1].at == len(frames[-1].texts):
+            # A hidden macro is never pushed again, so its name is that of one frame only.
             self.hidden.discard(frames.pop().name)
         return len(frames) > 1
 
@@ -173,12 +177,14 @@ class Expander:
         try:
             return [str(text) for text in self._run(feed, whole=use is None)]
         finally:
+            # Also after a mistake: the reader goes on behind what was consumed.
             self.behind = feed.frames[0].at
 
     def _run(self, feed: _Feed, whole: bool) -> list[str]:
         """Expand to the end of the feed, or only its next lexeme."""
         expanded: list[str] = []
         while (text := feed.next()) is not None:
+            # A painted name equals its text: only the class tells it apart.
             if text in self.macros and type(text) is not _Painted:
                 self._read_macro(feed, text, expanded)
             else:
@@ -231,6 +237,7 @@ class Expander:
                 arguments.append([])
             else:
                 arguments[-1].append(text)
+        # `F()` is a call with one empty argument, unless the macro takes none.
         if not macro.parameters and arguments == [[]]:
             return []
         if len(arguments) != len(macro.parameters):
@@ -239,6 +246,7 @@ class Expander:
 
     def _expanded(self, macro: Macro, raw: list[list[str]], hidden: set[str]) -> list[list[str]]:
         """The arguments as they are put in away from ``##``: expanded by themselves."""
+        # Macro calls inside of arguments are the one place where expansion recurses.
         self._depth += 1
         if self._depth > MAX_NESTING:
             raise RunawayError("SC109", f"more than {MAX_NESTING} calls of macros nest here")
@@ -277,6 +285,7 @@ def _put_in(macro: Macro, raw: list[list[str]], plain: list[list[str]]) -> list[
         if macro.body[at - 1 : at] == (_PASTE,):
             piece = [_pasted(whole.pop(), piece[0]), *piece[1:]]
         whole += piece
+    # Without the empty words that stood for empty arguments.
     return [text for text in whole if text] if macro.pastes else whole
 
 

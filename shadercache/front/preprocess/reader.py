@@ -104,9 +104,11 @@ def _read_source(state: ReadingState) -> None:
         span = text.span(place[0], place[0] + len(line))
         try:
             state.version = read_version(line.partition("version")[2].strip())
+            # The text as it was written, for a comment must not stand there either.
             check_place(state.version, source.text[: span.start])
         except DirectiveError as mistake:
             state.tell(mistake, span)
+    # Behind the #version, which decides which macros are predefined.
     state.define_first_macros()
     _read_file(state, begin)
 
@@ -147,6 +149,7 @@ def _read_file(state: ReadingState, at: int) -> None:
 def _read_code(state: ReadingState, start: int, end: int) -> None:
     """Add the lexemes between two directives, macros expanded."""
     lexemes, limit = state.lexemes, state.options.max_tokens
+    # Most stretches of code use no macro and are scanned straight into the result.
     first = len(lexemes.texts)
     lexemes.scan(state.file.text, start, end, limit)
     if not state.macros.keys().isdisjoint(set(lexemes.texts[first:])):
@@ -161,6 +164,7 @@ def _expand(state: ReadingState, lexemes: Lexemes) -> None:
     """Add lexemes; those of a macro get the place of its use."""
     at = 0
     for index, text in enumerate(lexemes.texts):
+        # What stands before `at` went into a macro as arguments.
         if index < at or text not in state.macros:
             continue
         state.lexemes.add(lexemes, at, index)
@@ -201,6 +205,7 @@ def _obey(state: ReadingState, line: Line) -> None:
     if line.rest.endswith("\\"):
         hint = "the line break must follow the '\\' at once"
         raise DirectiveError("SC104", "this '\\' continues no line", hint)
+    # A '#' alone on its line is ignored (section 3.3).
     if handler is None and (line.name or line.rest):
         name = shortened(line.name or line.rest)
         raise DirectiveError("SC108", f"there is no directive #{name}")

@@ -130,6 +130,7 @@ class ReadingState:
             self.macros[name] = Macro(name, None, ("1",), "1")
         version = str(self.version.number)
         self.macros["__VERSION__"] = Macro("__VERSION__", None, (version,))
+        # Only a name: the expander asks for its replacement at each use.
         self.macros["__LINE__"] = Macro("__LINE__", None, ())
         self.set_file_number("0")
         for name in self.options.undefined:
@@ -144,5 +145,6 @@ class ReadingState:
 
     def value(self, rest: str) -> int:
         """The value of an expression in a directive."""
+        # `defined` asks for names, so it is answered before macros are expanded.
         words = self.expander.expand(replace_defined(spellings(rest), self.macros))
         return evaluate(words, self.version.es)

@@ -17,6 +17,8 @@ from dataclasses import dataclass, field
 from shadercache.diagnostics import Diagnostic
 from shadercache.source import Source, Span
 
+# Unrolled, so that each character is tried once. Of a comment that is never closed the rest of the
+# text is taken, or each `/*` in it would search to the end again.
 _COMMENT = re.compile(r"//[^\n]*|/\*[^*]*\*+(?:[^/*][^*]*\*+)*/|(?P<unclosed>/\*.*)", re.DOTALL)
 _CONTINUATION = re.compile(r"(?:\\\r?\n)+")
 _LONE_RETURN = re.compile(r"\r(?!\n)")
@@ -64,6 +66,7 @@ class CleanText:
 
     def span(self, start: int, end: int) -> Span:
         """The span in the source of a range of the text."""
+        # The end is that of the last character: something may be missing between it and the next.
         return Span(self.place(start), self.place(end - 1) + 1 if end > start else self.place(end))
 
 
@@ -85,6 +88,7 @@ class Lexemes:
             stop = _blank_behind(clean.text, start + _CHUNK, end)
             self._scan_chunk(clean.text, start, stop, clean.base)
             start = stop
+        # Continuations inside of words are rare, so their places are put right afterwards.
         if clean.cuts:
             for index in range(first, len(self.texts)):
                 at, stop = self.starts[index] - clean.base, self.ends[index] - clean.base
@@ -113,6 +117,7 @@ class Lexemes:
         # Blanks at the end are no part of a lexeme, and the pattern would try each of them.
         end = start + len(text[start:end].rstrip(_BLANKS))
         at = start + base
+        # Blanks are captured too, so that places are sums of lengths and no match objects are made.
         for blank, lexeme in _LEXEME.findall(text, start, end):
             at += len(blank)
             add_text(lexeme)
@@ -160,6 +165,7 @@ def clean(file: Source, joined: bool, errors: list[Diagnostic], root: Source) ->
     if text.startswith("\ufeff"):
         text = " " + text[1:]  # The byte order mark that some editors begin a file with.
     if "\r" in text:
+        # A carriage return ends a line by itself; before a line feed it is a blank (section 3.1).
         text = _LONE_RETURN.sub("\n", text)
     if not joined:
         text = _blank_comments(CleanText(text, file.base), errors, root)

@@ -17,6 +17,7 @@ from shadercache.lang.words import ES_VERSIONS, VERSIONS
 
 _EXTENSIONS = Path(__file__).with_name("extensions.txt")
 _VERSION = re.compile(r"(\d{1,9})(?:\s+(\w+))?", re.ASCII)
+# Possessive: a file that begins with many comments and has no #version is tried in one way only.
 _VERSION_LINE = re.compile(
     r"(?:[\s\ufeff]+|//[^\n]*|/\*.*?\*/)*+(#[ \t\v\f]*version\b(?:/\*.*?\*/|[^\n])*)",
     re.DOTALL | re.ASCII,
@@ -115,6 +116,7 @@ def _known_extensions() -> dict[str, tuple[str, str]]:
 @cache
 def extension_macros(version: int, es: bool) -> frozenset[str]:
     """The names of extensions that are macros, with the value 1, in a version."""
+    # A bool as index: False is the desktop's version, True that of ES.
     sinces = ((name, since[es]) for name, since in _known_extensions().items())
     return frozenset(name for name, since in sinces if since != "-" and int(since) <= version)
 
