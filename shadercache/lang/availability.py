@@ -38,6 +38,7 @@ class Availability:
             return True
         if profile == "es":
             return self.es <= version <= self.es_until
+        # What the core profile dropped, the compatibility profile keeps.
         return self.since <= version and (version <= self.until or profile == "compatibility")
 
 

@@ -15,9 +15,11 @@ def alignment(kind: Type, packing: str, by_rows: bool = False) -> tuple[int, int
     if kind.dims:
         unit, size = alignment(innermost(kind), packing, by_rows)
         unit = _rounded(unit, packing)
+        # An array without a size ends its block, so it does not matter where it ends itself.
         return unit, up(size, unit) * prod(n or 1 for n in kind.dims)
     if kind.struct is not None:
         units = [alignment(field, packing, by_rows) for field in kind.struct.fields.values()]
+        # A struct is aligned as its widest member, and padded to that at its end (rule 9).
         unit = _rounded(max(unit for unit, _ in units), packing)
         end = 0
         for step, size in units:
@@ -25,6 +27,7 @@ def alignment(kind: Type, packing: str, by_rows: bool = False) -> tuple[int, int
         return unit, up(end, unit)
     scalar = 8 if kind.base in ("double", "int64_t", "uint64_t") else 4
     if kind.cols > 1:
+        # A matrix is laid out as an array of its columns, or of its rows (rules 5 and 7).
         vectors, numbers = (kind.rows, kind.cols) if by_rows else (kind.cols, kind.rows)
         unit = _rounded(_vector(scalar, numbers), packing)
         return unit, unit * vectors
@@ -53,6 +56,7 @@ def up(offset: int, unit: int) -> int:
 
 
 def _vector(scalar: int, numbers: int) -> int:
+    # Three components are aligned as four are (rule 3).
     return scalar * (4 if numbers == 3 else numbers)
 
 

@@ -180,6 +180,7 @@ def _index() -> Mapping[str, dict[str, list[_Line]]]:
     """Lines of the data file by section and name."""
     sections: dict[str, dict[str, list[_Line]]] = defaultdict(dict)
     for section, text, shared in data_lines(_FILE):
+        # Variables have storage and type before the name, structs nothing, all others a type.
         at = {"structs": 0, "variables": 2}.get(section, 1)
         names = text.partition("(")[0].partition(":")[0].split()[at]
         line = _Line(text, (*_own_words(text, at), *shared))
@@ -205,6 +206,7 @@ def _signatures(name: str, line: _Line) -> Iterator[tuple[Signature, Availabilit
     result, _, rest = head.partition(" ")
     params = rest.partition("(")[2]
     for types, has_bias in expanded(f"{result}, {params}" if params else result):
+        # A bias is added to an implicit level of detail, which only fragments have (section 8.9).
         words = (*line.words, "fragment") if has_bias else line.words
         signature = Signature(
             name,

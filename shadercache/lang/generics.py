@@ -70,6 +70,7 @@ def _sized_all(text: str) -> Iterator[str]:
     for size in sizes:
         sized = text
         for word in generic:
+            # `vecN` is a part of `ivecN` too, but comes out right there: the prefix stays.
             sized = sized.replace(word, _sized(word, size))
         yield sized
 

@@ -142,6 +142,7 @@ class Type:
         if self.struct is not None:
             one = self.struct.slots
         else:
+            # A location has room for four floats: dvec3 and dvec4 take two.
             one = self.cols * (2 if self.base == "double" and self.rows > 2 else 1)
         return one * prod(size or 1 for size in self.dims)
 
@@ -182,6 +183,7 @@ class Type:
 
 def array_of(element: Type, size: int | None) -> Type:
     """``element[size]``; ``None`` for an unsized array. Of an array: one more outer dimension."""
+    # The element keeps its arrays, so that equal array types are one object.
     array = element._arrays.get(size)
     if array is None:
         dims = (size, *element.dims)

@@ -41,6 +41,7 @@ def _rows() -> Iterator[_Row]:
         words: set[str] = set()
         for name in names.split():
             plain = name.removeprefix("g")
+            # Only there a g stands for three types; other words may begin with one, too.
             opaque = name != plain and plain.startswith(("sampler", "image"))
             words |= {plain, f"i{plain}", f"u{plain}"} if opaque else {name}
         of_row = (*history.split(), *shared)
@@ -139,6 +140,7 @@ def reserved_words(
     """Words that a version reserves without giving them a meaning."""
     rows = [row for row in _ROWS if version >= (row.reserved_es if es else row.reserved)]
     packed = {"packed"} if version <= _PACKED_UNTIL else set()
+    # An extension makes keywords of words that its version merely reserves.
     return frozenset(packed.union(*(row.words for row in rows))) - keywords(version, es, extensions)
 
 
