@@ -144,14 +144,17 @@ def _rebuilt(node: Node, results: list[Result]) -> Node:
         value = getattr(node, name)
         if name in holds_nodes and value is not None:
             if isinstance(value, tuple):
+                # A size that is left out (`float a[]`) is no child and has no result.
                 value = _several(name, [old and next(left) for old in value])
             else:
                 value = _single(name, next(left))
         values.append(value)
     if isinstance(node, n.FunctionDef):
         proto, body = values[1:]
+        # In other places for one statement any will do; a function needs its braces.
         return n.FunctionDef(node.span, proto, _as_block(body))
     rebuilt: Node = type(node)(*values)
+    # A type that defines its struct has the struct's name, which a pass may have changed.
     if isinstance(rebuilt, n.TypeSpec) and rebuilt.struct is not None:
         return n.TypeSpec(rebuilt.span, rebuilt.struct.name, rebuilt.struct, rebuilt.dims)
     return rebuilt

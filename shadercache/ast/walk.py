@@ -44,6 +44,7 @@ def _reader(types: dict[str, str]) -> Callable[[Any], tuple[Node, ...]]:
             form = optional if "None" in kind else single
         parts.append(form.format(name))
     if "*" not in "".join(parts) and len(parts) > 1:
+        # The same tuple without a Python frame; of a single field it would be no tuple.
         return attrgetter(*types)
     return cast(Callable[[Any], tuple[Node, ...]], eval(f"lambda node: ({' '.join(parts)})"))
 
@@ -84,6 +85,7 @@ def postorder(node: Node, done: Container[Node] = ()) -> list[Node]:
         if node not in done:
             order.append(node)
             stack += CHILDREN[type(node)](node)
+    # Parents stand before their children and the last child first; turned round, all is in order.
     order.reverse()
     return order
 
@@ -94,5 +96,6 @@ def expressions(node: Node) -> Iterator[Expr]:
     Those in array sizes, layouts, initialisers and case labels are among them.
     """
     for inner in walk(node):
+        # Expression classes have no subclasses: the type itself decides, faster than `isinstance`.
         if type(inner) in _IS_EXPRESSION:
             yield cast("Expr", inner)
