@@ -60,8 +60,11 @@ class CallChecker:
             known = self._context.known_functions
             self._context.problems.undeclared("function", node.name, node, known)
             return None
+        # An unknown function is told all the same; which overload is meant nobody can say.
         if ERROR in args:
             return None
+        # The shader's own functions hide the built-in ones of that name (section 6.1), but some
+        # compilers still find a built-in overload that fits exactly.
         exact = own.get(args) or _exact_match(builtin, args)
         if exact is not None:
             if own and isinstance(exact, Signature):

@@ -57,6 +57,7 @@ class Constants:
 
     def use(self, expr: Expr, symbol: Symbol) -> None:
         """``expr`` names a constant variable."""
+        # From 4.20 on the value of a local constant need be no constant expression.
         if symbol in self._symbols:
             self.set(expr, self._symbols[symbol], symbol)
 
@@ -65,6 +66,7 @@ class Constants:
         self.expressions.add(expr)
         if value is not None:
             self.values[expr] = value
+        # What is computed from a driver's value is the driver's as well.
         if self._driver and not self._driver.isdisjoint(parts):
             self._driver.add(expr)
 
@@ -81,6 +83,7 @@ class Constants:
 
     def fold(self, node: Expr, parts: Sequence[Expr]) -> None:
         """An expression, typed and without mistakes, all parts of which are constant."""
+        # `++` changes its operand, so it is in no constant expression.
         steps = isinstance(node, n.Unary) and node.op in STEP_OPS
         if not steps:
             known = [self.values[part] for part in parts if part in self.values]
@@ -114,6 +117,7 @@ class Constants:
         condition = self.values.get(node.condition)
         if condition is None:
             return None
+        # The other part may be undefined, as in `N > 0 ? 1 / N : 0`.
         chosen = node.then if condition else node.other
         return _as_type(self.values.get(chosen), self._types[node])
 

@@ -75,6 +75,7 @@ def _enter(context: InferenceContext, symbol: Symbol, node: n.Declarator | n.Blo
     if symbol.name.startswith("gl_") and not scopes.depth:
         known = context.language.builtin_variable(symbol.name)
         if known is not None and known.storage != "const":
+            # Declared again it is still the built-in variable, with all that is known of that.
             symbol = replace(symbol, kind="builtin", writable=known.storage == "out")
     before = scopes.here(symbol.name)
     if before is not None and not _may_follow(before, symbol):
@@ -82,6 +83,7 @@ def _enter(context: InferenceContext, symbol: Symbol, node: n.Declarator | n.Blo
         message = f"'{symbol.name}' is already {what} in this scope"
         context.problems.error("SC202", message, node)
     context.check_block_name(symbol.name, node)
+    # Even after a mistake, or each use would be told as undeclared.
     scopes.declare(symbol.name, symbol)
     context.tables.declared[node] = symbol
 
@@ -224,7 +226,9 @@ def declare_function(
     if not isinstance(entry, FunctionSet):
         message = f"'{proto.name}' is already declared, and not as a function"
         context.problems.error("SC202", message, proto)
+        # A set that nobody can call, so that the body is checked all the same.
         entry = FunctionSet()
+    # One overload for all heads: a call that was resolved by a prototype leads to the definition.
     overload = entry.setdefault(head.params, head)
     context.tables.heads[proto], context.tables.functions[proto] = head, overload
     if definition is not None:

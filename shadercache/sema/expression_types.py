@@ -34,6 +34,7 @@ from shadercache.sema.typespecs import resolve
 
 _OPERANDS: Mapping[type, Callable[[Any], tuple[Node, ...]]] = {
     **CHILDREN,
+    # Its type is no operand: `resolve` looks at that, array sizes included.
     n.Construct: attrgetter("args"),
 }
 
@@ -48,6 +49,7 @@ class ExpressionChecker:
         self._context = context
         self._language, self._problems = context.language, context.problems
         self._types, self._symbols = context.tables.types, context.tables.symbols
+        # Scopes change this dictionary and never replace it.
         self._visible = context.scopes.visible
         self._builtins: dict[str, Symbol | None] = {}
         self._leaves: Mapping[type, Callable[[Any], Type]] = {
@@ -112,6 +114,7 @@ class ExpressionChecker:
     def _name(self, node: n.Name) -> Type:
         entry = self._visible.get(node.name)
         if entry is None:
+            # Built-in variables stand outside of all scopes: what the shader declares hides them.
             entry = self._builtin(node.name)
         if type(entry) is Symbol:
             self._symbols[node] = entry
@@ -178,6 +181,7 @@ class ExpressionChecker:
         return kind
 
     def _assign(self, node: n.Assign, target: Type, value: Type) -> Type:
+        # An assignment has the type of its target, whatever is wrong with the value.
         if target is ERROR or value is ERROR:
             return target
         language = self._language
@@ -199,6 +203,7 @@ class ExpressionChecker:
     # --- parts ------------------------------------------------------------------------------------
 
     def _member(self, node: n.Member, whole: Type) -> Type:
+        # ARB_shading_language_420pack brings the swizzles of scalars, and `length()` below.
         kind = member_type(whole, node.name, self._language.qualifier_version)
         if kind is not None:
             return kind
@@ -224,6 +229,7 @@ class ExpressionChecker:
             return INT
         if size is None or not self._language.arrays_are_values:
             return self._problems.error("SC213", f"{whole} has no length()", node)
+        # The length of an array is constant, whatever is in it (section 4.3.3).
         self._context.constants.set(node, size)
         return INT
 

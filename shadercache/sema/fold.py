@@ -41,6 +41,7 @@ def literal(text: str) -> tuple[Type, Scalar | None]:
         return FLOAT, convert(float(low.removesuffix("f")), "float")
     digits = low.rstrip("ul")
     kind = _INTEGERS[low[len(digits) :]]
+    # Python writes octal numbers as `0o17`, and refuses `017`.
     octal = digits.startswith("0") and digits.isdigit()
     value = int(digits, 8) if octal and len(digits) > 1 else int(digits, 0)
     if value >= 1 << _BITS[kind.name]:
@@ -66,10 +67,12 @@ def convert(value: Scalar, base: str | None) -> Scalar | None:
         try:
             return float(_FLOAT32.unpack(_FLOAT32.pack(value))[0])
         except OverflowError:
+            # A literal too large for a float is infinite (4.60 section 4.1.4), and so is a result.
             return math.copysign(math.inf, value)
     base = base or "int"
     limit = 1 << _BITS[base]
     low, high = (-limit // 2, limit // 2) if base in _SIGNED else (0, limit)
+    # In this form the test also holds for a NaN.
     if isinstance(value, float) and not low <= value < high:
         return None
     return wrap(int(value), base)
@@ -86,6 +89,7 @@ def flattened(value: Value) -> Iterator[Scalar]:
 
 def _quotient(left: Any, right: Any) -> Any:
     if isinstance(left, int):
+        # `//` rounds down, GPUs round towards zero.
         whole = abs(left) // abs(right)
         return whole if (left < 0) == (right < 0) else -whole
     return left / right
@@ -99,6 +103,7 @@ def _remainder(left: int, right: int) -> int:
 
 
 def _shift(left: int, right: int, sign: int) -> int:
+    # Undefined from the number of bits on (section 5.9), which is 32 at the least.
     if not 0 <= right < 32:
         raise ArithmeticError
     return left << right if sign > 0 else left >> right
@@ -149,6 +154,7 @@ def fold_binary(
     """An operator on two values of the types ``operands``, with a result of type ``kind``; both are
     first converted to scalar ``base``."""
     left, right = values
+    # The operands of a shift need not agree: the result has the type of the left one (section 5.9).
     if base is not None and op not in ("<<", ">>"):
         one, two = converted(left, base), converted(right, base)
         if one is None or two is None:
@@ -169,6 +175,7 @@ def _product(left: Any, right: Any, first: Type, second: Type) -> Any:
         return None
     if first.is_vector:
         return tuple(_dot(left, column) for column in right)
+    # Matrices are tuples of columns.
     rows = tuple(zip(*left, strict=True))
     if second.is_vector:
         return tuple(_dot(row, right) for row in rows)
@@ -217,6 +224,7 @@ def fold_construct(kind: Type, values: list[Value]) -> Value | None:
     scalars = [convert(scalar, kind.base) for value in values for scalar in flattened(value)]
     if len(scalars) == 1:
         scalars *= kind.rows
+    # The last argument may have more components than are needed (section 5.4.2).
     known = _all([*scalars[: kind.rows]])
     if known is None or len(known) < kind.rows:
         return None

@@ -44,6 +44,7 @@ _COMPONENTWISE: Mapping[str, Callable[..., Any]] = {
     "floor": math.floor,
     "ceil": math.ceil,
     "trunc": math.trunc,
+    # Python rounds halves to even; for `round` GLSL leaves them to the driver (section 8.3).
     "round": round,
     "roundEven": round,
     "fract": _fraction,
@@ -51,6 +52,7 @@ _COMPONENTWISE: Mapping[str, Callable[..., Any]] = {
     "min": min,
     "max": max,
     "clamp": lambda x, low, high: min(max(x, low), high),
+    # With booleans it chooses, and what is not chosen may be infinite or NaN (section 8.3).
     "mix": lambda x, y, a: (y if a else x) if isinstance(a, bool) else x * (1.0 - a) + y * a,
     "step": lambda edge, x: 0.0 if x < edge else 1.0,
     "smoothstep": _smoothstep,
@@ -62,6 +64,7 @@ _COMPONENTWISE: Mapping[str, Callable[..., Any]] = {
     "floatBitsToUint": _bits("I", "f"),
     "intBitsToFloat": _bits("f", "i"),
     "uintBitsToFloat": _bits("f", "I"),
+    # Python counts the bits of the magnitude, GLSL those of the two's complement.
     "bitCount": lambda x: (x & 0xFFFFFFFF).bit_count(),
     "lessThan": operator.lt,
     "lessThanEqual": operator.le,
@@ -164,6 +167,7 @@ def fold_call(name: str, values: list[Value], params: list[Type], kind: Type) ->
         return None
     try:
         value = whole(*known)
+    # Undefined in GLSL as well: a vector of no length, a matrix that has no inverse.
     except (ArithmeticError, ValueError):
         return None
     return fold_construct(kind, list(chain(*value)) if kind.is_matrix else [value])

@@ -42,6 +42,7 @@ def infer_tables(
     tables = Tables() if tables is None else tables
     constants = Constants(tables.types, language.conversions)
 
+    # The context and the checker of expressions need each other: the context is made first.
     def check(expr: n.Expr) -> Type:
         return expressions.check(expr)
 

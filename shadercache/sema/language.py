@@ -92,8 +92,10 @@ def language_of(module: Module, stage: Stage) -> Language:
     """What the ``#version`` and the ``#extension`` lines of a module say."""
     version, profile, es = module.version, module.profile, module.profile == "es"
     extensions = enabled_extensions(module.directives)
+    # 1.40 has no profiles: there this extension brings back what it dropped.
     if "GL_ARB_compatibility" in extensions and not es:
         profile = "compatibility"
+    # Both bring the implicit conversions of 4.00, and the ranking of overloads that goes with them.
     converts = not es and not extensions.isdisjoint(_CONVERTING)
     return Language(
         version=version,

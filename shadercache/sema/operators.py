@@ -47,6 +47,7 @@ def binary_type(op: str, left: Type, right: Type, conversions: Conversions) -> T
     if not (_is_integer(left) and _is_integer(right)):
         return None
     if op in SHIFTS:
+        # A scalar cannot be shifted by a vector, a vector can by a scalar (section 5.9).
         return left if right.rows in (1, left.rows) else None
     return _arithmetic(op, left, right, conversions)
 
@@ -113,6 +114,7 @@ def construct_problem(kind: Type, args: Sequence[Type], conversions: Conversions
     for arg in args:
         if arg.base is None or arg.dims:
             return f"{kind} cannot be made from {arg}"
+    # One scalar fills a vector or the diagonal of a matrix, and a matrix of any size makes another.
     if len(args) == 1 and (args[0].is_scalar or (kind.is_matrix and args[0].is_matrix)):
         return None
     return _components_problem(kind, args)

@@ -69,6 +69,7 @@ class Scopes:
     def declare(self, name: str, entry: Entry) -> None:
         """Give ``name`` a meaning in the current scope (replacing what it meant there)."""
         hidden = self._hidden[-1]
+        # A second declaration in one scope replaces the first, and still hides what stands outside.
         if name not in hidden:
             hidden[name] = self.visible.get(name)
         self.visible[name] = entry

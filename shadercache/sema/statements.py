@@ -80,6 +80,7 @@ class StatementChecker:
 
     def _push_scoped(self, body: Stmt) -> None:
         """A statement that is a scope of its own, braces or not."""
+        # A block opens its own scope, and no other statement declares anything around itself.
         if isinstance(body, n.DeclStmt):
             self._stack.extend((self._scopes.pop, body, self._scopes.push))
         else:
@@ -116,5 +117,6 @@ class StatementChecker:
             self._stack.append(body)
 
     def _do(self, node: n.DoWhile) -> None:
+        # Behind the body, and outside of its scope: the condition does not see what it declares.
         self._stack.append(lambda: self._context.check(node.condition))
         self._push_scoped(node.body)

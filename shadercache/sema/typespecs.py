@@ -50,6 +50,7 @@ def _named(context: InferenceContext, spec: TypeSpec) -> Type:
 def with_dims(context: InferenceContext, element: Type, dims: Dims, node: Node) -> Type:
     """``element`` with array sizes around it; ``node`` is blamed for what is wrong."""
     if not dims or element is ERROR:
+        # Every expression has a type in the tables, so sizes are checked here too.
         for size in dims:
             if size is not None:
                 context.check(size)
@@ -57,6 +58,7 @@ def with_dims(context: InferenceContext, element: Type, dims: Dims, node: Node) 
     if element is VOID:
         return context.problems.error("SC204", "an array of void", node)
     kind = element
+    # `float a[2][3]` is two arrays of three floats: the last size is the innermost one.
     for size in reversed(dims):
         number = None if size is None else _size(context, size)
         if number == 0:
