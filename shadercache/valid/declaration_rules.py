@@ -87,6 +87,7 @@ def _type_problem(symbol: Symbol, storage: Kind, suspect: Suspect) -> str | None
         return f"'{name}' of type {kind} must be a uniform or a parameter"
     if storage not in ("in", "out"):
         return None
+    # Attributes and the outputs of fragments; the others pass from stage to stage.
     outer = (language.stage == "vertex") == (storage == "in")
     if not outer and kind.struct is not None and not language.at_least(150, 300):
         return f"'{name}' is a struct: it cannot be '{storage}' before GLSL 1.50"
@@ -119,7 +120,9 @@ def _passed_problem(symbol: Symbol, storage: Kind, suspect: Suspect) -> str | No
     """What a vertex shader passes to a fragment shader."""
     name, kind = symbol.name, symbol.type
     # Integers and doubles are not interpolated (GLSL 3.30 section 4.3.4).
+    # ES 3.00 wants `flat` on the outputs of vertex shaders as well (section 4.3.6).
     passed = storage == "in" or suspect.language.es_version == 300
+    # Integers that are built in, such as gl_Layer, are flat by themselves.
     smooth = passed and not symbol.qualifiers.has("flat") and not name.startswith("gl_")
     if smooth and not kind.bases.isdisjoint(("int", "uint", "double")):
         return f"'{name}' of type {kind} needs the qualifier 'flat'"
@@ -138,6 +141,7 @@ def _initialiser(
     if suspect.is_constant(node.init) or suspect.type_of(node.init) is ERROR:
         return
     any_value = storage == "global" and _ANY_INITIALISER in language.extensions
+    # From 4.20 on a local constant may have any value.
     if (symbol.is_global or language.qualifier_version < 420) and not any_value:
         message = f"the value of '{node.name}' is not a constant expression"
         yield Finding("SC222", message, node.init)
@@ -286,6 +290,8 @@ def _scoped(module: n.Module) -> Iterator[tuple[_Typed, set[str]]]:
         node, given = stack.pop()
         if isinstance(node, _Typed):
             yield node, given
+        # A copy for each scope: what `precision` says there ends with it. Elsewhere the set is
+        # shared, so that what follows sees it.
         inner = set(given) if isinstance(node, _SCOPES) else given
         below = reversed(children(node))
         stack += [(child, inner) for child in below if not isinstance(child, EXPRESSIONS)]
@@ -297,4 +303,5 @@ def _sort(kind: Type) -> str | None:
         return None
     if kind.base is None:
         return kind.name
+    # The default of int holds for uint too (ES 3.00 section 4.5.4).
     return {"float": "float", "int": "int", "uint": "int"}.get(kind.base)

@@ -49,6 +49,7 @@ def arguments(call: n.Call, suspect: Suspect) -> Iterator[Finding]:
         if param.constant and not suspect.is_constant(arg):
             message = f"this argument of '{call.name}' must be a constant expression"
             yield Finding("SC226", message, arg)
+        # Gathering has limits of its own, and its constant may be a component.
         elif param.constant and "Gather" not in call.name:
             value = suspect.value(arg) or 0
             for number in value if isinstance(value, tuple) else (value,):

@@ -106,6 +106,7 @@ def _qualified(head: Overload) -> list[tuple[str, bool]]:
 
 def recursion(_: n.Module, suspect: Suspect) -> Iterator[Finding]:
     """Each call that closes a cycle of calls is wrong, even one that never runs."""
+    # What is done was followed to its end: all cycles through it are told.
     done: set[n.FunctionDef] = set()
     for start in suspect.tables.called:
         path: list[n.FunctionDef] = []

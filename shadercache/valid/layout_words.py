@@ -67,6 +67,7 @@ _RELATIVE = (NEVER, NEVER, "NV_viewport_array2", "NV_stereo_view_rendering")
 _STEREO = (NEVER, NEVER, "NV_stereo_view_rendering")
 
 WORDS: Mapping[str, LayoutWord] = {
+    # Since when depends on stage and storage, and is told where locations are given out.
     "location": LayoutWord(on=(*_PASSED, "block in", "block out", "variable uniform"), valued=True),
     "component": LayoutWord(_ENHANCED, _PASSED, valued=True),
     "index": LayoutWord((0, 310, "EXT_blend_func_extended"), ("variable out",), True, "fragment"),
@@ -154,6 +155,7 @@ def word_problem(word: str, valued: bool, place: LayoutPlace, language: Language
         return f"'{word}' takes no value" if valued else f"'{word}' needs a value: {word} = 0"
     if entry.stage not in (None, language.stage):
         return f"a {language.stage} shader has no layout qualifier '{word}'"
+    # The extension lays out uniform blocks like this as well.
     if word == "std430" and "GL_EXT_scalar_block_layout" in language.extensions:
         return None
     if entry.on and f"{place.form} {place.storage}" not in entry.on:
@@ -162,6 +164,7 @@ def word_problem(word: str, valued: bool, place: LayoutPlace, language: Language
         return None
     if entry.variable not in (None, place.name):
         return f"'{word}' is for {entry.variable}"
+    # `<error>`: the type is wrong, which is told already.
     if place.type is None or place.type.name.startswith("<"):
         return None
     return _wrong_type(word, place.type, language)

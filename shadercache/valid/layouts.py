@@ -15,6 +15,7 @@ from shadercache.valid.layout_words import ORDERS, PACKINGS, WORDS, LayoutPlace,
 from shadercache.valid.locations import Locations, Values
 from shadercache.valid.suspect import Finding, Suspect
 
+# Blending has two sources, OpenGL one set of descriptors, a location four components.
 _MOST = {"index": 1, "set": 0, "component": 3}
 """Values above these are wrong here."""
 
@@ -117,6 +118,7 @@ class _Layouts:
         known = self._defaults.get(storage, set())
         for word in (entry.name.lower() for entry in qualifiers.layout or ()):
             if word in PACKINGS:
+                # Of several defaults the last one counts, among packings and among orders.
                 known.difference_update(PACKINGS)
             elif word in ORDERS:
                 known.discard("row_major")
@@ -136,6 +138,7 @@ class _Layouts:
         for decl, values in zip(block.fields, members, strict=True):
             for node in decl.declarators:
                 kind = self._suspect.tables.fields[block][node.name]
+                # Behind a member of unknown size no offset can be judged.
                 if kind is ERROR or kind.components is None:
                     return
                 unit, size = alignment(kind, packing)
@@ -151,6 +154,7 @@ class _Layouts:
                         message = f"'{node.name}' at the offset {offset} lies in members before it"
                         self._error(message, node)
                     end = max(end, offset)
+                # A greater `align` counts instead of the alignment of the type (section 4.4.5).
                 end = up(end, max(unit, align)) + size
 
 

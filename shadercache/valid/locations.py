@@ -103,6 +103,7 @@ class Locations:
         self, name: str, storage: str, index: int, used: Iterable[tuple[int, int]]
     ) -> str | None:
         for location, component in used:
+            # The second source of blending (`index = 1`) may have the location of the first.
             other = self._taken.setdefault((storage, location, component, index), name)
             if other != name:
                 return f"'{name}' and '{other}' share the location {location}"
@@ -124,6 +125,7 @@ def _component_problem(kind: Type, values: Values) -> str | None:
         return None
     start = values["component"]
     wide = kind.base == "double"
+    # A double takes two components, and starts at an even one (section 4.4.1).
     if wide and (start % 2 or kind.rows > 2):
         return f"{kind} starts at component 0 or 2, and has no more than two there"
     if start + kind.rows * (2 if wide else 1) > 4:
@@ -143,11 +145,13 @@ def _used(kind: Type, values: Values) -> Iterator[tuple[int, int]]:
 def _uniforms(kind: Type, values: Values) -> Iterator[tuple[int, int]]:
     first = values["location"]
     count = min(_uniform_slots(kind), _MAX_LOCATIONS)
+    # Locations of uniforms name variables, and have no components.
     return ((location, 0) for location in range(first, first + count))
 
 
 def _components(kind: Type, values: Values) -> range:
     """Which components of its (first) location a variable takes."""
+    # Only scalars and vectors leave components to others.
     if kind.base is None or kind.cols > 1:
         return range(4)
     width = kind.rows * (2 if kind.base == "double" else 1)
@@ -159,6 +163,7 @@ def _uniform_slots(kind: Type, known: dict[StructType, int] | None = None) -> in
     """A uniform takes one for each element and member (section 4.4.3)."""
     one, known = 1, {} if known is None else known
     if kind.struct is not None:
+        # Each struct once: nested ones would take exponential time.
         if kind.struct not in known:
             fields = kind.struct.fields.values()
             known[kind.struct] = sum(_uniform_slots(field, known) for field in fields)

@@ -62,6 +62,7 @@ def _reserved(name: str, node: n.Node, suspect: Suspect) -> Iterator[Finding]:
     if name.startswith("gl_"):
         yield Finding("SC203", "names with 'gl_' are reserved", node)
     elif "__" in name:
+        # An error in GLSL ES 1.00; elsewhere compilers take such names and warn.
         wrong = suspect.language.es_version == 100
         message = f"'{name}': names with '__' are reserved"
         yield Finding("SC203" if wrong else "SC292", message, node, warning=not wrong)

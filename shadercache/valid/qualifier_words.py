@@ -19,6 +19,7 @@ _RANKS = {
     **dict.fromkeys(_INTERPOLATION, 2),
     **dict.fromkeys(_AUXILIARY, 3),
     **dict.fromkeys(STORAGE, 5),
+    # Behind STORAGE, which it belongs to, but it comes first: `const in float x`.
     "const": 4,
     **dict.fromkeys(_PRECISION, 6),
 }

@@ -62,6 +62,7 @@ def ask_compiler(
         files = {}
         for number, (question, (text, _)) in enumerate(zip(questions, texts, strict=True)):
             if text:
+                # The ending tells the stage: the first four letters of its name.
                 files[number] = Path(folder, f"{number}.{question.stage[:4]}")
                 files[number].write_text(text, encoding="utf-8")
         outputs = _run(tool, files) if files else {}
@@ -73,6 +74,7 @@ def ask_compiler(
 
 def _run(tool: str, files: dict[int, Path]) -> dict[int, str]:
     """What the compiler says of each file; all at once, for it starts slowly."""
+    # -C: go on behind the first error.
     command = [tool, "-C", *map(str, files.values())]
     try:
         done = subprocess.run(
@@ -81,6 +83,7 @@ def _run(tool: str, files: dict[int, Path]) -> dict[int, str]:
     except (OSError, subprocess.SubprocessError):
         return {}
     if done.returncode not in (0, 2):  # no verdict: a file makes it crash
+        # Each by itself: only the one that makes it crash goes without a verdict.
         alone = [_run(tool, {number: file}) for number, file in files.items() if len(files) > 1]
         return {number: text for one in alone for number, text in one.items()}
     numbers = {str(file): number for number, file in files.items()}
@@ -104,6 +107,7 @@ def _findings(question: Question, places: list[Span], said: str) -> tuple[Diagno
     ]
     seen = {_line(source, span.start) for span in errors if span is not None}
     for match in _ERROR.finditer(said):
+        # What is wrong at the end of the text has the number of a line more.
         span = places[min(int(match[1]), len(places)) - 1]
         if _line(source, span.start) not in seen:
             seen.add(_line(source, span.start))
@@ -122,6 +126,7 @@ def _readable(source: Source, options: ReadOptions) -> tuple[str, list[Span]]:
     lexemes = prepared.lexemes
     if not 0 < len(lexemes.texts) <= _MAX_LEXEMES:
         return "", []
+    # `#version 100` takes no word behind it.
     profile = prepared.profile if prepared.version != 100 else None
     lines = [f"#version {prepared.version} {profile or ''}".rstrip()]
     lines += [directive.text for directive in prepared.directives]

@@ -40,6 +40,7 @@ def statements(function: n.FunctionDef, suspect: Suspect) -> Iterator[Finding]:
                 stack.append((stmt.body, _Around(loop=True)))
             case n.Switch():
                 yield from _switch(stmt, suspect)
+                # `break` leaves this switch, `continue` goes on with a loop around it.
                 inner = _Around(around.loop, True, set())
                 stack += [(part, inner) for part in reversed(stmt.body)]
             case n.Case():
@@ -49,6 +50,7 @@ def statements(function: n.FunctionDef, suspect: Suspect) -> Iterator[Finding]:
                 yield from _return(stmt, result, suspect)
             case n.Jump():
                 yield from _jump(stmt, around, suspect)
+    # A path without `return` is allowed and its value undefined; compilers want one somewhere.
     if not returns and result not in (VOID, ERROR):
         message = f"'{function.name}' returns {result}, but has no return statement"
         yield Finding("SC211", message, function.proto)

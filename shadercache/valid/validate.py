@@ -19,6 +19,7 @@ from shadercache.valid.layouts import layouts
 from shadercache.valid.statement_rules import statements
 from shadercache.valid.suspect import Rule, Suspect
 
+# Reports are sorted by place in the end, so the order of the rules says nothing.
 RULES: tuple[tuple[type[n.Node], Rule], ...] = (
     (n.Module, names.given_names),
     (n.Module, names.redeclared),
