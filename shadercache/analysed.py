@@ -105,6 +105,7 @@ class Analysis:
                 "SC402", "a vertex shader is needed to rewrite a shader", "give --vert"
             )
         source, module = full_screen_vertex(program.module)
+        # Only for what it raises: the triangle of a full-screen pass hands on no varyings.
         match_stages(
             StageSide(program.module, program.facts, self.fragment),
             StageSide(module, infer(module, source, "vertex"), source),
@@ -187,6 +188,7 @@ class Analysis:
         """P/T by static costs, where the values of ``nodes`` are cached together."""
         if len(nodes) == 1:
             return nodes[0].ratio
+        # Work that the values share would count twice in a sum of their ratios.
         return self.shared_work.parts(nodes).payload / (self.shared_work.whole or 1.0)
 
     def require_all(self, nodes: Sequence[Candidate], unprofitable: bool = False) -> None:
@@ -225,6 +227,7 @@ def unchanged_for(analysis: Analysis, nodes: Sequence[Candidate]) -> tuple[str, 
     passed = inputs & varyings(module)
     if analysis.vertex is None:
         return tuple(sorted(inputs))
+    # A varying changes when something changes that the vertex shader makes it from.
     return tuple(sorted((inputs - passed) | analysis.vertex_emitter.inputs(passed)))
 
 
@@ -264,6 +267,7 @@ def written(analysis: Analysis) -> str | None:
     if any(map(_FIXED_FUNCTION.match, analysis.renamed)):
         return None
     text = surrounded(analysis.fragment, reading.dialect)
+    # Without a #version a desktop driver takes the text for GLSL 1.10, which has no precisions.
     webgl = analysis.program.parsed.profile == "es" and not names_version(text)
     return f"#version {WEBGL.number}\n{text}" if webgl else text
 

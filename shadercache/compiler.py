@@ -124,18 +124,22 @@ def analyse(
     """
     allow_deep_trees()
     reading = _read_alike(fragment, vertex, reading or ReadOptions())
+    # From the raw texts, before the preprocessor, so that no name inside a macro is missed.
     prefix = fresh_prefix(fragment.text, vertex.text if vertex else "")
     trees, raised = _raised(fragment, vertex, reading, prefix)
     named = _named(raised[0].module, raised[0].facts, fragment, "fragment")
     module, facts = _lowered(*named, fragment)
+    # What variants are compared with keeps its loops.
     original, kept_loops = module, tuple[Diagnostic, ...]()
     if reading.unroll:
         unrolled = unroll_loops(*named, fragment)
         kept_loops = unrolled.notes
         if unrolled.module is not named[0]:
+            # Copies of a loop's body declare the same names again, and later passes work by name.
             flat = infer(unrolled.module, fragment)
             module, facts = _lowered(*_named(unrolled.module, flat, fragment, "fragment"), fragment)
     color = find_color(module, fragment)
+    # Ids of nodes hash the text as it was parsed, so that no later pass can change them.
     printed = _printed(trees[0].module, module)
     if mapping is None:
         solid = vertex is not None and reading.dialect != "shadertoy"
@@ -156,6 +160,7 @@ def _read_alike(fragment: Source, vertex: Source | None, reading: ReadOptions) -
     """Where one stage is WebGL's, both are: a program has one version of GLSL ES."""
     if vertex is None:
         return reading
+    # A host such as Shadertoy's declares things around fragment shaders only.
     other = replace(reading, dialect="glsl")
     webgl = is_webgl(fragment, reading) or is_webgl(vertex, other)
     return replace(reading, webgl=True) if webgl else reading
@@ -284,6 +289,7 @@ def _check_names(analysis: Analysis, mode: Mode, queries: bool = False) -> None:
     stages: list[tuple[n.Module, Source]] = []
     if mode == "proof" or queries:
         stages.append((fragment, analysis.fragment))
+    # Queries stand in fragment shaders alone, and the stages of desktop GLSL may differ in version.
     if mode == "proof" and analysis.stage is not None and analysis.vertex is not None:
         stages.append((analysis.stage.module, analysis.vertex))
     problems: list[Diagnostic] = []
@@ -327,6 +333,7 @@ def _check_room(
     if layout.fits:
         return
     kept = " and ".join(extra.name for extra in layout.extras)
+    # Two texels have eight channels, and the depth takes one.
     message = f"the cache has no channel left for the {kept}: the payload takes {layout.used} of 7"
     hint = "choose a smaller value, or leave the option out"
     raise InputError(Diagnostic("SC430", message, analysis.fragment, nodes[0].expr.span, hint))
@@ -336,6 +343,7 @@ def _checked(source: Source, stage: Stage, reading: ReadOptions) -> StageTree:
     module, facts = read(source, stage, reading, needs_main=True)
     check_depth(facts, source)
     plain = plain_builtin_block(module, facts)
+    # Facts are keyed by node, so a tree that changed is gone through again.
     if plain is not module:
         module, facts = plain, infer(plain, source, stage)
     return StageTree(module, facts, source, stage)

@@ -90,6 +90,8 @@ class Diagnostic:
 def _snippet(source: Source, span: Span) -> list[str]:
     line, column = source.position(span.start)
     text, column = _window(source.part(span.start).line(line), column)
+    # An empty span, where something is missing, has a caret too; one of several lines ends with the
+    # first.
     width = max(1, min(span.end - span.start, len(text) - column + 1))
     # Tabs are kept in the padding, so that the caret stands right at any tab width.
     pad = "".join("\t" if char == "\t" else " " for char in text[: column - 1])

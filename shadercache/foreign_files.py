@@ -18,6 +18,8 @@ MAX_SHADER = 64 << 20
 """Bytes of a shader."""
 
 _STRING = r'"(?:[^"\\\n]|\\.)*"'
+# Strings and comments are matched to be passed over: brackets in them nest nothing. The long
+# forms come first, or `"""` would be an empty string and the beginning of another.
 _TOML = re.compile(
     r'"""(?:[^\\]|\\.)*?"""' + rf"|'''.*?'''|{_STRING}|'[^'\n]*'|#[^\n]*|[\[\]{{}}]", re.DOTALL
 )
@@ -36,6 +38,7 @@ def read_bytes(path: Path, most: int) -> bytes:
 
 def read_stream(stream: IO[bytes], most: int) -> bytes:
     """What is left of a stream. Raises :class:`OSError` where that has more than ``most`` bytes."""
+    # One byte too many tells what is too long; a pipe has no size that could be asked for.
     data = stream.read(most + 1)
     if len(data) > most:
         raise OSError(errno.EFBIG, f"it has more than {most:,} bytes")
@@ -72,6 +75,7 @@ def read_json(path: Path) -> Any:
 
 
 def _too_deep(text: str, tokens: re.Pattern[str]) -> int | None:
+    # Python's readers of JSON and TOML recurse at each bracket, so brackets are counted before.
     depth = 0
     for match in tokens.finditer(text):
         sign = match[0]

@@ -38,18 +38,22 @@ def user_cache_folder() -> Path | None:
         folder = root / "shadercache"
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         return folder if _is_private(folder) else None
+    # `Path.home` raises RuntimeError for a user without a home.
     except (OSError, RuntimeError):
         return None
 
 
 def _is_private(folder: Path) -> bool:
+    # Not `stat`: a link could lead to a folder that somebody else fills.
     info = folder.lstat()
     if not stat.S_ISDIR(info.st_mode) or not os.access(folder, os.W_OK | os.X_OK):
         return False
+    # Windows has no owners and modes of this kind.
     if hasattr(os, "getuid"):
         if info.st_uid != os.getuid():
             return False
         mode = stat.S_IMODE(info.st_mode)
+        # Whoever may write may have written already; against mere reading a chmod helps.
         if mode & (stat.S_IWGRP | stat.S_IWOTH):
             return False
         if mode != 0o700:

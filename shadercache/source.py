@@ -54,6 +54,7 @@ class Source:
 
     def include(self, name: str, text: str, origin: int) -> Source:
         """The part for an included file; the same part for the same file."""
+        # The same part: `#pragma once` knows it by identity, and each of its mistakes is told once.
         for part in self._parts:
             if part.name == name and part.text == text:
                 return part
@@ -67,6 +68,7 @@ class Source:
         """The file that holds a place: this one, or an included one."""
         if not self._parts or offset < self._parts[0].base:
             return self
+        # Parts are appended in the order of their bases.
         return self._parts[bisect_right(self._parts, offset, key=lambda part: part.base) - 1]
 
     def position(self, offset: int) -> Position:
@@ -94,6 +96,7 @@ class Source:
     def _line_starts(self) -> list[int]:
         if "\r" in self.text:
             return [0, *(match.end() for match in _LINE_END.finditer(self.text))]
+        # Nearly all files, and no carriage return: a search for one character beats the pattern.
         starts = [0]
         find = self.text.find
         at = find("\n")
