@@ -94,7 +94,7 @@ def command(
     else:
         every = [node for node in analysis.nodes if node.offered or (unprofitable and node.legal)]
         payloads = one_by_one(analysis, every, every_node)
-    # All of them before anything is drawn, which takes minutes.
+    # All of them before anything is drawn: that may take minutes.
     for payload in payloads:
         analysis.require_all(payload.nodes, unprofitable)
     equal = sum(payload.equal - 1 for payload in payloads)
