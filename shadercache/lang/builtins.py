@@ -206,7 +206,7 @@ def _signatures(name: str, line: _Line) -> Iterator[tuple[Signature, Availabilit
     result, _, rest = head.partition(" ")
     params = rest.partition("(")[2]
     for types, has_bias in expanded(f"{result}, {params}" if params else result):
-        # A bias is added to an implicit level of detail, which only fragments have (section 8.9).
+        # Only fragments have the implicit level of detail that a bias adds to (4.60 section 8.9).
         words = (*line.words, "fragment") if has_bias else line.words
         signature = Signature(
             name,

@@ -50,6 +50,7 @@ def _rows() -> Iterator[_Row]:
         yield _Row(frozenset(words), section, availability(of_row), *reserved)
 
 
+# From 1.40 on it is the layout of a block, and an ordinary name elsewhere.
 _PACKED_UNTIL = 130
 _ROWS = tuple(_rows())
 

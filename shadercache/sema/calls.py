@@ -145,6 +145,7 @@ def _accepts(candidate: Candidate, args: tuple[Type, ...], conversions: Conversi
         return False
     for arg, (kind, direction) in zip(args, params, strict=True):
         # Values go in by conversion to the parameter, and come out by conversion from it.
+        # So an `inout` argument has exactly the type of its parameter (section 6.1.1).
         if direction != "out" and not conversions.converts(arg, kind):
             return False
         if direction != "in" and not conversions.converts(kind, arg):
@@ -167,4 +168,5 @@ def _rank(arg: Type, param: Type) -> int:
         return 0
     if arg.base == "float" and param.base == "double":
         return 1
+    # From an int, uint is no nearer than float (4.00 section 6.1).
     return 3 if param.base == "double" else 2
