@@ -39,6 +39,7 @@ _SETTLED = ("int", "sampler2D", "samplerCube", "samplerExternalOES", "atomic_uin
 """Types that have a default precision in every shader of GLSL ES."""
 
 _SCOPES = (n.FunctionDef, n.Block, n.For, n.While, n.Switch)
+# Attributes and what goes to render targets stand in no blocks (4.60 section 4.3.9).
 _STAGE_HAS_NONE = (("vertex", "in"), ("fragment", "out"))
 
 

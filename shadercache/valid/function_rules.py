@@ -90,6 +90,7 @@ def _declared_again(
         message = f"'{name}' was declared to return {before.result}, not {now.result}"
     elif _qualified(before) != _qualified(now):
         message = f"'{name}' was declared with other parameter qualifiers"
+    # GLSL ES 1.00 takes one prototype of a function (section 6.1).
     elif not any(defines) and suspect.language.es_version == 100:
         code, message = "SC202", f"'{name}' is declared twice"
     elif all(defines):

@@ -50,6 +50,7 @@ def given_names(_: n.Module, suspect: Suspect) -> Iterator[Finding]:
         if field.name.startswith("gl_"):
             yield from _reserved(field.name, field, suspect)
     for node, symbol in suspect.tables.declared.items():
+        # GLSL ES 3.00 lets only local names hide built-in functions (section 4.2.2).
         name, is_hiding = symbol.name, symbol.is_global and language.es_version >= 300
         if isinstance(node, n.Param) or (not name.startswith("gl_") and "__" in name):
             yield from _reserved(name, node, suspect)
