@@ -51,6 +51,8 @@ def drop_parameters(module: n.Module, functions: Collection[str], memo: Memo) ->
             if places:
                 dropped[name] = places
     moved = [a for a in acting if a.place in dropped.get(a.call.name, ())]
+    # The zeros that moved arguments leave have no type. They do nothing, so the next call drops the
+    # same parameters, and the zeros with them.
     if moved:
         return drop_parameters(move_arguments(module, moved), functions, memo)
     return change_declarations(module, lambda decl: _without(decl, dropped, memo))
@@ -114,6 +116,8 @@ def _bound(
 
 def _given_back(call: n.Call, function: n.FunctionDef, shared: Collection[str]) -> set[int]:
     """The places of a call whose variables the function may write to otherwise as well."""
+    # On return arguments are copied back (GLSL 3.30 section 6.1.1), over whatever the function has
+    # written to the same variable by its other name.
     params = function.proto.params
     roots = {
         place: root_variable(arg)

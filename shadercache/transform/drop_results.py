@@ -51,6 +51,7 @@ def drop_results(module: n.Module, functions: Collection[str], memo: Memo) -> n.
 
 def returning_nothing(proto: n.FunctionProto) -> n.FunctionProto:
     """The head of the function, which returns nothing any more."""
+    # A result may have a precision in GLSL ES, and `void` has none.
     return replace(proto, type=n.TypeSpec(NOWHERE, "void"), qualifiers=n.NO_QUALIFIERS)
 
 

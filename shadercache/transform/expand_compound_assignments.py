@@ -27,7 +27,9 @@ from shadercache.sema.facts import Facts
 from shadercache.source import NOWHERE, Span
 from shadercache.transform.trees import change_functions, copied
 
+# What targets of the same shape may differ in: names, components, operators and literals.
 _FIELDS = ("name", "op", "text")
+# No loops: a value in one is many values, which no cut can take.
 _VISITED = (n.Module, n.FunctionDef, n.Block, n.If, n.Switch, n.ExprStmt)
 
 
@@ -70,6 +72,7 @@ class _CompoundExpander(_StatementRewriter):
             case n.Assign(span=span, op=op, target=target, value=value) if op != "=":
                 if self._may_part(target) and not self._table.of(value).writes:
                     whole = n.Binary(span, op[:-1], target, value)
+                    # A node stands in a tree once: tables are keyed by identity.
                     assign = n.Assign(NOWHERE, "=", copied(target, span=NOWHERE), whole)
                     return replace(stmt, expr=assign)
         return stmt
@@ -102,6 +105,8 @@ def _parts(stmt: n.ExprStmt, comma: n.Comma) -> Iterator[n.ExprStmt]:
 class _Contracter(_StatementRewriter):
     def statement(self, node: n.Stmt, original: n.Stmt) -> n.Stmt:
         match node:
+            # The mark of the expansion is an assignment without a place whose value has one. The
+            # user's own `c = c + x` has both, and stays.
             case n.ExprStmt(
                 expr=n.Assign(span=span, target=target, value=n.Binary(left=left) as whole)
             ) if span == NOWHERE != whole.span and _equal(target, left):

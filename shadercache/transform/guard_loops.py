@@ -27,6 +27,7 @@ def guard_loops(module: n.Module, loops: Set[n.Node], flag: str) -> n.Module:
     def guarded(original: n.Node, node: Any) -> Any:
         if original not in loops:
             return node
+        # In the body and not in the condition, which may be missing or declare a variable.
         first = n.If(NOWHERE, n.Name(NOWHERE, flag), leave, None)
         body = block_of(node.body)
         return replace(node, body=replace(body, body=(first, *body.body)))

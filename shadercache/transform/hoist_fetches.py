@@ -23,6 +23,8 @@ FetchForm: TypeAlias = Literal["whole", "level"]
 """What one pass does ahead of its branch of a payload's texture fetch with implicit level of
 detail: all of it, or its level of detail."""
 
+# Of arrays the query takes other coordinates than the fetch (no layer), rectangles have one level,
+# and not every shadow has a `textureLod`.
 _SPLIT = frozenset(
     f"{kind}sampler{shape}" for kind in ("", "i", "u") for shape in ("1D", "2D", "3D", "Cube")
 )
@@ -44,6 +46,8 @@ def hoisted_part(fetch: n.Expr, form: FetchForm) -> n.Expr:
     """What this variable gets."""
     match form, fetch:
         case "level", n.Call(args=(sampler, at, *bias)):
+            # x is the level that would be read, clamped already; y is what `textureLod` takes. A
+            # bias is not in it.
             query = n.Call(NOWHERE, "textureQueryLod", (sampler, at))
             level: n.Expr = n.Member(NOWHERE, query, "y")
             for more in bias:

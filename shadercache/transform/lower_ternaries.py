@@ -72,6 +72,7 @@ class _Lowerer:
         return block.body[0] if len(block.body) == 1 else block
 
     def _statement(self, stmt: n.Stmt) -> Iterator[n.Stmt]:
+        # The outermost first: what is inside it stays the nodes that the tables know.
         choice = self._first_choice(stmt)
         if choice is not None:
             self.changed = True
@@ -92,6 +93,7 @@ class _Lowerer:
 
     def _chosen(self, choice: Choice, name: str) -> Iterator[n.Stmt]:
         """The declaration of a choice's value, and the statements that make it."""
+        # In GLSL ES a variable more precise than the expression would change what is made of it.
         precision = self._precisions.of(choice)
         words = n.Qualifiers(NOWHERE, (precision,)) if precision else n.NO_QUALIFIERS
         kind = n.TypeSpec(NOWHERE, self._facts.types[choice].name)
@@ -100,6 +102,7 @@ class _Lowerer:
             then, other = (
                 self._block(NOWHERE, assigned(name, part)) for part in (choice.then, choice.other)
             )
+            # The condition may hold a choice, too.
             yield from self._statement(n.If(choice.span, choice.condition, then, other))
             return
         yield from self._statement(
@@ -113,6 +116,7 @@ class _Lowerer:
 
     def _first_choice(self, stmt: n.Stmt) -> Choice | None:
         """The first costly choice among what the statement itself evaluates, whatever happens."""
+        # What a block holds is lowered inside: its variables do not exist ahead of it.
         if isinstance(stmt, (n.Block, *LOOPS)) or order_matters(stmt, self._table):
             return None
         for node in unconditional(stmt):
@@ -125,6 +129,8 @@ class _Lowerer:
 
     def _is_costly(self, choice: Choice, *skipped: n.Expr) -> bool:
         kind = self._facts.types.get(choice)
+        # A value read from a variable is no constant expression (GLSL 3.30 section 4.3.3).
         if kind is None or kind.base is None or kind.is_array or self._facts.is_constant(choice):
             return False
+        # What costs less than a look-up can gain nothing by a statement of its own.
         return any(self._costs.of(part) >= FETCH for part in skipped)

@@ -21,6 +21,7 @@ from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 from shadercache.transform.trees import evaluated_first, replace_nodes
 
+# Not loops: what their heads evaluate is evaluated in every round.
 _Movers = n.ExprStmt | n.DeclStmt | n.Return | n.If | n.Switch
 
 
@@ -38,6 +39,8 @@ def acting_arguments(
 ) -> list[ActingArgument]:
     """The arguments of the functions' calls that write or discard, operands before what holds
     them."""
+    # `walk` meets a call before its arguments. Turned round, the list has operands first; turned
+    # twice, the arguments of one call from left to right (GLSL 3.30 section 6.1.1).
     acting = [
         (node, place)
         for node in walk(decl)
@@ -67,6 +70,7 @@ def move_arguments(module: n.Module, arguments: Sequence[ActingArgument]) -> n.M
             )
             node = replace(node, args=tuple(stand_ins))
         if original in expressions:
+            # Not the original: an argument inside that is moved as well would be evaluated twice.
             rebuilt[original] = node
         before = [rebuilt[expr] for expr in ahead.get(original, ())]
         return (*(n.ExprStmt(expr.span, expr) for expr in before), node) if before else node
@@ -88,6 +92,7 @@ def _free_in(stmt: _Movers, table: EffectTable) -> Iterator[n.Node]:
     stack = [(part, NO_EFFECTS) for part in evaluated_first(stmt)]
     while stack:
         node, beside = stack.pop()
+        # `beside` are the effects of what else the statement evaluates: some is overtaken.
         if not _collide(table.of(node), beside):
             yield node
         parts = evaluated_first(node)
@@ -97,11 +102,13 @@ def _free_in(stmt: _Movers, table: EffectTable) -> Iterator[n.Node]:
 
 
 def _acts(effects: Effects) -> bool:
+    # An argument that discards decides which pixels are drawn, whoever reads its value.
     return bool(effects.writes or effects.does & Does.DISCARD)
 
 
 def _collide(one: Effects, other: Effects) -> bool:
     """Does it matter which of the two comes first?"""
+    # Behind a discard nothing is written, and derivatives are undefined (GLSL 4.60 section 8.14.1).
     return bool(
         one.writes & (other.reads | other.writes)
         or one.reads & other.writes

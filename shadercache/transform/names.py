@@ -49,6 +49,7 @@ class FreshNames:
         name = wanted
         stem = wanted.rstrip("_")
         while name in self._taken:
+            # Counted on from the last: from 1 again, many names of one stem take quadratic time.
             number = self._numbers[stem] = self._numbers.get(stem, 0) + 1
             name = f"{stem}_{number}"
         self._taken.add(name)

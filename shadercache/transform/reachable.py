@@ -28,6 +28,7 @@ def kept_names(node: n.Node, memo: Memo) -> frozenset[str]:
     table: dict[n.Node, frozenset[str]] = memo.table("names")
     if node not in table:
         if isinstance(node, n.FunctionDef):
+            # By the body, which is the same node where a pass changes the head alone.
             table[node] = kept_names(node.body, memo) | names_in(node.proto)
         else:
             table[node] = frozenset(names_in(node))
@@ -66,6 +67,7 @@ def keep_reachable(module: n.Module, wanted: frozenset[str], memo: Memo) -> n.Mo
 
 def _kept(decl: n.Decl, needed: Set[str], wanted: frozenset[str]) -> n.Decl | tuple[()]:
     match decl:
+        # Defaults, like `layout(std140) uniform;`, hold for what is declared behind them.
         case n.PrecisionDecl() | n.QualifierDecl(names=()):
             return decl
         case n.QualifierDecl(names=names):
@@ -78,10 +80,12 @@ def _kept(decl: n.Decl, needed: Set[str], wanted: frozenset[str]) -> n.Decl | tu
             if output.name in wanted:
                 return decl
             return _as_global(decl) if output.name in needed else ()
+    # A block stays whole: all of its members decide where those that are read lie in the buffer.
     return () if needed.isdisjoint(declared_names(decl)) else decl
 
 
 def _as_global(decl: n.VarDecl) -> n.VarDecl:
     """An output that is not written any more: its name stays, as a plain variable."""
+    # Layouts, `invariant` and interpolation are for what passes between stages.
     keep = tuple(word for word in decl.qualifiers.words if word in {"precise", *PRECISIONS})
     return replace(decl, qualifiers=n.Qualifiers(decl.qualifiers.span, keep))

@@ -49,6 +49,8 @@ def remove_dead(module: n.Module, wanted: Iterable[str], memo: Memo | None = Non
     """
     outputs = frozenset(wanted)
     memo = Memo() if memo is None else memo
+    # A function that has lost its last effect makes its calls dead, and these what only fed them.
+    # Its callers were pruned before it, so that takes another round.
     while True:
         pruned = keep_reachable(_prune_functions(module, outputs, memo), outputs, memo)
         if pruned is module:
@@ -62,6 +64,7 @@ def _prune_functions(module: n.Module, outputs: Live, memo: Memo) -> n.Module:
     pruned: dict[n.FunctionDef, n.FunctionDef] = {}
     callees = {name: table.callees(name) for name in table.functions}
     # Callers come first: what is live behind their calls is live where the callee returns.
+    # There is such an order: recursion is not allowed (GLSL 3.30 section 6.1).
     for name in reversed([*TopologicalSorter(callees).static_order()]):
         # What no call leads to is never executed; it goes with the declarations.
         at_exit = live.get(name, frozenset())
@@ -82,6 +85,7 @@ def _prune_function(
     calls, by function."""
     known: dict[tuple[Linked, Live], tuple[n.FunctionDef, dict[str, Live]]]
     known = memo.table("pruned functions")
+    # Linked to other callees the same function is another key: they decide what in it is dead.
     if (linked, at_exit) not in known:
         function, after_calls = linked.function, dict[str, Live]()
         body, _ = _Pruner(table, at_exit, after_calls).block(function.body, at_exit)
@@ -188,6 +192,7 @@ class _Pruner:
             # Other parts may be evaluated after it.
             after = live if call is last else live | reads_of(node, self.table)
             params = functions[call.name].proto.params
+            # What a parameter writes back is wanted where its argument is live.
             back = {
                 param.name
                 for param, arg in zip(params, call.args, strict=True)
@@ -240,10 +245,12 @@ class _Pruner:
         (variable,) = decl.declarators
         mentioned = variable.name in self.mentioned
         acts = variable.init is not None and self._matters(variable.init, live)
+        # A const must have its value (GLSL 3.30 section 4.3.2), though nobody reads it.
         if variable.name in live or (mentioned and (acts or decl.qualifiers.has("const"))):
             return stmt, self.evaluated(decl, live - {variable.name})
         if not mentioned:
             return self.expression(n.ExprStmt(stmt.span, variable.init), live)
+        # Nobody wants the value, but a kept statement names the variable: an `out` argument, say.
         if variable.init is None:
             return stmt, live
         bare = replace(decl, declarators=(replace(variable, init=None),))
@@ -252,6 +259,7 @@ class _Pruner:
     def branch(self, stmt: n.If, live: Live, jumps: _Jumps) -> Left:
         at_end = self.at_end
         then, live_then = self.statement(stmt.then, live, jumps)
+        # Both branches end where the conditional does.
         self.at_end = at_end
         other, live_other = (None, live)
         if stmt.other is not None:
@@ -275,6 +283,7 @@ class _Pruner:
         """
         if self.is_idle(stmt, live):
             return None, live
+        # Behind the end of the body comes the next round.
         self.at_end = False
         header = [part for part in children(stmt) if part is not stmt.body]
         around = live.union(*(self.table.of(part).reads for part in header))
@@ -297,11 +306,13 @@ class _Pruner:
     def is_idle(self, stmt: n.Stmt, live: Live) -> bool:
         """Does nothing live come out of it, and does it end nothing that would go on?"""
         effects = self.table.of(stmt)
+        # Where nothing follows the loop, a `return` in it ends no more than a `break` would.
         left = effects.does & Does.RETURN and not (self.at_end and _returns_nothing(stmt))
         return not (effects.writes & live or effects.does & Does.DISCARD or left)
 
     def switch(self, stmt: n.Switch, live: Live, jumps: _Jumps) -> Left:
         """Statement by statement; a group of cases falls through to the next."""
+        # A `break` leaves the switch, a `continue` leaves it for the loop around.
         inside = _Jumps(live, jumps.after_continue, self.at_end)
         kept: list[n.Stmt] = []
 

@@ -38,6 +38,7 @@ def rename_nodes(root: N, new_name: Callable[[n.Node], str | None]) -> N:
 def rename(root: N, names: Mapping[str, str]) -> N:
     """The piece of program with every name that is a key of ``names`` replaced by its value."""
     renamed = rename_nodes(root, lambda node: names.get(getattr(node, "name", None) or ""))
+    # The name of an instance is no node. Declarations are renamed one by one, so a block is a root.
     if isinstance(renamed, n.BlockDecl) and renamed.instance and renamed.instance in names:
         return replace(renamed, instance=names[renamed.instance])
     return renamed

@@ -95,6 +95,8 @@ def insert_clones(module: n.Module, *clones: Clones) -> n.Module:
     def with_clones(decl: n.Decl) -> tuple[n.Decl, ...]:
         match decl:
             case n.FunctionDef(name=name):
+                # Functions are declared before they are called (GLSL 3.30 section 6.1): whoever
+                # calls the original stands behind it, and so behind the clones.
                 return (decl, *by_original.get(name, ()))
             case n.FunctionProto(name=name):
                 return (decl, *(clone.proto for clone in by_original.get(name, ())))
@@ -129,16 +131,19 @@ class _Maker:
         ``ends``: is a clone with goals left at the last of them?
         """
         own = [cut for cut in cuts if len(cut.path) == depth]
+        # By call, not by function: what is cut on one path must not be missing on another.
         below: dict[n.Call, list[Cut]] = {}
         for cut in cuts:
             if len(cut.path) > depth:
                 below.setdefault(cut.path[depth], []).append(cut)
         goals: list[n.Expr] = [cut.expr for cut in own if cut.kind == "goal"]
+        # Seen from here, a call that leads to a goal is one itself.
         goals += [call for call, inner in below.items() if _has_goal(inner)]
         last, leading = _find_end(function, goals) if ends and goals else (None, [])
         body = _CloneBody(self.prefix, own, last)
         for call, inner in below.items():
             callee = self.functions[call.name]
+            # A call ahead of the last goals runs on behind its own: what it returns may be needed.
             body.renamed[call] = self.clone(callee, inner, depth + 1, "", call in leading)
         moved = [_Moved(call, None) for call in below if call in leading]
         moved += [_Moved(cut.expr, cut) for cut in own if cut.kind != "use"]
@@ -200,6 +205,8 @@ class _CloneBody(Rewriter):
                 case n.Block():
                     self.place(stmt.body, inside)
                 case n.If(condition=head) | n.Switch(selector=head):
+                    # A condition is evaluated once, before all that it decides, and so may be what
+                    # is in it.
                     ahead = [move for move in inside if _holds(head, move.expr)]
                     self._ahead[stmt] = _operands_first(ahead)
                     if len(ahead) < len(inside):
@@ -215,6 +222,7 @@ class _CloneBody(Rewriter):
     def expression(self, node: n.Expr, original: n.Expr) -> n.Expr:
         if original in self.renamed and isinstance(node, n.Call):
             node = replace(node, name=self.renamed[original])
+        # From the bottom up, so the cuts inside are made: it goes to a statement of its own.
         self._values[original] = node
         cut = self._used.get(original)
         return node if cut is None else remaining_part(node, cut.form, cut.variable)
@@ -231,6 +239,7 @@ class _CloneBody(Rewriter):
             new for move in self._ahead.get(original, ()) for new in self._own_statements(move)
         ]
         self._ended = original is self._last
+        # Of the statement itself nothing is needed: its value was for what comes behind.
         if self._ended:
             return ahead
         return (*ahead, node) if ahead else node

@@ -43,6 +43,7 @@ def _split(decl: n.VarDecl) -> list[n.VarDecl]:
     parts: list[n.VarDecl] = []
     kind = decl.type
     if kind.struct is not None and kind.name:
+        # Qualifiers and sizes belong to the variables.
         parts.append(n.VarDecl(kind.span, n.NO_QUALIFIERS, replace(kind, dims=()), ()))
         kind = replace(kind, struct=None)
     elif len(decl.declarators) == 1:

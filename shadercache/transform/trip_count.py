@@ -58,6 +58,7 @@ class TripCounter:
             if not goes_on:
                 return trips
             trips.append(own)
+            # The limit also ends the count of a loop that never ends.
             if len(trips) > limit:
                 raise UncountableError(f"it makes more than {limit} trips")
             if loop.step is not None:
@@ -132,6 +133,7 @@ def _scalar(value: fold.Value | None) -> Scalar | None:
 
 
 def _fitting(value: Scalar, base: str | None) -> Scalar:
+    # Integers wrap (GLSL 3.30 section 4.1.3), floats have 32 bits: not so in Python.
     fitting = fold.convert(value, base)
     if fitting is None or not isfinite(fitting):
         raise UncountableError("a counter leaves the numbers of its type")

@@ -35,6 +35,7 @@ def make_names_unique(module: n.Module, facts: Facts) -> n.Module:
     later = later_keywords(module)
     new = _functions(module, facts, later, fresh)
     taken = {name for decl in module.decls for name in declared_names(decl)} | later
+    # Built-in functions are global names too, where they are called.
     taken |= {node.name for node in walk(module) if isinstance(node, n.Call)}
     for decl in module.decls:
         if isinstance(decl, n.FunctionDef):
@@ -96,6 +97,7 @@ def _locals(
                 renamed[facts.declared[node]] = new[node] = fresh.make(node.name)
             seen.add(node.name)
     for node in walk(function) if renamed else ():
+        # By meaning, not by name: `float a = a;` reads the outer one (GLSL 3.30 section 4.2).
         if isinstance(node, n.Name) and facts.symbols[node] in renamed:
             new[node] = renamed[facts.symbols[node]]
     return new

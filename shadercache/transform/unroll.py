@@ -56,6 +56,7 @@ def unroll_loops(module: n.Module, facts: Facts, source: Source) -> Unrolled:
     """
     unroller = _Unroller(module, facts)
     flat = change_functions(module, unroller.function)
+    # Each loop may be short enough, and their product along the call paths too long.
     if flat is not module and unroller.size_of_call("main") > MAX_EXPRESSIONS:
         message = f"no loop is unrolled: the shader would have over {MAX_EXPRESSIONS} expressions"
         return Unrolled(module, (Diagnostic("SC414", message, source, severity=Severity.NOTE),))
@@ -88,6 +89,7 @@ class _Unroller:
         flat = _LoopRewriter(self, {}).rewrite(function)
         if flat is not function:
             self._functions[flat.name] = flat
+            # The sizes of its callers contain that of the function.
             self._sizes.clear()
         return flat
 
@@ -115,6 +117,7 @@ class _Unroller:
                 return self.trips(loop, {}, deep)[0]
             except (UncountableError, _TooMuchError) as error:
                 reason = str(error)
+            # A try that failed leaves no notes on inner loops.
             self.kept = dict(kept)
         self.kept[loop] = reason
         return None
@@ -138,8 +141,10 @@ class _Unroller:
                 raise UncountableError("there is a break or continue in it")
             # A comment before the loop stays there.
             start = (loop.body if trips else loop).span.start
+            # Trips share what no decision changed, and tables know nodes by identity: hence copies.
             body = (*self._counters(loop, own), *map(copied, stmts))
             trips.append(n.Block(Span(start, loop.body.span.end), body))
+            # A trip counts as the trips of the loops inside it, so those of nested loops multiply.
             count += max(1, inside.trips)
             size += self._size(trips[-1])
             if count > MAX_TRIPS:
@@ -153,6 +158,7 @@ class _Unroller:
         return trips, count
 
     def _check(self, loop: n.For) -> None:
+        # Names of structs are not made unique, and each trip would define it again.
         if any(isinstance(part, n.StructDef) for part in walk(loop.body)):
             raise UncountableError("a struct is defined in it")
         if self._table.of(loop.init).writes & self._table.of(loop.body).writes:
@@ -188,6 +194,7 @@ class _LoopRewriter(Rewriter):
                 # Of the branch that a trip does not take nothing is left.
                 branch = then if holds else other
                 return self._spliceable(NOWHERE, ()) if branch is None else self.rewrite(branch)
+            # Not loops that stay: what is inside one has many values, unrolled or not.
             case n.FunctionDef() | n.Block() | n.If() | n.Switch():
                 return None
         return node
@@ -255,6 +262,7 @@ def _jumps(node: n.Node, in_switch: bool = False) -> bool:
 def _literal(value: Scalar, base: str) -> n.Expr:
     """A number as GLSL writes it."""
     text = _shortest(value) if isinstance(value, float) else str(value)
+    # GLSL has no negative literals: the minus is an operator.
     number = n.Literal(NOWHERE, text.removeprefix("-") + ("u" if base == "uint" else ""))
     return n.Unary(NOWHERE, "-", number) if text.startswith("-") else number
 
@@ -262,4 +270,5 @@ def _literal(value: Scalar, base: str) -> n.Expr:
 def _shortest(value: float) -> str:
     """As few digits as tell a float of 32 bits from all others; nine always do."""
     texts = (f"{value:.{digits}g}" for digits in range(1, 10))
+    # `repr` writes a point or an exponent; without one the literal would be an integer.
     return repr(float(next(text for text in texts if convert(float(text), "float") == value)))

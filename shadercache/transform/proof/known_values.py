@@ -83,9 +83,11 @@ def _known(node: n.Node, values: dict[n.Node, Known], constants: Constants) -> K
         case n.Construct(type=kind, args=args) if not kind.dims and builtin_type(kind.name):
             parts = _all(args, values)
             if parts is not None:
+                # A matrix made of one number is zero off its diagonal (GLSL 4.60 section 5.4.2).
                 zero = is_matrix(kind) or any(part.zero for part in parts)
                 return Known(is_floating(kind), zero, boolean=is_boolean(kind))
         case n.Index(object=part, index=index) if part in values and index in values:
+            # The index is not looked at: what is known of an array is known of every element.
             return replace(values[part], array=False)
     return None
 
@@ -94,6 +96,7 @@ def _literal(text: str) -> Known:
     if text in ("true", "false"):
         return Known(False, text == "false", boolean=True)
     digits = text.lower()
+    # Ahead of the marks of floats, for `e` and `f` are hexadecimal digits.
     if digits.startswith("0x"):
         return Known(False, not digits[2:].rstrip("u").strip("0"))
     floating = any(mark in digits for mark in ".ef")
@@ -111,4 +114,5 @@ def _computed(exprs: Sequence[n.Expr], values: dict[n.Node, Known]) -> Known | N
     if parts is None or any(part.array for part in parts):
         return None
     boolean = all(part.boolean for part in parts)
+    # No arithmetic is done here, so any result may be zero: `1.0 - 1.0`.
     return Known(any(part.floating for part in parts), zero=True, boolean=boolean)

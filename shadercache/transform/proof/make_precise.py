@@ -45,6 +45,7 @@ from shadercache.transform.versions.state_precisions import all_highp
 
 _DESKTOP, _ES = 400, 320
 _OUTPUTS_ONLY = 420
+# Not `%` or `&`: they work on integers, which have one right result.
 _ARITHMETIC = frozenset("+-*/")
 _BOOL = n.TypeSpec(NOWHERE, "bool")
 _PRECISE = n.Qualifiers(NOWHERE, ("precise",))
@@ -203,6 +204,7 @@ class _PreciseBody(Rewriter):
         where order allows."""
         # Storing the payload (a variable of our own, read nowhere near) is no side effect.
         written = {name for child in children(expr) for name in self._table.of(child).writes}
+        # Of any other write the arguments that are moved ahead might see the old value.
         if not all(name.startswith(self._prefix) for name in written):
             return expr
         always = set(unconditional(expr))
@@ -240,6 +242,7 @@ class _PreciseBody(Rewriter):
         return expr in self._types and self._types[expr].is_matrix
 
     def _argument(self, param: n.Param, arg: n.Expr) -> n.Expr:
+        # What is written back needs its place. Whole numbers are exact where nothing is computed.
         if param.writes_back or not (_is_float(param.type) or _computes(arg)):
             return arg
         return self._local(param.type, param.dims, arg)

@@ -148,8 +148,11 @@ class _OpaqueArguments(Rewriter):
             case n.Call(args=(first, *_)), n.Call(name=name, args=args) if name in self._names:
                 known = self._known.get(first)
                 if known is None or not (known.zero and known.floating):
+                    # Taking 0.0 off changes no number; adding it would make 0.0 of -0.0. One
+                    # unknown argument is enough: no compiler evaluates the call.
                     less = n.Binary(NOWHERE, "-", args[0], _zero())
                     return replace(node, args=(less, *args[1:]))
+            # The array must stay constant; what is read of it need not.
             case n.Index(object=n.Name(name=text)), _ if text in self._constants:
                 known = self._constants[text]
                 if known.array and known.floating and known.zero:

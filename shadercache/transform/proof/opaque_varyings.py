@@ -35,6 +35,7 @@ def hide_uniform_varyings(module: n.Module, prefix: str, memo: Memo) -> n.Module
     names = [name for name in _interpolated(module) if not _varies(module, name, memo)]
     if not names:
         return module
+    # Called, not extended: a `return` in the user's main must not skip what follows.
     renamed = change_functions(module, lambda function: rename(function, {"main": f"{prefix}main"}))
     call = n.ExprStmt(NOWHERE, n.Call(NOWHERE, f"{prefix}main", ()))
     below = n.Binary(NOWHERE, "<", n.Name(NOWHERE, "gl_VertexID"), n.Literal(NOWHERE, "0"))
@@ -51,6 +52,7 @@ def _interpolated(module: n.Module) -> list[str]:
         if isinstance(decl, n.VarDecl) and decl.qualifiers.has("out"):
             kind = builtin_type(decl.type.name)
             if kind and kind.base == "float" and not decl.qualifiers.has("flat"):
+                # Arrays have no negation.
                 names += [variable.name for variable in decl.declarators if not variable.dims]
     return names
 

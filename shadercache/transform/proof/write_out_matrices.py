@@ -54,6 +54,7 @@ def rewrite_linked(
     it rarely does.
     """
     table = EffectTable(module, memo)
+    # What is made of a call depends on the callee's head: linked, a function has both.
     linked = {function: table.linked(function.name) for function in table.functions.values()}
     new = {function for function, key in linked.items() if key not in known}
     types = _types(module, new, stage, memo) if new else {}
@@ -107,6 +108,7 @@ class _MatrixWriter(Rewriter):
         match original, node:
             case n.Binary(left=left, right=right), n.Binary(op=op) if self._works(op, left, right):
                 return self._call(op, (left, right), (node.left, node.right))
+            # `*=` without its last sign is an operation; of `=` nothing is left, which is none.
             case n.Assign(target=target, value=value), n.Assign(op=op) if self._works(
                 op[:-1], target, value
             ) and _is_place(target):

@@ -109,6 +109,7 @@ class FixedFunction:
         if name in self.names or name in _TODAY or self._stays(name):
             return
         was, stage = self._module, self._place[2]
+        # Before GLSL 1.50 there are no profiles, and all that was dropped later is there.
         profile, extensions = was.profile or "compatibility", enabled_extensions(was.directives)
         known = variable(name, stage, was.version, profile, extensions)
         assert known is not None, name

@@ -63,6 +63,7 @@ def leave_discarded(module: n.Module, prefix: str) -> n.Module:
         # Older versions have no switch, so a break leaves the loop that a continue goes on with.
         if isinstance(original, n.Jump) and original.word == "continue":
             return leaves, node
+        # The discard may be in a function that the loop calls: each round ends with the question.
         if isinstance(original, _LOOPS):
             body = block_of(node.body)
             return replace(node, body=replace(body, body=(*body.body, leaves)))

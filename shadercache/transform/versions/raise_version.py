@@ -62,6 +62,7 @@ _CORE_ES = frozenset(
 )
 """Extensions that are part of the version to which a shader is raised: nobody asks for them."""
 
+# GLSL ES 3.00 has the samplers of external images by an extension of its own.
 _RENAMED = {"GL_OES_EGL_image_external": "GL_OES_EGL_image_external_essl3"}
 
 
@@ -108,6 +109,7 @@ def _raise(tree: StageTree, stem: str, shared: Shared) -> Raised:
         return Raised(tree.module, tree.facts, {}, ())
     module = raiser.raised()
     try:
+        # What only the older version allowed is found by the rules of the new one.
         facts = validate(module, tree.source, tree.stage)
     except InputError as error:
         message = f"the shader cannot be raised to {raiser.language}: "

@@ -61,6 +61,7 @@ def _ours_precise(_: n.Node, node: n.Node) -> n.Node:
     if not isinstance(node, n.VarDecl | n.Param | n.FunctionProto):
         return node
     kind = builtin_type(node.type.name)
+    # Structs, `void` and booleans have no precision.
     plain = kind is None or kind.is_void or kind.base == "bool"
     # The user's own declarations have a place in the source.
     if node.span.start >= 0 or plain or node.qualifiers.has(*PRECISIONS):
