@@ -75,6 +75,7 @@ def _located(decl: n.Decl, outputs: Sequence[str]) -> n.Decl:
     names = [declarator.name for declarator in decl.declarators]
     if not names or names[0] not in outputs:
         return decl
+    # A pass has its targets at these places, whatever location the user's output had.
     others = tuple(i for i in decl.qualifiers.layout or () if i.name != "location")
     number = n.Literal(NOWHERE, str(outputs.index(names[0])))
     layout = (n.LayoutItem(NOWHERE, "location", number), *others)

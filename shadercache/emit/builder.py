@@ -86,6 +86,7 @@ class PassBuilder:
         """The configuration's own nodes and algorithm play no part: it says how, not what."""
         self.program, self.nodes = program, tuple(nodes)
         chosen = configuration or Configuration()
+        # It is a key: what does not change the runtime's text must not tell two of them apart.
         self._configuration = chosen.look_up
         self.precisions = PrecisionTable(program.module, program.facts)
         self._layout = Layout(
@@ -97,6 +98,7 @@ class PassBuilder:
         self.payloads = self._layout.variables(self.own("payload"))
         self.stores = [self.own("store"), *[self.own("store_2")] * self._layout.second]
         self.color_and_stores = [program.color, *self.stores]
+        # A pass writes no pixel that the original discards, so it must get as far as the discard.
         discards = EffectTable(program.module, program.memo).summary("main").does & Does.DISCARD
         self.whole = any(node.unsure for node in nodes) or bool(discards)
         """Do fragments do without a payload, so that each pass goes through the shader?"""
@@ -121,6 +123,7 @@ class PassBuilder:
 
     def names(self) -> FreshNames:
         """Names that are still free in a pass."""
+        # None of the user's: the prefix is one that nothing in their text begins with.
         fetched = {name for _, name, _ in self.fetches}
         return FreshNames(runtime_names(self.program.prefix) | fetched | set(self.payloads))
 

@@ -16,12 +16,14 @@ _SMALLEST = {"rgba16f": 2.0**-25, "rgba32f": 2.0**-150}  # Half of what is next 
 def rounding(depth: DepthKind, form: CacheFormat, w: float, near: float, far: float) -> float:
     """What a depth at ``w`` is rounded by where it is kept, relative to 1/w; at most 1."""
     held = precision_of(form)
+    # In the usual perspective z/w is (far + near) / (far - near) - unit / w.
     unit = 2.0 * near * far / (far - near)
     kept, scale = {
         "inverse-w": (SCALE / w, SCALE / w),
         "linear": (w, w),
         "ndc": ((far + near) / (far - near) - unit / w, unit / w),
     }[depth]
+    # A depth that the format cannot hold tells nothing.
     if abs(kept) > held.limit:
         return 1.0
     return min(1.0, max(abs(kept) * held.resolution, _SMALLEST[form]) / scale)
@@ -39,6 +41,7 @@ def resolved_until(
     # Rounding grows with w, but for what is larger than the format holds.
     low, high = near, far
     for _ in range(60):
+        # Halved by ratio: the planes may be magnitudes apart.
         middle = (low * high) ** 0.5
         if rounding(depth, form, middle, near, far) <= epsilon:
             low = middle

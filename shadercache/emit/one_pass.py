@@ -39,6 +39,8 @@ def shade_or_reuse(builder: PassBuilder) -> Shader:
     if builder.whole:
         return builder.build("here", [builder.cut("fill")], builder.color_and_stores)
     shader = _keeping(builder, ())
+    # Only the finished pass shows what has to be kept: most of what the payload's code would change
+    # has been removed as dead by then.
     changed = _left_changed(builder, shader)
     return _keeping(builder, changed) if changed else shader
 
@@ -56,6 +58,7 @@ def _keeping(builder: PassBuilder, kept: tuple[Symbol, ...]) -> Shader:
     entries = [group.entry for group in clones]
     extra: list[n.Decl] = [_caller(builder, "fetch_ahead", entries, kept if entries else ())]
     compute = "compute_only" if kept else "compute"
+    # Its fetches have been made ahead of the branch, where whole quads make them together.
     clones.append(builder.clone(names, compute, (*cuts, *builder.node_cuts("goal"))))
     # An output counts as needed, a variable only where something reads it: so what only feeds the
     # colour goes from the payload's code.
@@ -79,6 +82,7 @@ def _keeping(builder: PassBuilder, kept: tuple[Symbol, ...]) -> Shader:
 
 def _only_main_colors(builder: PassBuilder) -> bool:
     """Is the colour a matter of ``main`` alone?"""
+    # Only clones can be given a colour of their own, and other functions need not be cloned.
     functions = (d for d in builder.program.module.decls if isinstance(d, n.FunctionDef))
     return not any(builder.program.color in names_in(d) for d in functions if d.name != "main")
 

@@ -19,6 +19,7 @@ _MATRICES = ("column_major", "row_major")
 class Packing:
     """How a block lies in its buffer, where nothing else is said of a member."""
 
+    # What holds where a shader says nothing (GLSL 3.30 section 4.3.8.3).
     packing: str = "shared"
     matrices: str = "column_major"
 

@@ -52,6 +52,7 @@ def _parts(node: n.Node) -> tuple[int, _Parts]:
     match node:
         case n.Binary(op=op, left=left, right=right):
             own = PRECEDENCE[op]
+            # Operators group from the left: the same one on the right needs parentheses.
             return own, [(left, own), f" {op} ", (right, own + 1)]
         case n.Name(name=name):
             return PRIMARY, [name]
@@ -89,6 +90,7 @@ def _arguments(args: tuple[n.Node, ...], closing: str = ")") -> _Parts:
     parts: _Parts = []
     for arg in args:
         parts += [(arg, ASSIGN), ", "]
+    # In the place of the last comma; where there is no argument the slice is empty.
     parts[-1:] = [closing]
     return parts
 

@@ -246,6 +246,7 @@ def _print_inside(block: n.Block, indent: str, out: _Output) -> None:
     for node in block.body:
         _print_lines(node, indent + _INDENT, out)
     if out.comments:
+        # They are anchored to that brace, which is the last character of the block.
         out.add_comments(out.comments.before(block.span.end - 1), indent + _INDENT)
 
 
@@ -256,6 +257,7 @@ def _print_body(line: str, start: int, body: n.Node, indent: str, out: _Output) 
     """
     is_block = isinstance(body, n.Block)
     out.lines.append(line + " {" if is_block else line)
+    # From nowhere to the body would be all the comments so far.
     if out.comments and start != NOWHERE.start:
         out.add_comments(out.comments.within(start, body.span.start), indent + _INDENT)
     if isinstance(body, n.Block):

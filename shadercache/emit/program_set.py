@@ -164,6 +164,7 @@ class _ProgramWriter:
         if self.mode == "plain":
             shaders = interface(program.parsed), interface(self.vertex.parsed)
         else:
+            # What is compared to the bit is rewritten alike: the programs differ by the cut alone.
             fragment = exact_original(program)
             shaders = fragment, self.vertex.for_fragment(fragment)
         return self._write(_ORIGINAL, _ORIGINAL.name, *shaders)
@@ -203,6 +204,8 @@ class _ProgramWriter:
     def _text(self, file: str, shader: Shader, stage: Stage) -> str:
         memo, prefix = self.vertex.memo, self.vertex.prefix
         module = with_precisions(shader.module, memo)
+        # The order counts: what hides a zero of a matrix is arithmetic on it, to be written out,
+        # and what is written out has to be precise.
         if self.mode == "proof":
             module = rewrite_do_loops(module, prefix)
             if stage == "fragment":
@@ -211,5 +214,6 @@ class _ProgramWriter:
                 module = hide_uniform_varyings(module, prefix, memo)
             module = write_out_matrices(module, prefix, stage, memo)
             module = make_precise(module, prefix, stage, memo)
+        # In GLSL ES 3.00 `#version` is the very first line (section 3.3): the comment comes second.
         version, rest = print_module(module, memo).split("\n", 1)
         return f"{version}\n// shadercache: {file}, {self.about}\n{rest}"

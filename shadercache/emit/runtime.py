@@ -43,6 +43,7 @@ def runtime_names(prefix: str) -> frozenset[str]:
     files = [*SLOTS.rglob("*.glsl"), *FOLDER.rglob("*.glsl")]
     texts = [_MADE, *(file.read_text(encoding="utf-8") for file in files)]
     words = {word for text in texts for word in re.findall(r"\bsc_[a-z]\w*", text)}
+    # A second texture gives a second one of whatever is there for each (caching/per_target.py).
     words |= {f"{word}_2" for word in words}
     for number in range(1, _MOST_PAYLOADS + 1):
         words |= {f"sc_payload_{number}", f"sc_valid_{number}"}

@@ -29,6 +29,7 @@ class Twins:
 
     def __init__(self, sliced: n.Module, prefix: str) -> None:
         self._slice, self._prefix = sliced, prefix
+        # Sorted: a set of texts has another order in each process, the emitted text has not.
         self._read_back = sorted((names_in(sliced) & OUTPUTS) - {POSITION})
 
     def uniforms(self) -> dict[str, str]:
@@ -47,6 +48,7 @@ class Twins:
         names = {name: self._twin(name) for name in self._read_back}
         for decl in twinned:
             names |= self._names(decl)
+        # The twin of the position is the varying that the look-up reads.
         names[POSITION] = self._prefix + "previous"
         yield from map(self._output, self._read_back)
         yield from (rename(decl, names) for decl in twinned)
@@ -117,6 +119,7 @@ def _is_twinned(decl: n.Decl) -> bool:
         case _ if is_builtin_output(decl):
             return False  # `_output` makes the twin of what is read back of it.
         case n.VarDecl():
+            # No pass wants the twin of an output: `remove_dead` makes a global of one that is read.
             shared = decl.qualifiers.has("in", "const") or is_opaque_uniform(decl)
             return bool(decl.declarators) and not shared
         case n.BlockDecl():
@@ -129,6 +132,8 @@ def _unplaced(decl: n.Decl) -> n.Decl:
     """A variable or block without its place in the interface, which its twin cannot share."""
     if isinstance(decl, n.BlockDecl):
         fields = decl.fields
+        # Members of an output block may have locations. Those of a uniform block have offsets,
+        # which stay: the engine fills both buffers alike.
         if decl.qualifiers.has("out"):
             fields = tuple(replace(f, qualifiers=_nowhere(f.qualifiers)) for f in fields)
         decl = replace(decl, fields=fields)
