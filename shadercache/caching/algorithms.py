@@ -67,6 +67,7 @@ class Algorithm:
         return self.name if len(self.passes) == 1 else f"{self.name}.{record.name}"
 
 
+# The three of Sitthi-amorn et al. 2008.
 ALGORITHMS = (
     Algorithm(
         "1-pass",
@@ -78,6 +79,8 @@ ALGORITHMS = (
         "2-pass",
         "2",
         (
+            # Hits write their depth, so the second pass fails the early depth test there: nothing
+            # else keeps it from shading all pixels again.
             AlgorithmPass("hit", "two_passes:hit", (COLOR, CACHE), (PREVIOUS,), on_reset=False),
             AlgorithmPass("miss", "two_passes:miss", (COLOR, CACHE)),
         ),

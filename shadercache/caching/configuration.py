@@ -228,6 +228,7 @@ def _read(kind: Any, data: Any, path: str) -> Any:
         return tuple(_read(str, one, f"{path}[{at}]") for at, one in enumerate(data))
     if get_origin(kind) is Literal and data in get_args(kind):
         return data
+    # JSON may write 1 for 1.0. By the very type, since `True` is an `int` to `isinstance`.
     if kind is float and type(data) in (int, float):
         return float(data)
     if isinstance(kind, type) and type(data) is kind:

@@ -37,6 +37,7 @@ class Filler(Rewriter):
 
     def __init__(self, decls: Iterable[n.Decl], numbers: Mapping[str, str], prefix: str) -> None:
         self._prefix, self._numbers = prefix, numbers
+        # Of these there may be none: a filter with nothing to resample.
         self._meant: dict[str, list[n.FunctionDef]] = {name: [] for name in _SEVERAL}
         for decl in decls:
             if isinstance(decl, n.FunctionDef) and (word := self.word(decl.name)):

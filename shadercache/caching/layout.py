@@ -110,6 +110,7 @@ def extras_of(configuration: Configuration) -> tuple[Extra, ...]:
     return tuple(extra for chosen, extra in kept if chosen)
 
 
+# Without slots: a cached property is kept in the dictionary of the object.
 @dataclass(frozen=True)
 class Layout:
     """Where each scalar of the payloads lies. ``types`` have at most seven scalars in all.
@@ -204,7 +205,9 @@ class Layout:
 
     def formats(self, cache_format: CacheFormat) -> tuple[str, ...]:
         """The format of each texture; ``cache_format`` decides the precision of floats."""
+        # Floats beside integers lie there by their bits, of which they keep all.
         kind = "32ui" if self.bits else cache_format.removeprefix("rgba")
+        # The first texel ends in the depth, so it is never narrower.
         return (f"rgba{kind}", *(_NARROWEST[n] + kind for n in self.channels[1:]))
 
     def leaves(self, prefix: str, masked: bool = False) -> list[Leaf]:

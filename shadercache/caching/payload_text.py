@@ -76,6 +76,7 @@ class _Text:
 
     def taken(self) -> str:
         """The same from what this frame has stored at the pixel."""
+        # Not filtered: beside a NaN a bilinear fetch may give NaN at the very centre of a texel.
         at = f"texelFetch({self.prefix}payloads, {self.prefix}OWN_TEXEL(), 0)"
         one = len(self.layout.leaves("")) == 1 and self.layout.types[0].is_float
         if one and self.layout.used <= FIRST_TEXEL:
@@ -98,6 +99,7 @@ class _Text:
 
     def _fetched(self, leaf: Leaf) -> list[str]:
         parts: list[str] = []
+        # A vector may lie across both texels, as a `vec4` alone does.
         for texel, channels in groupby(map(place, leaf.channels), key=lambda where: where[0]):
             text = f"{self.texels[texel]}.{''.join(channel for _, channel in channels)}"
             as_float = self.layout.bits and leaf.type.base == "float"

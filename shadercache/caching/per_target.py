@@ -56,6 +56,7 @@ class PerTarget:
         self.types = {prefix + word: kind for word, kind in words.items()}
         self._each = frozenset(prefix + word for word in _EACH)
         self._shared = {
+            # Of these the second is written out already (payload_text.py).
             *(prefix + word for word in ("discrete", "pack", "PACKED")),
             *(d.declarators[0].name for d in decls if isinstance(d, n.VarDecl) and self.is_each(d)),
         }
@@ -68,6 +69,7 @@ class PerTarget:
         self._typer = _Typer(self, filler)
 
     def __call__(self, decl: D) -> list[D]:
+        # Doubled first: the words for types tell what there is of each texture.
         return [self._typer.rewrite(one) for one in _Doubler(self, decl).doubled(decl)]
 
     def is_each(self, decl: n.VarDecl | n.Param) -> bool:
@@ -159,6 +161,7 @@ class _Typer(Rewriter):
         if isinstance(node, n.Call) and (word := self._filler.word(node.name)):
             mask = node.args[-1] if node.args else None
             marks = self._marks[mask.name] if isinstance(mask, n.Name) else ()
+            # A mask of no bits, or of all, chooses nothing: the text says only what is left.
             if marks and not any(marks):
                 return node.args[0]
             if marks and all(marks) and word == "MERGED":

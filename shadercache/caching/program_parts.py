@@ -102,6 +102,7 @@ def _comments(decls: Iterable[n.Decl], comments: Iterable[n.Comment]) -> tuple[n
         place
         for decl in decls
         for node in walk(decl)
+        # Comments ahead of a closing brace are anchored to the brace itself.
         for place in (node.span.start, node.span.end, node.span.end - 1)
     }
     return tuple(comment for comment in comments if comment.anchor in places)

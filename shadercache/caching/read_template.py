@@ -24,6 +24,7 @@ FOLDER = Path(__file__).with_name("glsl")
 TYPE_WORDS = ("TEXEL", "TEXELS", "SAMPLERS", "SUMS", "CHANNEL")
 """Types that the layout of the payloads decides (:mod:`shadercache.caching.per_target`)."""
 
+# Up to an empty line: a comment right above a declaration belongs to that.
 _HEAD = re.compile(r"\A(?://.*\n)+(?=\n)")
 _LONGEST = 1_000_000  # Places of one file lie before those of the next.
 _numbers = count(1)

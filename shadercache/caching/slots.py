@@ -114,8 +114,10 @@ class Choice:
         chosen, screen = self.configuration, self.located == "screen"
         how = _PIXEL if screen else self._resampling
         tests = {
+            # With ages a young payload skips its turn, and only the filter tells how old it is.
             "test/turn": chosen.refresh.schedule != "none" and not chosen.refresh.age,
             "test/opt_out": chosen.hit_test.mask,
+            # The pixel of a screen is its own texel: it is inside, and as large as it was.
             "test/inside": not screen,
             "test/magnification": chosen.hit_test.magnification and not screen,
             how.test: True,
@@ -152,6 +154,7 @@ class Choice:
         """Depths that match nothing: of an empty texel, and of one that must not be reused."""
         if self.layout.bits:
             ndc = self.configuration.storage.depth == "ndc"
+            # Bits of floats: 2.0 or 0.0 for an empty texel, and -2^127, whose sign is a mark.
             return ("0x40000000u" if ndc else "0u"), "0xFF000000u"
         # Nothing that is drawn is as near: as 16/w that is the largest half float, as w the
         # smallest that is not rounded. The sign is a mark, so that it is never taken alone.
