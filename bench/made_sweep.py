@@ -94,7 +94,7 @@ class _Maker:
                     outcome = self._outcome(time, error, node.ratio, period)
                     if number == 1 and chosen.algorithm == "1-pass":
                         message = "the program took more than 20 times as long as the original"
-                        outcome = kept.Failure("hung", "SC038", message)
+                        outcome = kept.Failure("hung", "SC606", message)
                     own = {k: v for k, v in texts.items() if k.startswith(("s", chosen.algorithm))}
                     row = self._row(payload.label, outcome, pictures)
                     yield structs.replace(

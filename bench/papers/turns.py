@@ -185,8 +185,7 @@ def take_turns(
     [group] = measure(world, linker.originals(), subjects, how).groups
     return Turns(
         original=_rounded(group.original.samples),
-        # The geometry is timed in the reset frame as well, of which no series has a sample.
-        geometry=_rounded(group.geometry.samples[-len(group.original.samples) :]),
+        geometry=_rounded(group.geometry.samples),
         series=tuple(
             Series(other.label, _rounded(other.timing.samples), float(f"{other.error.rmse:.4g}"))
             for other in group.others

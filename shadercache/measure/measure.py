@@ -285,7 +285,7 @@ class _GroupRun(Resource):
             nodes.append(parts.result(reference, of_node, curves))
         return results.Group(
             original=timing([time for frame, time in reference.original.items() if frame > 0]),
-            geometry=timing(list(reference.geometry.values())),
+            geometry=timing([time for frame, time in reference.geometry.items() if frame > 0]),
             reached=self._reached,
             nodes=tuple(nodes),
             others=tuple(

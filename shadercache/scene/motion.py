@@ -165,6 +165,8 @@ def read_motion(table: Table, turn: float) -> Motion:
         ),
         visible=tuple((a, b) for a, b in table.rows("visible", "pairs of frames", _is_span)),
     )
+    frames = [frame for frame, _ in motion.jumps]
+    table.require(frames == sorted(frames), "jumps", f"{table.name}.jumps must be in their order")
     table.require(any(motion.axis), "axis", f"{table.name}.axis must not be zero")
     table.require(motion.scale > 0.0, "scale", f"{table.name}.scale must be above zero")
     return motion

@@ -5,7 +5,7 @@ A trial draws configurations of one payload in turns with the original; each bec
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -32,6 +32,23 @@ class SceneFile:
     path: Path
     reading: ReadOptions
     mapping: MappingKind | None = None
+
+    @property
+    def options(self) -> Iterator[str]:
+        """How it is read, as the command line says it."""
+        reading = self.reading
+        for name, text in reading.defines:
+            yield from ("-D", f"{name}={text}")
+        for name in reading.undefined:
+            yield from ("-U", name)
+        for folder in reading.include_folders:
+            yield from ("-I", str(folder))
+        if reading.dialect != ReadOptions().dialect:
+            yield from ("--dialect", reading.dialect)
+        if reading.unroll:
+            yield "--unroll"
+        if self.mapping is not None:
+            yield from ("--mapping", self.mapping)
 
     def open(self) -> Linker:
         """Raises as :func:`open_scene`."""
@@ -73,7 +90,7 @@ class SweepTrial:
         assert machine is not None
         where = [machine.renderer, machine.driver, machine.clock, machine.processor, machine.cores]
         # Named by its last two parts: a store may be filled from any folder.
-        named = [*self.file.path.resolve().parts[-2:], str(self.file.reading)]
+        named = [*self.file.path.resolve().parts[-2:], *scene.options]
         # Without how long is timed: rows that differ in that alone differ in times alone.
         what = [named, list(scene.size), scene.frames, self.limits.perceptual, self.payload.label]
         return short_hash([what, configuration.to_json(), where])
@@ -97,7 +114,14 @@ def plan_scene(file: SceneFile, choices: Choices) -> list[SweepTrial]:
     """
     linker = file.open()
     scene, analysis = linker.scene, linker.analysis
-    entry = SceneEntry(scene.name, str(file.path), choices.size, choices.frames, analysis.mapping)
+    entry = SceneEntry(
+        scene.name,
+        str(file.path),
+        choices.size,
+        choices.frames,
+        analysis.mapping,
+        tuple(file.options),
+    )
     several = sum(part.caching.on for part in scene.objects) > 1
     fingerprint = scene_fingerprint(linker)
     limits = Limits(choices.until / 100.0, choices.seconds, choices.perceptual)

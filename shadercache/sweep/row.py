@@ -35,13 +35,17 @@ class Machine(msgspec.Struct, frozen=True):
 
 
 class SceneEntry(msgspec.Struct, frozen=True):
-    """What was drawn: the scene by name and path, picture size in pixels, fixed frames."""
+    """What was drawn: the scene by name and path, picture size in pixels, fixed frames.
+
+    ``options``: how its shaders are read, as the command line says it.
+    """
 
     name: str
     path: str
     size: tuple[int, int]
     frames: int
     mapping: str
+    options: tuple[str, ...] = ()
 
 
 class PayloadEntry(msgspec.Struct, frozen=True):

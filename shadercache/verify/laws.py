@@ -118,4 +118,5 @@ def _oldest(references: References, bundle: Bundle, name: str, channel: int) -> 
             runner.draw(frame)
             cache = runner.cache()
             ages.append(np.max(cache[..., channel][cache[..., DEPTH] > 0.0], initial=0.0))
-    return float(max(ages))
+    # Unlike max, which drops a NaN that is not the first: a NaN has to break the law.
+    return float(np.max(ages))

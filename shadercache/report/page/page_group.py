@@ -137,5 +137,6 @@ def page_groups(rows: Iterable[Row]) -> list[PageGroup]:
     found: dict[tuple[object, ...], list[Row]] = {}
     for row in rows:
         scene = row.scene
-        found.setdefault((scene.name, scene.size, scene.frames, row.machine), []).append(row)
+        key = (scene.name, scene.size, scene.frames, scene.mapping, scene.options, row.machine)
+        found.setdefault(key, []).append(row)
     return [PageGroup(same[0].scene, same[0].machine, tuple(same)) for same in found.values()]

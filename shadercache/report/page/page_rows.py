@@ -84,7 +84,8 @@ def repeat_command(row: Row, store: str) -> str:
         return shlex.join([*words, "--frames", str(row.scene.frames), "--store", store])
     chosen = Configuration.from_json(row.configuration)
     refresh = chosen.refresh
-    words = ["shadercache", "sweep", scene_in_words(row.scene), "-o", store, "--nodes", row.label]
+    words = ["shadercache", "sweep", scene_in_words(row.scene), *row.scene.options]
+    words += ["-o", store, "--nodes", row.label]
     words += ["--passes", algorithm(chosen.algorithm).word]
     words += ["--period", str(refresh.period), "--block", str(refresh.block)]
     words += ["--format", chosen.storage.format]

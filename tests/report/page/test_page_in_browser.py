@@ -282,7 +282,7 @@ def test_a_sweep_in_which_everything_failed_says_so(
     open_rows(browser, sourced, rows, tmp_path)
     assert "No configuration of this sweep has a result" in text(browser, "#summary")
     assert text(browser, "#plane") == "No configuration has a result."
-    assert "SC038" in text(browser, "#details")
+    assert "SC606" in text(browser, "#details")
     assert "There is no picture" in text(browser, "#absent")
 
 
