@@ -135,9 +135,10 @@ def _constants(name: str, word: str, kind: Type) -> dict[str, tuple[float, ...]]
                 for at in range(count)
                 for part, values in _constants(f"{name}[{at}]", "", kind.element).items()
             }
+        by_type = _by_type(kind.element) * count
+        known = CONSTANT.get(word, ())
         # Too many numbers do no harm: `Uniform.encode` takes those that the driver kept.
-        values = CONSTANT.get(word, ()) or _by_type(kind.element) * count
-        return {name: values}
+        return {name: known if len(known) >= len(by_type) else by_type}
     known = CONSTANT.get(word, ())
     wanted = kind.components or 0
     return {name: known[:wanted] if len(known) >= wanted > 0 else _by_type(kind)}

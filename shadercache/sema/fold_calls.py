@@ -12,8 +12,37 @@ from typing import Any
 from shadercache.lang.types import Type
 from shadercache.sema.fold import Value, converted, fold_construct, mapped
 
+# Where GLSL leaves a value undefined or to the driver, nobody may count on one: a ValueError says
+# so, as those of the math module do.
+
+
+def _defined(holds: bool, value: Any) -> Any:
+    if not holds:
+        raise ValueError("undefined in GLSL")
+    return value
+
+
+def _atan(y: float, x: float | None = None) -> float:
+    if x is None:
+        return math.atan(y)
+    return float(_defined(x != 0.0 or y != 0.0, math.atan2(y, x)))
+
+
+def _pow(x: float, y: float) -> float:
+    return float(_defined(x > 0.0 or (x == 0.0 and y > 0.0), x) ** y)
+
+
+def _round(x: float) -> int:
+    # Python rounds halves to even; GLSL leaves them to the driver (section 8.3).
+    return int(_defined(_fraction(x) != 0.5, round(x)))
+
+
+def _clamp(x: Any, low: Any, high: Any) -> Any:
+    return _defined(low <= high, min(max(x, low), high))
+
 
 def _smoothstep(low: float, high: float, x: float) -> float:
+    _defined(low < high, None)
     t = min(max((x - low) / (high - low), 0.0), 1.0)
     return t * t * (3.0 - 2.0 * t)
 
@@ -31,8 +60,8 @@ _COMPONENTWISE: Mapping[str, Callable[..., Any]] = {
     "degrees": math.degrees,
     **{name: getattr(math, name) for name in ("sin", "cos", "tan", "asin", "acos")},
     **{name: getattr(math, name) for name in ("sinh", "cosh", "tanh", "asinh", "acosh", "atanh")},
-    "atan": lambda y, x=None: math.atan(y) if x is None else math.atan2(y, x),
-    "pow": math.pow,
+    "atan": _atan,
+    "pow": _pow,
     "exp": math.exp,
     "log": math.log,
     "exp2": lambda x: 2.0**x,
@@ -44,14 +73,13 @@ _COMPONENTWISE: Mapping[str, Callable[..., Any]] = {
     "floor": math.floor,
     "ceil": math.ceil,
     "trunc": math.trunc,
-    # Python rounds halves to even; for `round` GLSL leaves them to the driver (section 8.3).
-    "round": round,
+    "round": _round,
     "roundEven": round,
     "fract": _fraction,
     "mod": lambda x, y: x - y * math.floor(x / y),
     "min": min,
     "max": max,
-    "clamp": lambda x, low, high: min(max(x, low), high),
+    "clamp": _clamp,
     # With booleans it chooses, and what is not chosen may be infinite or NaN (section 8.3).
     "mix": lambda x, y, a: (y if a else x) if isinstance(a, bool) else x * (1.0 - a) + y * a,
     "step": lambda edge, x: 0.0 if x < edge else 1.0,
