@@ -174,7 +174,8 @@ class _Pruner:
             self._note_calls(stmt, live)
             return stmt, (live - overwritten_by(stmt, self.table)) | reads_of(stmt, self.table)
         kept = [n.ExprStmt(part.span, part) for part in parts]
-        for part in kept:
+        # Backwards: behind the calls of a part, what the later ones read is live.
+        for part in reversed(kept):
             live = self.evaluated(part, live)
         return kept[0] if len(kept) == 1 else n.Block(stmt.span, tuple(kept)), live
 
@@ -211,6 +212,14 @@ class _Pruner:
             return
         parts: Iterable[n.Node] = ()
         match expr:
+            case n.Comma(left=left, right=right):
+                # The one operator besides those with conditions that has an order (GLSL 3.30
+                # section 5.9): what the right side reads is live behind the left one.
+                rest = list(self._needed(right, live))
+                behind = live.union(*(reads_of(part, self.table) for part in rest))
+                yield from self._needed(left, behind)
+                yield from rest
+                return
             case n.Assign(target=target, value=value) if self._is_dead(target, live):
                 parts = (value,)
             case n.Binary(op="&&" | "||") | n.Conditional():
@@ -219,7 +228,7 @@ class _Pruner:
                 parts = () if any(self._matters(other, live) for other in others) else (first,)
             case n.Call(args=args) if not self._acts(expr, live):
                 parts = args
-            case n.Binary() | n.Unary(op="+" | "-" | "!" | "~") | n.Construct() | n.Comma():
+            case n.Binary() | n.Unary(op="+" | "-" | "!" | "~") | n.Construct():
                 parts = children(expr)
             case n.Member(object=inner):
                 parts = (inner,)

@@ -6,11 +6,12 @@ are not touched, except those of a block without instance name, which are variab
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any, TypeVar
 
 from shadercache.ast import nodes as n
+from shadercache.ast.walk import walk
 from shadercache.transform.trees import replace_nodes
 
 N = TypeVar("N", bound=n.Node)
@@ -37,8 +38,21 @@ def rename_nodes(root: N, new_name: Callable[[n.Node], str | None]) -> N:
 
 def rename(root: N, names: Mapping[str, str]) -> N:
     """The piece of program with every name that is a key of ``names`` replaced by its value."""
-    renamed = rename_nodes(root, lambda node: names.get(getattr(node, "name", None) or ""))
+    fields = frozenset(_fields(root))
+
+    def new_name(node: n.Node) -> str | None:
+        return None if node in fields else names.get(getattr(node, "name", None) or "")
+
+    renamed = rename_nodes(root, new_name)
     # The name of an instance is no node. Declarations are renamed one by one, so a block is a root.
     if isinstance(renamed, n.BlockDecl) and renamed.instance and renamed.instance in names:
         return replace(renamed, instance=names[renamed.instance])
     return renamed
+
+
+def _fields(root: n.Node) -> Iterator[n.Node]:
+    """The declarators of fields, which may have the name of a variable."""
+    for node in walk(root):
+        if isinstance(node, n.StructDef) or (isinstance(node, n.BlockDecl) and node.instance):
+            for field in node.fields:
+                yield from field.declarators

@@ -46,7 +46,8 @@ def _split(decl: n.VarDecl) -> list[n.VarDecl]:
         # Qualifiers and sizes belong to the variables.
         parts.append(n.VarDecl(kind.span, n.NO_QUALIFIERS, replace(kind, dims=()), ()))
         kind = replace(kind, struct=None)
-    elif len(decl.declarators) == 1:
+    elif len(decl.declarators) == 1 or kind.struct is not None:
+        # Variables of a struct without a name have one type only while they stand together.
         return [decl]
     for variable in decl.declarators:
         parts.append(replace(decl, span=variable.span, type=kind, declarators=(variable,)))

@@ -40,7 +40,7 @@ UNDRAWN = ("separate", "es_block")
 """Not drawn: Mesa takes no redeclared ``gl_Position``, and desktop OpenGL no GLSL ES 3.20."""
 
 ALIKE = ("o01_pervertex_redeclared", "instance", "compatibility", "compatibility_block")
-ALIKE += ("invariant_alone", "nested", "swizzles")
+ALIKE += ("invariant_alone", "nested", "swizzles", "comma")
 """These write the same position, so they have the same hits."""
 
 PLAIN = "invariant_alone"

@@ -1376,3 +1376,53 @@ void main() {
     const float c = 3.0;
     color = vec4(g + c);
 }
+
+//// Behind a comma its left side is read.
+//// wanted: color
+void main() {
+    float a, b;
+    a = u_a, b = u_b, color = vec4(a);
+}
+//// becomes
+#version 420
+
+uniform float u_a;
+out vec4 color;
+
+void main() {
+    float a, b;
+    {
+        a = u_a;
+        color = vec4(a);
+    }
+}
+
+//// In a value that nobody wants, too.
+//// wanted: color
+float g;
+float bump(float x) {
+    color = vec4(g);
+    return x;
+}
+void main() {
+    float dead = (g = u_a, bump(u_b));
+}
+//// becomes
+#version 420
+
+uniform float u_a;
+uniform float u_b;
+out vec4 color;
+float g;
+
+float bump(float x) {
+    color = vec4(g);
+    return x;
+}
+
+void main() {
+    {
+        g = u_a;
+        bump(u_b);
+    }
+}

@@ -34,3 +34,35 @@ void main() {
     }
     color = vec4(a + b);
 }
+
+//// Variables of a struct without a name are of one type.
+struct { float x; } pair, other;
+void main() {
+    struct { float y; } here, there;
+    here.y = u_a;
+    there = here;
+    pair.x = there.y;
+    other = pair;
+    color = vec4(other.x);
+}
+//// becomes
+#version 330
+
+uniform float u_a;
+in vec3 v_a;
+out vec4 color;
+
+struct {
+    float x;
+} pair, other;
+
+void main() {
+    struct {
+        float y;
+    } here, there;
+    here.y = u_a;
+    there = here;
+    pair.x = there.y;
+    other = pair;
+    color = vec4(other.x);
+}
