@@ -48,9 +48,15 @@ class Host:
     main: tuple[str, ...]
 
     def needed(self, user: list[str]) -> list[tuple[str, ...]]:
-        """The declarations of what the user's lexemes do not declare as ``uniform TYPE NAME``."""
-        # The host's lines have the same form: their third word is the name, too.
-        own = {name for word, name in zip(user, user[2:], strict=False) if word == "uniform"}
+        """The declarations of what no ``uniform`` of the user's lexemes declares."""
+        own: set[str] = set()
+        declares = False
+        for word in user:
+            if word in ("uniform", ";"):
+                declares = word == "uniform"
+            elif declares:
+                # Its type and precision too, which no host's variable is called like.
+                own.add(word)
         return [decl for decl in self.declarations if decl[2] not in own]
 
     def surround(self, user: Lexemes, end: int) -> Lexemes:

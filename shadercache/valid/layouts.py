@@ -108,7 +108,9 @@ class _Layouts:
         packing = _packing(words) or _packing(self._defaults[storage]) or "shared"
         # Offsets behind matrices that are stored by rows are left alone.
         parts = [words, self._defaults[storage]]
-        parts += [{entry.name for entry in decl.qualifiers.layout or ()} for decl in block.fields]
+        parts += [
+            {entry.name.lower() for entry in decl.qualifiers.layout or ()} for decl in block.fields
+        ]
         if not any("row_major" in part for part in parts):
             self._offsets(block, packing, own.get("align", 0), members)
 

@@ -51,6 +51,14 @@ def test_every_name_of_the_host_can_be_used() -> None:
     read(f"void mainImage(out vec4 c, in vec2 p) {{ {body} }}", "shadertoy")
 
 
+@pytest.mark.parametrize(
+    "declared", ("uniform float iTime;", "uniform highp float iTime;", "uniform float a, iTime;")
+)
+def test_what_the_user_declares_the_host_does_not(declared: str) -> None:
+    printed = read(f"{declared}\nvoid mainImage(out vec4 c, in vec2 p) {{ c = vec4(iTime); }}")
+    assert printed.count(" iTime;") == 1 and "iResolution" in printed
+
+
 def test_spans_are_those_of_the_users_file() -> None:
     source = Source("toy.glsl", TOY)
     module = parse(source, ReadOptions(dialect="shadertoy"))
