@@ -63,13 +63,20 @@ class NeededPass(NamedTuple):
 class CacheSpec:
     """Formats of a cache's textures (one, or two), what each is cleared to, and their filter.
 
-    ``age_channel``: which channel of a cache read back holds the payload's age, if one does.
+    ``extras``: what a cache read back holds beside payloads and depth (``object``, ``age``), and in
+    which channel. Objects share a cache only where these are the same: one would take the other's
+    payload for a number otherwise.
     """
 
     formats: tuple[str, ...]
     clear: tuple[tuple[float, ...], ...]
     filter: str
-    age_channel: int | None = field(default=None, compare=False)
+    extras: tuple[tuple[str, int], ...] = ()
+
+    @property
+    def age_channel(self) -> int | None:
+        """The channel of the payload's age, if it is kept."""
+        return dict(self.extras).get("age")
 
 
 @dataclass(frozen=True, slots=True)
@@ -246,13 +253,14 @@ class Bundle:
             formats.append(cache.second.format)
             clear.append(cache.second.clear)
             extras.append(cache.second.channels.extras)
-        ages = (
+        places = (
             # The first texel has four channels always: the last one is the depth.
-            4 * texel + "xyzw".index(held["age"])
+            (kept, 4 * texel + "xyzw".index(channel))
             for texel, held in enumerate(extras)
-            if held is not UNSET and "age" in held
+            if held is not UNSET
+            for kept, channel in held.items()
         )
-        return CacheSpec(tuple(formats), tuple(clear), cache.filter, next(ages, None))
+        return CacheSpec(tuple(formats), tuple(clear), cache.filter, tuple(places))
 
     @cached_property
     def naming(self) -> Naming:

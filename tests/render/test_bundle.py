@@ -13,9 +13,12 @@ from jsonschema import Draft202012Validator
 from manifests import SCHEMA
 from msgspec.structs import replace
 
+from shadercache.compiler import analyse
 from shadercache.diagnostics import InputError, UsageError
 from shadercache.manifest.model import Manifest
 from shadercache.render.bundle import Bundle, bundle_of, load_bundle
+from shadercache.source import Source
+from tests.configured import bundled, configured
 from tests.torus.mesh import EMISSION
 
 Change = Callable[[dict[str, Any]], Any]
@@ -117,6 +120,36 @@ def test_other_versions_are_told(manifest: dict[str, Any]) -> None:
     for version in (1, 3, "2", None):
         with pytest.raises(InputError, match=r"m is not of schema_version 2 \[SC021"):
             bundle_of(manifest | {"schema_version": version}, {}, "m")
+
+
+WIDTHS = """#version 330
+in vec3 v_p;
+out vec4 color;
+float one(vec3 p) { return sin(p.x * 5.0) * cos(p.y * 3.0) + exp(sin(p.z)) + cos(p.x * 9.0); }
+vec2 two(vec3 p) { return vec2(one(p), one(p.yzx)); }
+void main() { color = vec4(one(v_p), two(v_p * 2.0), 1.0); }
+"""
+VERTEX = """#version 330
+in vec3 a_position;
+out vec3 v_p;
+uniform mat4 u_mvp;
+void main() { v_p = a_position; gl_Position = u_mvp * vec4(a_position, 1.0); }
+"""
+
+
+@pytest.mark.parametrize(("setting", "alike"), [({"ids": True}, False), ({}, True)])
+def test_caches_are_the_same_where_everything_lies_at_the_same_place(
+    setting: dict[str, bool], alike: bool
+) -> None:
+    """Numbers of objects lie behind payloads, so those of another width are elsewhere."""
+    analysis = analyse(Source("a.frag", WIDTHS), Source("a.vert", VERTEX))
+    by_text = {node.text: node for node in analysis.nodes if node.path == "main"}
+    caches = [
+        bundled(analysis, by_text[text], configured(**setting)).cache
+        for text in ("one(v_p)", "two(v_p * 2.0)")
+    ]
+    assert caches[0].formats == caches[1].formats
+    assert (caches[0] == caches[1]) is alike
 
 
 def test_folders_that_hold_no_manifest(tmp_path: Path) -> None:
