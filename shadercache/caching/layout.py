@@ -73,6 +73,9 @@ class Precision:
 
 MOST_OF_HALF = 65504.0
 
+POISONED = (-MOST_OF_HALF, -(2.0**-14))
+"""Depths of texels that must not be reused: mostly the first, of linear depths the second."""
+
 PRECISIONS = {
     # Below 2^-14 half floats are rounded by 3e-8: payloads that change their sign have such.
     "16f": Precision(MOST_OF_HALF, 0.0, 2.0**-11),

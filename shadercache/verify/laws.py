@@ -7,6 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from shadercache.caching.configuration import Mode
+from shadercache.caching.layout import POISONED
 from shadercache.render.bundle import Bundle
 from shadercache.verify.references import MOVING, References
 from shadercache.verify.reuse_checks import DEPTH, Look, Reuse
@@ -113,10 +114,14 @@ def _agreement(references: References, frames: Frames, first: Frames) -> Differe
 def _oldest(references: References, bundle: Bundle, name: str, channel: int) -> float:
     """Law 7: the greatest age that is stored in a run in motion."""
     ages = []
+    empty = np.float32(bundle.cache.clear[0][DEPTH])
     with references.run(bundle, name) as runner:
         for frame in AGEING:
             runner.draw(frame)
             cache = runner.cache()
-            ages.append(np.max(cache[..., channel][cache[..., DEPTH] > 0.0], initial=0.0))
+            # The sign tells only whether a filter made the payload of a part of its texels.
+            depths = cache[..., DEPTH]
+            held = (depths != empty) & ~np.isin(depths, POISONED)
+            ages.append(np.max(cache[..., channel][held], initial=0.0))
     # Unlike max, which drops a NaN that is not the first: a NaN has to break the law.
     return float(np.max(ages))
