@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 BLOCK = 4
-MOVING, RESTING = (2, 4, 8, 16, 32), (8, 32)
+MOVING, RESTING = (2, 4, 8, 16, 32), (8, 32, 64)
 """Periods of what becomes stale and of what does not."""
 
 FRAMES, SECONDS = 40, 60.0
