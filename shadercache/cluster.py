@@ -72,14 +72,25 @@ def spread(
     ``work`` raises; then, and where the iteration is left, the other tasks are cancelled.
     """
     distributed = _package()
+    suspects = []
     futures = {client.submit(work, *task, pure=False): at for at, task in enumerate(tasks)}
     try:
         for future in distributed.as_completed(futures):
             try:
                 yield futures[future], future.result()
-            except distributed.KilledWorker as error:
-                yield futures[future], LostTaskError(str(error))
+            except distributed.KilledWorker:
+                suspects.append(futures[future])
             future.release()
+        # Dask suspects all tasks that waited at a worker when it died. Which of them it was shows
+        # when they come one by one.
+        for at in suspects:
+            alone = client.submit(work, *tasks[at], pure=False)
+            futures[alone] = at
+            try:
+                yield at, alone.result()
+            except distributed.KilledWorker as error:
+                yield at, LostTaskError(str(error))
+            alone.release()
     finally:
         client.cancel(list(futures))
 
