@@ -34,8 +34,12 @@ def main() -> int:
         whole, killed = Path(folder, "whole.db"), Path(folder, "killed.db")
         begun = time.monotonic()
         run(command(options, whole), check=True)
-        seconds = time.monotonic() - begun
-        kills = kill_often(command(options, killed), seconds, given.kills, given.seed)
+        whole_seconds = time.monotonic() - begun
+        run(command(options, whole), check=True)  # with nothing to do, so this is the start alone
+        start = time.monotonic() - begun - whole_seconds
+        # On average it works for half of its share, so that it is still at work at the last kill.
+        longest = 2.0 * start + (whole_seconds - start) / given.kills
+        kills = kill_often(command(options, killed), longest, given.kills, given.seed)
         run(command(options, killed), check=True)
         differences = compare(read(whole), read(killed))
         print(f"killed {kills} times; {len(read(whole))} rows, {len(differences)} differences")
@@ -48,17 +52,17 @@ def command(options: list[str], store: Path) -> list[str]:
     return [sys.executable, "-m", "shadercache", "sweep", *options, "-o", str(store)]
 
 
-def kill_often(sweep: list[str], seconds: float, kills: int, seed: int) -> int:
+def kill_often(sweep: list[str], longest: float, kills: int, seed: int) -> int:
     """Start the sweep again and again, and kill it each time; returns how often it was.
 
-    A whole sweep takes ``seconds``; it lives between none of them and twice its share.
+    It lives for up to ``longest`` seconds.
     """
     moments = random.Random(seed)
     killed = 0
     while killed < kills:
         process = Popen(sweep, stdout=DEVNULL, stderr=DEVNULL)
         try:
-            process.wait(moments.uniform(0.0, 2.0 * (seconds / kills + START)))
+            process.wait(moments.uniform(0.0, longest))
             # It came to its end: later kills would find nothing to do.
             if process.returncode == 0:
                 break
@@ -67,10 +71,6 @@ def kill_often(sweep: list[str], seconds: float, kills: int, seed: int) -> int:
             process.wait()
             killed += 1
     return killed
-
-
-START = 3.0
-"""Seconds until a sweep that goes on draws."""
 
 
 def read(path: Path) -> list[Row]:
