@@ -10,6 +10,7 @@ from importlib import import_module
 from typing import Any, TypeVar
 
 from shadercache.diagnostics import usage_error
+from shadercache.processes import LostTaskError
 
 T = TypeVar("T")
 
@@ -19,10 +20,6 @@ CONNECT_SECONDS = 10.0
 MOST_LOCAL = 64
 
 _LOCAL = re.compile(r"local:(\d{1,3})")
-
-
-class LostTaskError(Exception):
-    """The processes that were given a task died, one after another."""
 
 
 @contextmanager

@@ -9,8 +9,9 @@ from pathlib import Path
 import pytest
 
 from shadercache import cluster
-from shadercache.cluster import LostTaskError, open_cluster, spread
+from shadercache.cluster import open_cluster, spread
 from shadercache.diagnostics import UsageError
+from shadercache.processes import LostTaskError
 
 pytest.importorskip("distributed")
 

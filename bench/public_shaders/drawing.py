@@ -11,12 +11,9 @@ import os
 import re
 import signal
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
 from dataclasses import replace
 from functools import cache
 from itertools import count
-from multiprocessing import get_context
 from pathlib import Path
 from types import SimpleNamespace
 from typing import NamedTuple, cast
@@ -34,6 +31,7 @@ from shadercache.gpu.context import Gpu, open_context
 from shadercache.lang.types import Type
 from shadercache.linking.made_scene import made_scene
 from shadercache.manifest.reflection import inputs_of
+from shadercache.processes import spread
 from shadercache.render.bundle import PassSpec
 from shadercache.render.pass_runners import PassRunner
 from shadercache.render.render_scene import RenderScene
@@ -79,21 +77,14 @@ def draw_all(
 ) -> list[Picture]:
     """A picture for each shader with our print of it."""
 
-    def drawn(batch: Sequence[tuple[Shader, str]]) -> list[Picture]:
-        pictures: list[Picture] = []
-        while len(pictures) < len(batch):
-            # A forked child would share the driver's state with its parent.
-            with ProcessPoolExecutor(1, get_context("spawn"), allow_deep_trees) as child:
-                try:
-                    for picture in child.map(draw or compare, batch[len(pictures) :]):
-                        pictures.append(picture)
-                except BrokenProcessPool:  # They come in order: it was at the next.
-                    pictures.append(Picture(None, why="the driver hangs or crashes"))
-        return pictures
-
-    batches = [pairs[at : at + BATCH] for at in range(0, len(pairs), BATCH)]
-    with ThreadPoolExecutor(processes) as threads:
-        return [picture for pictures in threads.map(drawn, batches) for picture in pictures]
+    pictures = [Picture(None, why="the driver hangs or crashes")] * len(pairs)
+    # Processes are replaced now and then, since a driver keeps what it has compiled.
+    for first in range(0, len(pairs), BATCH * processes):
+        tasks = [(pair,) for pair in pairs[first : first + BATCH * processes]]
+        for at, picture in spread(processes, draw or compare, tasks, begin=allow_deep_trees):
+            if isinstance(picture, Picture):
+                pictures[first + at] = picture
+    return pictures
 
 
 def compare(pair: tuple[Shader, str]) -> Picture:

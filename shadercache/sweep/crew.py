@@ -6,9 +6,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any, Protocol
 
-from shadercache.cluster import LostTaskError, spread
+from shadercache.cluster import spread
 from shadercache.diagnostics import DiagnosticError
 from shadercache.gpu.resource import Resource
+from shadercache.processes import LostTaskError
 from shadercache.sweep.carry_out import Heard, all_failed, carry_out, keep, parts
 from shadercache.sweep.plan import SceneFile, SweepTrial
 from shadercache.sweep.row import Failure, Machine

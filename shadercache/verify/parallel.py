@@ -6,22 +6,21 @@ Each worker has a context and a verifier of its own.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
-from concurrent.futures import ProcessPoolExecutor, as_completed
-from concurrent.futures.process import BrokenProcessPool
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import closing
 from dataclasses import dataclass
-from multiprocessing import get_context
+from functools import partial
 from pathlib import Path
 from typing import Any
 
+from shadercache import cluster, processes
 from shadercache.analysis.mapping import MappingKind
 from shadercache.caching.configuration import Configuration
-from shadercache.cluster import LostTaskError, spread
 from shadercache.diagnostics import Diagnostic, GraphicsError
 from shadercache.front.read_options import ReadOptions
 from shadercache.gpu.context import open_context
 from shadercache.linking.scene_shaders import open_scene
+from shadercache.processes import AllLostError, LostTaskError
 from shadercache.verify.verdict import Verdict
 from shadercache.verify.verifier import Verifier
 
@@ -30,8 +29,8 @@ CRASHED = "the process that drew it died, twice: the driver crashes"
 THREADS = "LP_NUM_THREADS"
 """The variable by which llvmpipe, once a context is opened, is told how many threads to have."""
 
-MOST_LOST = 3
-"""Nodes one after another that may be lost to crashes before the run is given up."""
+MOST_LOST = 6
+"""Processes that may die one after another before the run is given up."""
 
 _verifier: Verifier | None = None
 """The worker process's own; set once when the process starts."""
@@ -64,8 +63,8 @@ def verify_in_parallel(
 ) -> list[Verdict]:
     """Verdicts for the nodes (by id; ``a+b`` is a set) of a scene, in the order of ``nodes``.
 
-    A driver that crashes takes its process with it: what was left is given to new ones. A node
-    whose process dies again when it is alone there has a verdict that says so.
+    A driver that crashes takes its process with it. A node whose process dies again when it is
+    alone there has a verdict that says so.
 
     Args:
         jobs: how many processes; 1 works in this one.
@@ -74,33 +73,17 @@ def verify_in_parallel(
 
     Raises :class:`GraphicsError` SC606 where nothing can be drawn, and as ``VerifiedScene.open``.
     """
-    verdicts: dict[str, Verdict] = {}
-
-    def keep(node: str, verdict: Verdict) -> None:
-        verdicts[node] = verdict
-        heard(verdict)
-
     if jobs == 1:
         with closing(scene.open()) as verifier:
-            for node in nodes:
-                keep(node, verifier.check(verifier.analysis.nodes_of(node), plain))
-    spawn = get_context("spawn")  # a forked child would share the parent's driver state
-    workers, lost = jobs, 0
-    while left := [node for node in nodes if node not in verdicts]:
-        with ProcessPoolExecutor(workers, spawn, _start, (scene,)) as pool:
-            _drain(pool, left, plain, keep)
-        if any(node in verdicts for node in left):
-            # Some came through, so it is not the driver as a whole that crashes.
-            workers, lost = jobs, 0
-        elif workers > 1:
-            workers = 1  # which of them it was shows when they come one by one
-        elif lost == MOST_LOST:
-            message = "the driver crashes, whatever it is given to draw"
-            raise GraphicsError(Diagnostic("SC606", message))
-        else:
-            keep(left[0], Verdict(left[0], "", "", True, failure=CRASHED))
-            workers, lost = jobs, lost + 1
-    return [verdicts[node] for node in nodes]
+            checked = (verifier.check(verifier.analysis.nodes_of(node), plain) for node in nodes)
+            return _in_order(nodes, enumerate(checked), heard)
+    tasks = [(node, plain) for node in nodes]
+    found = processes.spread(jobs, _work, tasks, begin=partial(_start, scene), most_lost=MOST_LOST)
+    try:
+        return _in_order(nodes, found, heard)
+    except AllLostError:
+        message = "the driver crashes, whatever it is given to draw"
+        raise GraphicsError(Diagnostic("SC606", message)) from None
 
 
 def verify_on(
@@ -115,32 +98,23 @@ def verify_on(
     Args:
         client: as ``open_cluster`` gives it.
     """
-    verdicts: dict[str, Verdict] = {}
-    for at, verdict in spread(client, _work_on, [(scene, node, plain) for node in nodes]):
+    found = cluster.spread(client, _work_on, [(scene, node, plain) for node in nodes])
+    return _in_order(nodes, found, heard)
+
+
+def _in_order(
+    nodes: Sequence[str],
+    found: Iterable[tuple[int, Verdict | LostTaskError]],
+    heard: Callable[[Verdict], None],
+) -> list[Verdict]:
+    """Verdicts, which come by the number of their node, in the order of the nodes."""
+    verdicts: dict[int, Verdict] = {}
+    for at, verdict in found:
         if isinstance(verdict, LostTaskError):
             verdict = Verdict(nodes[at], "", "", True, failure=CRASHED)
-        verdicts[nodes[at]] = verdict
+        verdicts[at] = verdict
         heard(verdict)
-    return [verdicts[node] for node in nodes]
-
-
-def _drain(
-    pool: ProcessPoolExecutor,
-    nodes: Sequence[str],
-    plain: bool,
-    keep: Callable[[str, Verdict], None],
-) -> None:
-    """Keep verdicts as they come, until a process dies, which ends the pool."""
-    waiting = {pool.submit(_work, node, plain): node for node in nodes}
-    try:
-        for future in as_completed(waiting):
-            keep(waiting[future], future.result())
-    except BrokenProcessPool:
-        return
-    except BaseException:
-        # Or the `with` block of the pool would wait for all nodes before the error gets through.
-        pool.shutdown(cancel_futures=True)
-        raise
+    return [verdicts[at] for at in range(len(nodes))]
 
 
 def _start(scene: VerifiedScene) -> None:

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import json
-import multiprocessing
 from collections.abc import Iterator
-from concurrent.futures import ProcessPoolExecutor, as_completed
-from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
 
 from shadercache.files import write_bytes
 from shadercache.gpu.context import open_context
+from shadercache.processes import LostTaskError, spread
 
 from .dialects import DIALECTS
 from .suite import OUTPUT, BrokenError, Coverage, check_shaders
@@ -73,19 +71,14 @@ def batches(count: int, seed: int) -> list[Batch]:
 
 def try_many(todo: list[Batch], jobs: int) -> Iterator[tuple[Batch, Coverage, str]]:
     """Each batch with what it has seen, and what broke in it (or nothing), as they are done."""
-    context = multiprocessing.get_context("spawn")
-    # Processes are replaced now and then, since a driver keeps what it has compiled. Not by
-    # max_tasks_per_child, with which the pool of Python 3.11 may wait for ever (CPython 115634).
+    # Processes are replaced now and then, since a driver keeps what it has compiled.
     for first in range(0, len(todo), ROUND * jobs):
-        with ProcessPoolExecutor(jobs, context) as pool:
-            some = todo[first : first + ROUND * jobs]
-            futures = {pool.submit(_try, batch): batch for batch in some}
-            for future in as_completed(futures):
-                batch = futures[future]
-                try:
-                    yield batch, *future.result()
-                except BrokenProcessPool:
-                    yield batch, Coverage(), f"a process died, near batch {batch}"
+        some = todo[first : first + ROUND * jobs]
+        for at, seen in spread(jobs, _try, [(batch,) for batch in some]):
+            if isinstance(seen, LostTaskError):
+                yield some[at], Coverage(), f"the process of batch {some[at]} died, twice"
+            else:
+                yield some[at], *seen
 
 
 def _try(batch: Batch) -> tuple[Coverage, str]:
