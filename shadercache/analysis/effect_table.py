@@ -53,6 +53,7 @@ class EffectTable:
         self._memo = Memo() if memo is None else memo
         self._marks = marks or {}
         self._table: dict[n.Node, Effects] = {}
+        self._reads: dict[n.Node, frozenset[str]] = {}
         self._by_name: dict[str, Linked] = {}
 
     def of(self, node: n.Node) -> Effects:
@@ -63,9 +64,38 @@ class EffectTable:
         for part in postorder(node, self._table):
             effects = self._own(part)
             if part in self._marks:
-                effects = effects | Effects(frozenset((self._marks[part],)))
+                effects = effects | Effects(self._marked(part))
             self._table[part] = effects
         return self._table[node]
+
+    def reads(self, node: n.Node) -> frozenset[str]:
+        """What evaluating an expression or a statement reads, before it is overwritten by a call.
+
+        The order counts only in called functions.
+        """
+        if node not in self._reads:
+            for part in postorder(node, self._reads):
+                self._reads[part] = self._own_reads(part)
+        return self._reads[node]
+
+    def _own_reads(self, node: n.Node) -> frozenset[str]:
+        """Combine what the (known) children read with what the node itself does."""
+        own, parts = self._marked(node), children(node)
+        match node:
+            case n.Name(name=name):
+                own |= {name}
+            case n.Call(name=name, args=args) if name in self.functions:
+                own |= self.linked(name).head.live_at_entry
+                parts = args
+            case n.Assign(op="=", target=n.Name(), value=value):
+                parts = (value,)
+        # Most nodes read what their only child does: one set will do for both.
+        if len(parts) == 1 and not own:
+            return self._reads[parts[0]]
+        return own.union(*(self._reads[part] for part in parts))
+
+    def _marked(self, node: n.Node) -> frozenset[str]:
+        return frozenset((self._marks[node],)) if node in self._marks else _NO_NAMES
 
     def summary(self, name: str) -> Effects:
         """What a call of the user's function ``name`` does outside of the function."""
@@ -160,10 +190,10 @@ class _Liveness(Backward[frozenset[str]]):
 
     def branch(self, stmt: n.If, fact: frozenset[str]) -> frozenset[str]:
         other = fact if stmt.other is None else self.statement(stmt.other, fact)
-        return self.statement(stmt.then, fact) | other | reads_of(stmt.condition, self._table)
+        return self.statement(stmt.then, fact) | other | self._table.reads(stmt.condition)
 
     def loop(self, stmt: Loop | n.Switch, fact: frozenset[str]) -> frozenset[str]:
-        return fact | reads_of(stmt, self._table)
+        return fact | self._table.reads(stmt)
 
     switch = loop
 
@@ -171,25 +201,10 @@ class _Liveness(Backward[frozenset[str]]):
         if isinstance(stmt, n.Jump) and stmt.word != "discard":
             return fact
         # Behind a return only the caller reads on, and behind a discard nobody does.
-        return reads_of(stmt, self._table)
+        return self._table.reads(stmt)
 
     def plain(self, stmt: n.Stmt, fact: frozenset[str]) -> frozenset[str]:
-        return (fact - overwritten_by(stmt, self._table)) | reads_of(stmt, self._table)
-
-
-def reads_of(node: n.Node, table: EffectTable) -> frozenset[str]:
-    """What evaluating an expression or a statement reads, before it is overwritten by a call."""
-    # The order counts only in called functions; without one the kept effects will do.
-    if not any(isinstance(part, n.Call) and part.name in table.functions for part in walk(node)):
-        return table.of(node).reads
-    match node:
-        case n.Call(name=name, args=args) if name in table.functions:
-            return table.linked(name).head.live_at_entry.union(
-                *(reads_of(arg, table) for arg in args)
-            )
-        case n.Assign(op="=", target=n.Name(), value=value):
-            return reads_of(value, table)
-    return _NO_NAMES.union(*(reads_of(part, table) for part in children(node)))
+        return (fact - overwritten_by(stmt, self._table)) | self._table.reads(stmt)
 
 
 def overwritten_by(node: n.Node, table: EffectTable) -> frozenset[str]:

@@ -24,7 +24,7 @@ from operator import is_
 from typing import TypeAlias, TypeVar, cast
 
 from shadercache.analysis.dataflow import NAMES, before_cases, before_loop
-from shadercache.analysis.effect_table import EffectTable, out_arguments, overwritten_by, reads_of
+from shadercache.analysis.effect_table import EffectTable, out_arguments, overwritten_by
 from shadercache.analysis.effects import Does, Linked, root_variable
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
@@ -172,7 +172,7 @@ class _Pruner:
             return None, live
         if parts == [stmt.expr]:
             self._note_calls(stmt, live)
-            return stmt, (live - overwritten_by(stmt, self.table)) | reads_of(stmt, self.table)
+            return stmt, (live - overwritten_by(stmt, self.table)) | self.table.reads(stmt)
         kept = [n.ExprStmt(part.span, part) for part in parts]
         # Backwards: behind the calls of a part, what the later ones read is live.
         for part in reversed(kept):
@@ -182,7 +182,7 @@ class _Pruner:
     def evaluated(self, node: n.Node, live: Live) -> Live:
         """What is live before something that is kept as it is, and overwrites nothing wholly."""
         self._note_calls(node, live)
-        return live | reads_of(node, self.table)
+        return live | self.table.reads(node)
 
     def _note_calls(self, node: n.Node, live: Live) -> None:
         """Note what is live behind the calls inside: globals, and parameters that write back."""
@@ -191,7 +191,7 @@ class _Pruner:
         last = _last_call(node)
         for call in calls:
             # Other parts may be evaluated after it.
-            after = live if call is last else live | reads_of(node, self.table)
+            after = live if call is last else live | self.table.reads(node)
             params = functions[call.name].proto.params
             # What a parameter writes back is wanted where its argument is live.
             back = {
@@ -216,7 +216,7 @@ class _Pruner:
                 # The one operator besides those with conditions that has an order (GLSL 3.30
                 # section 5.9): what the right side reads is live behind the left one.
                 rest = list(self._needed(right, live))
-                behind = live.union(*(reads_of(part, self.table) for part in rest))
+                behind = live.union(*(self.table.reads(part) for part in rest))
                 yield from self._needed(left, behind)
                 yield from rest
                 return
