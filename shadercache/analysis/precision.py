@@ -8,9 +8,10 @@ change on every driver that computes ``mediump`` in 16 bits.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import cast
 
 from shadercache.ast import nodes as n
-from shadercache.ast.walk import children
+from shadercache.ast.walk import EXPRESSIONS, children, postorder
 from shadercache.lang.builtins import Signature
 from shadercache.lang.types import builtin_type
 from shadercache.lang.words import PRECISIONS
@@ -35,6 +36,7 @@ class PrecisionTable:
     def __init__(self, module: n.Module, facts: Facts, stage: Stage = "fragment") -> None:
         self._facts = facts
         self._declared: dict[n.Node, str | None] = {}
+        self._known: dict[n.Node, str | None] = {}
         if module.profile != "es":
             return
         first = "mediump" if stage == "fragment" else "highp"
@@ -48,9 +50,18 @@ class PrecisionTable:
     def of(self, expr: n.Expr) -> str | None:
         """``highp``, ``mediump`` or ``lowp``; ``None`` where there is none: booleans, what is made
         of constants alone, and everything that is not GLSL ES."""
+        if not self._declared:
+            return None
+        if expr not in self._known:
+            # Operands first: a chain of operators is as deep as it is long.
+            for part in postorder(expr, self._known):
+                if isinstance(part, EXPRESSIONS):
+                    self._known[part] = self._own(cast("n.Expr", part))
+        return self._known[expr]
+
+    def _own(self, expr: n.Expr) -> str | None:
+        """The precision of an expression, of whose operands it is known."""
         match expr:
-            case _ if not self._declared:
-                return None
             case n.Name(name=name):
                 declaration = self._facts.symbols[expr].node
                 if declaration is not None:

@@ -1,7 +1,8 @@
 """Nodes that have the same value: parentheses, copies through variables, common sub-expressions.
 
 Every expression on every call path gets a number; equal numbers mean equal values, to the bit in
-proof mode (value numbering; a variable has the number of what was assigned to it last)::
+proof mode, and in GLSL ES of the same precision (value numbering; a variable has the number of what
+was assigned to it last)::
 
     float a = wave(p) + 1.0;    // wave(p), and what it returns, are one group;
     float b = (a);              // wave(p) + 1.0, a and b another;
@@ -17,7 +18,9 @@ from typing import cast
 from shadercache.analysis.call_paths import Instance, Place, Use
 from shadercache.analysis.candidates import Candidate, Candidates
 from shadercache.analysis.effect_table import EffectTable, needs_derivative, out_arguments
-from shadercache.analysis.reaching_definitions import written_anywhere
+from shadercache.analysis.effects import Does
+from shadercache.analysis.precision import PrecisionTable
+from shadercache.analysis.reaching_definitions import Step, written_anywhere
 from shadercache.analysis.use_def import Definition, Definitions
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import children
@@ -74,6 +77,7 @@ class _ValueNumbering:
     ) -> None:
         self._facts, self._table = facts, table
         self._definitions = Definitions(facts, table, instances)
+        self._precisions = PrecisionTable(module, facts)
         self._mutable = written_anywhere(module, table)
         self._of_key: dict[Hashable, int] = {}
         self._numbers: dict[tuple[Instance, n.Expr], int] = {}
@@ -110,10 +114,10 @@ class _ValueNumbering:
             definition = self._definition(instance, place)
             if definition is not None:
                 number = self._numbers[definition.instance, definition.expr]
-                kind = str(definition.type)
-                if self._type(definition.expr) == kind:
+                kind = str(definition.type), self._precisions.of(place.expr)
+                if (self._type(definition.expr), self._precisions.of(definition.expr)) == kind:
                     return number
-                key = ("converted", kind, number)
+                key = ("converted", *kind, number)
             else:
                 key = self._key(instance, place)
         # What nothing can be said of is equal to nothing else.
@@ -150,14 +154,27 @@ class _ValueNumbering:
                 known = not summary.does and not summary.reads & self._mutable
                 return ("call", name, *below) if known else None
             case n.Call(name=name):
-                # Under a condition a derivative may be taken with other neighbours.
+                # A derivative may be taken with other neighbours under a condition, and where some
+                # have left.
                 everywhere = Use.PLAIN is place.use is instance.use
                 if any(out_arguments(expr, self._table)) or (
-                    needs_derivative(expr, self._table) and not everywhere
+                    needs_derivative(expr, self._table)
+                    and (not everywhere or self._left_by_some(instance, place.step))
                 ):
                     return None
                 return ("built-in", name, self._type(expr), *below)
         return (*_shape(expr), self._type(expr), *below)
+
+    def _left_by_some(self, instance: Instance, step: Step) -> bool:
+        """May fragments have left ahead of a step, or of a part of it?"""
+        at: Instance | None = instance
+        here: Step | None = step
+        while at is not None and here is not None:
+            # What a step calls may discard ahead of what else it computes.
+            if here.after_exit or here.effects.does & Does.DISCARD:
+                return True
+            here, at = at.place.step if at.place else None, at.parent
+        return False
 
     def _type(self, expr: n.Expr) -> str:
         return str(self._facts.types[expr])

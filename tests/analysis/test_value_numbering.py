@@ -6,8 +6,12 @@ import pytest
 from shaders import analysed, find
 
 from shadercache.analysed import on_cpu
+from shadercache.analysis.precision import PrecisionTable
 from shadercache.analysis.value_numbering import one_of_each
-from shadercache.compiler import Analysis
+from shadercache.ast.walk import expressions
+from shadercache.compiler import Analysis, analyse
+from shadercache.source import Source
+from shadercache.valid.read import read
 
 WAVE = "float wave(vec3 p) { return sin(p.x * 3.0) * cos(p.y) + sin(p.z); }"
 
@@ -86,6 +90,90 @@ def test_derivatives_in_different_flow_are_different() -> None:
     analysis = analysed(body)
     calls = [node for node in analysis.nodes if node.text == "dFdx(v_uv.x)"]
     assert analysis.groups[calls[0]] is not analysis.groups[calls[1]]
+
+
+KILL = "void kill() { if (v_uv.y > 0.5) discard; }"
+
+
+@pytest.mark.parametrize("value", ("fwidth(v_uv.x)", "texture(u_map, v_uv).x"))
+@pytest.mark.parametrize(
+    "between",
+    (
+        "if (v_uv.y > 0.5) discard;",
+        "if (v_uv.y > 0.5) return;",
+        "if (v_uv.x > 0.5) { if (v_uv.y > 0.5) return; }",
+        "kill();",
+    ),
+)
+def test_derivatives_with_an_exit_between_are_different(value: str, between: str) -> None:
+    """Neighbours that have left take part in the first and in no later one."""
+    body = f"""
+    float a = {value}; float b = {value};
+    {between}
+    float c = {value};
+    o_color = vec4(a, b, c, 1.0);
+    """
+    analysis = analysed(body, KILL)
+    a, b, c = (analysis.groups[node] for node in analysis.nodes if node.text == value)
+    assert a is b and a is not c
+
+
+def test_derivatives_before_and_behind_a_callee_s_exits_are_different() -> None:
+    declarations = """
+    float early() { float x = fwidth(v_uv.x); if (v_uv.y > 0.5) discard; return x; }
+    float late() { if (v_uv.y > 0.5) return 0.0; return fwidth(v_uv.x); }
+    """
+    body = "float a = early(); float b = fwidth(v_uv.x); o_color = vec4(a, b, late(), 1.0);"
+    analysis = analysed(body, declarations)
+    found = [analysis.groups[node] for node in analysis.nodes if node.text == "fwidth(v_uv.x)"]
+    assert len(found) == len(set(found)) == 3
+
+
+def test_an_exit_between_leaves_other_values_equal() -> None:
+    body = "float a = sin(v_uv.x); if (a > 0.5) discard; o_color = vec4(a, sin(v_uv.x), 0.0, 1.0);"
+    analysis = analysed(body)
+    first, second = (node for node in analysis.nodes if node.text == "sin(v_uv.x)")
+    assert analysis.groups[first] is analysis.groups[second]
+
+
+def test_of_another_precision_is_another_value() -> None:
+    """In GLSL ES a variable rounds what is assigned to it."""
+    text = """#version 300 es
+    precision highp float;
+    in vec2 v_uv;
+    out vec4 o_color;
+    float low(mediump float x) { return x * 1.5; }
+    float high(highp float x) { return x * 1.5; }
+    void main() {
+        mediump float a = v_uv.x * 3.0;
+        float b = v_uv.x * 3.0;
+        mediump float c = v_uv.x * 3.0;
+        float d = b;
+        o_color = vec4(a * 2.0, b * 2.0, c * 2.0, d * 2.0) + low(b) + high(b);
+    }
+    """
+    analysis = analyse(Source("test.frag", text), mapping="screen")
+    a, b, c, d, products, rest = (
+        analysis.groups[find(analysis, value)]
+        for value in ("a * 2.0", "b * 2.0", "c * 2.0", "d * 2.0", "v_uv.x * 3.0", "b")
+    )
+    assert a is c and b is d and a is not b
+    assert products is rest and analysis.groups[find(analysis, "a")] is not products
+    assert (
+        analysis.groups[find(analysis, "low(b)")] is not analysis.groups[find(analysis, "high(b)")]
+    )
+
+
+def test_precisions_of_long_chains() -> None:
+    text = f"""#version 300 es
+    precision mediump float;
+    in float v;
+    out vec4 o_color;
+    void main() {{ float a = v{" + v" * 20_000}; o_color = vec4(a); }}
+    """
+    module, facts = read(Source("test.frag", text), "fragment")
+    chain = max(expressions(module), key=lambda expr: expr.span.end - expr.span.start)
+    assert PrecisionTable(module, facts).of(chain) == "mediump"
 
 
 def test_a_sweep_takes_one_of_each() -> None:
