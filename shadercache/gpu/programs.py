@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections import OrderedDict
+from collections import Counter, OrderedDict
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -141,6 +141,7 @@ def _link(
     texts: tuple[str, str, str],
     inputs: Sequence[InputEntry],
 ) -> Program:
+    _check_names(fragment.name, inputs)
     try:
         if texts[2]:
             gl = ctx.program(vertex_shader=texts[0], varyings=(texts[2],))
@@ -179,6 +180,15 @@ def _uniform(shader: str, name: str, member: Any) -> Uniform:
         raise input_error("SC524", f"{shader}: the harness cannot fill the sampler array {name}")
     count = member.dimension * member.array_length
     return Uniform(name, sampler, member.write, _FORMATS[member.fmt[-1]], count, is_array)
+
+
+def _check_names(shader: str, inputs: Sequence[InputEntry]) -> None:
+    """moderngl knows what a program has by name alone, and hides an attribute behind a uniform."""
+    for name, count in Counter(entry.name for entry in inputs).items():
+        if count > 1:
+            message = f"{shader}: the harness cannot give two inputs of the name {name}"
+            hint = "an engine can, but to measure it here, rename one of them"
+            raise input_error("SC524", message, hint)
 
 
 def _check_attribute(shader: str, name: str, member: Any) -> None:

@@ -145,11 +145,12 @@ def needed_manifest(
 
 def _head(programs: ProgramSet, mode: Mode, inputs: Iterable[InputEntry]) -> dict[str, Any]:
     """What all manifests begin with."""
-    declared = {name for one in programs.passes for name in (*one.uniforms, *one.attributes)}
+    uniforms = {name for one in programs.passes for name in one.uniforms}
+    attributes = {name for one in programs.passes for name in one.attributes}
     return {
         "schema_version": model.SCHEMA_VERSION,
         "mode": mode,
-        "inputs": declared_inputs(inputs, programs.previous, declared),
+        "inputs": declared_inputs(inputs, programs.previous, uniforms, attributes),
     }
 
 

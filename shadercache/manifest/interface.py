@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection, Iterable
 from typing import Annotated, Literal, TypeAlias
 
 from msgspec import UNSET, Meta, UnsetType
@@ -192,3 +193,25 @@ InputEntry: TypeAlias = (
     | UniformBlockInput
     | StorageBlockInput
 )
+
+
+def name_space(entry: InputEntry) -> type:
+    """What the name of an input is one of: attributes, uniforms, or blocks of either kind.
+
+    Stages share their uniforms (GLSL 4.60 section 4.3.5) and their blocks (4.3.9). An attribute of
+    the one may have the name of a uniform of the other, and is another input.
+    """
+    apart = (AttributeInput, UniformBlockInput, StorageBlockInput)
+    return type(entry) if isinstance(entry, apart) else UniformInput
+
+
+def declared_of(
+    inputs: Iterable[InputEntry], uniforms: Collection[str], attributes: Collection[str]
+) -> tuple[InputEntry, ...]:
+    """Those of the inputs that are among these attributes, or among these uniforms, textures and
+    blocks."""
+    return tuple(
+        entry
+        for entry in inputs
+        if entry.name in (attributes if isinstance(entry, AttributeInput) else uniforms)
+    )

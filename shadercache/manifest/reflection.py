@@ -36,27 +36,32 @@ _BUFFER_UNIT = 16  # Drivers count a block up to a whole vec4.
 
 def inputs_of(stages: Iterable[tuple[n.Module, Facts, Stage]]) -> tuple[InputEntry, ...]:
     """What the stages of a program are given; what two of them declare is listed once."""
-    inputs: dict[str, InputEntry] = {}
+    inputs: dict[tuple[type, str], InputEntry] = {}
     for module, facts, stage in stages:
         for entry in _inputs(module, facts, stage):
-            known = inputs.get(entry.name)
-            if known is None:
-                inputs[entry.name] = entry
-            elif not isinstance(known, interface.AttributeInput):
-                inputs[entry.name] = _joined(known, entry)
+            key = interface.name_space(entry), entry.name
+            inputs[key] = _joined(inputs[key], entry) if key in inputs else entry
     return tuple(inputs.values())
 
 
 def declared_inputs(
-    inputs: Iterable[InputEntry], previous: Mapping[str, str], declared: Collection[str]
+    inputs: Iterable[InputEntry],
+    previous: Mapping[str, str],
+    uniforms: Collection[str],
+    attributes: Collection[str],
 ) -> tuple[InputEntry, ...]:
     """Those of the inputs that programs declare, with the twins of the last frame behind them.
 
     ``previous`` leads from the name of what has a twin to the twin's.
     """
     known = tuple(inputs)
-    twins = tuple(_twin(entry, previous) for entry in known if entry.name in previous)
-    return tuple(entry for entry in known + twins if entry.name in declared)
+    # What the fragment shader alone declares may share its name with a block that has a twin.
+    twins = tuple(
+        _twin(entry, previous)
+        for entry in known
+        if entry.name in previous and "vertex" in entry.stages
+    )
+    return interface.declared_of(known + twins, uniforms, attributes)
 
 
 def dependencies(

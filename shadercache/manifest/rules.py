@@ -15,6 +15,7 @@ from shadercache.manifest.interface import (
     StorageBlockInput,
     UniformBlockInput,
     UniformInput,
+    name_space,
 )
 from shadercache.manifest.model import Manifest
 from shadercache.manifest.pass_model import PassEntry
@@ -30,7 +31,8 @@ def problems(manifest: Manifest) -> Iterator[Problem]:
     """What is wrong between the fields of a manifest."""
     yield from _interface(manifest)
     attributes = {entry.name for entry in manifest.inputs if isinstance(entry, AttributeInput)}
-    others = {entry.name for entry in (*manifest.uniforms, *manifest.inputs)} - attributes
+    inputs = [entry for entry in manifest.inputs if not isinstance(entry, AttributeInput)]
+    others = {entry.name for entry in (*manifest.uniforms, *inputs)}
     for path, entry in passes_of(manifest):
         yield from _pass(path, entry, manifest)
         yield from _unknown(f"{path}.attributes", entry.attributes, attributes)
@@ -70,8 +72,11 @@ def _pass(path: str, entry: PassEntry, manifest: Manifest) -> Iterator[Problem]:
 
 
 def _interface(manifest: Manifest) -> Iterator[Problem]:
-    names = [entry.name for entry in (*manifest.uniforms, *manifest.inputs)]
-    yield from _twice("inputs", names)
+    names: dict[type, list[str]] = {UniformInput: [entry.name for entry in manifest.uniforms]}
+    for entry in manifest.inputs:
+        names.setdefault(name_space(entry), []).append(entry.name)
+    for space in names.values():
+        yield from _twice("inputs", space)
     for at, entry in enumerate(manifest.inputs):
         path = f"inputs[{at}]"
         yield from _twice(f"{path}.stages", entry.stages)

@@ -20,7 +20,7 @@ from shadercache.caching.configuration import DEFAULT_EPSILON, Configuration
 from shadercache.caching.settings import with_settings
 from shadercache.diagnostics import input_error, usage_error
 from shadercache.manifest.codec import decode, unusable
-from shadercache.manifest.interface import InputEntry
+from shadercache.manifest.interface import InputEntry, declared_of
 from shadercache.manifest.model import AnyManifest, Manifest, NeededManifest
 from shadercache.manifest.pass_model import PassEntry
 from shadercache.scene.object_inputs import root_of
@@ -274,7 +274,6 @@ class Bundle:
         )
 
     def _pass(self, entry: PassEntry) -> PassSpec:
-        declared = {*entry.uniforms, *entry.attributes}
         return PassSpec(
             name=entry.name,
             vertex=self._file(entry.vertex),
@@ -285,11 +284,7 @@ class Bundle:
             on_reset=entry.on_reset,
             looks="previous-cache" in entry.reads,
             over_screen=entry.draws == "screen",
-            inputs=tuple(
-                shader_input
-                for shader_input in self.manifest.inputs
-                if shader_input.name in declared
-            ),
+            inputs=declared_of(self.manifest.inputs, entry.uniforms, entry.attributes),
         )
 
     def _file(self, name: str) -> Source:

@@ -110,6 +110,11 @@ def test_what_the_harness_cannot_give(world: RenderScene) -> None:
         assert codes(world, fragment)[0] == ["SC524"]
     vertex = VERTEX.replace("in vec3 a_position;", "in ivec3 a_position;")
     assert codes(world, out + "o = vec4(1.0); }", vertex)[0] == ["SC524"]
+    # moderngl would hide the attribute behind the uniform, and the picture would be another.
+    vertex = VERTEX.replace("in vec3 a_position;", "in vec3 a_position; in float u_a;")
+    vertex = vertex.replace("1.0)", "u_a)")
+    found, words = codes(world, "uniform float u_a; " + out + "o = vec4(u_a); }", vertex)
+    assert found == ["SC524"] and "two inputs of the name u_a" in words
 
 
 def test_the_drivers_words_at_their_line(world: RenderScene) -> None:

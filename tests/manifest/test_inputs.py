@@ -10,6 +10,7 @@ from jsonschema import Draft202012Validator
 from manifests import SCHEMA, plain
 
 from shadercache.compiler import analyse
+from shadercache.manifest.codec import decode
 from shadercache.manifest.interface import (
     CounterInput,
     ImageInput,
@@ -266,6 +267,25 @@ def test_a_block_of_both_stages_is_listed_once() -> None:
     assert inputs["B"]["stages"] == ["vertex", "fragment"]
     assert inputs["B"]["binding"] == 5
     assert inputs["sc_previous_B"]["stages"] == ["vertex"]
+
+
+@pytest.mark.parametrize(
+    ("declared", "read", "name", "kind"),
+    [
+        ("in float tint; uniform mat4 u_m;", "u_m * tint", "tint", "attribute"),
+        ("uniform tint { mat4 m; };", "m", "tint", "uniform block"),
+    ],
+)
+def test_one_name_of_two_kinds_is_two_inputs(
+    declared: str, read: str, name: str, kind: str
+) -> None:
+    """What stages share by name are their uniforms; other names are each stage's own."""
+    manifest = manifest_of(declared, read, more=f"uniform float {name};", read=name)
+    found = [(i["kind"], i["stages"]) for i in manifest["inputs"] if i["name"] == name]
+    assert found == [(kind, ["vertex"]), ("uniform", ["fragment"])]
+    twins = [i["kind"] for i in manifest["inputs"] if i.get("previous_of") == name]
+    assert twins == [kind] * (kind != "attribute")
+    assert plain(decode(manifest, "m")) == manifest
 
 
 def test_every_name_of_a_pass_is_listed() -> None:
