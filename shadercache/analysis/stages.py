@@ -227,7 +227,7 @@ def aligned(vertex: StageSide, fragment: StageSide) -> n.Module:
 
 def _takes_places(module: n.Module) -> bool:
     since = 310 if module.profile == "es" else 410
-    extensions = enabled_extensions(module.directives)
+    extensions = enabled_extensions(module)
     return module.version >= since or not extensions.isdisjoint(_SEPARATE)
 
 

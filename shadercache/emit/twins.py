@@ -67,7 +67,7 @@ class Twins:
     def _output(self, name: str) -> n.VarDecl:
         """A plain global in place of a built-in output, which has one value: this frame's."""
         module = self._slice
-        extensions = enabled_extensions(module.directives)
+        extensions = enabled_extensions(module)
         known = variable(name, "vertex", module.version, module.profile, extensions)
         assert known is not None, name
         dims: n.Dims = ()

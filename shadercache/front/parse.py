@@ -118,7 +118,7 @@ def _decls(source: Source, prepared: Preprocessed, lexemes: Lexemes, own: int) -
     from shadercache.front.grammar import load_parser
     from shadercache.front.tokens import Edition, TokenStream
 
-    extensions = enabled_extensions(prepared.directives)
+    extensions = enabled_extensions(prepared)
     language = Edition(prepared.version, prepared.profile == "es", extensions)
     stream = TokenStream(source, language, lexemes)
     lark, builder = load_parser()

@@ -91,7 +91,7 @@ class Language:
 def language_of(module: Module, stage: Stage) -> Language:
     """What the ``#version`` and the ``#extension`` lines of a module say."""
     version, profile, es = module.version, module.profile, module.profile == "es"
-    extensions = enabled_extensions(module.directives)
+    extensions = enabled_extensions(module)
     # 1.40 has no profiles: there this extension brings back what it dropped.
     if "GL_ARB_compatibility" in extensions and not es:
         profile = "compatibility"

@@ -189,8 +189,11 @@ def test_line_directives_that_are_wrong(rest: str) -> None:
 
 
 def test_a_file_name_in_a_line_directive_needs_an_extension() -> None:
-    text = '#extension GL_GOOGLE_cpp_style_line_directive : enable\n#line 9 "a"\n__LINE__'
-    assert words(text) == "9"
+    on = "#extension GL_GOOGLE_cpp_style_line_directive : enable"
+    assert words(f'{on}\n#line 9 "a"\n__LINE__') == "9"
+    assert words(f'{on}\n#extension all : warn\n#line 9 "a"\n__LINE__') == "9"
+    for disabled in ("", f"{on}\n#extension all : disable"):
+        assert errors(f'#version 330\n{disabled}\n#line 9 "a"\n')[0].endswith("SC108")
 
 
 # --- places ---------------------------------------------------------------------------------------

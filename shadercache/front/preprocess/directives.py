@@ -20,7 +20,7 @@ from shadercache.front.preprocess.directive_errors import DirectiveError, Runawa
 from shadercache.front.preprocess.macros import define
 from shadercache.front.preprocess.reading_state import ReadingState
 from shadercache.front.preprocess.scanner import is_word, spellings
-from shadercache.front.preprocess.version import read_extension
+from shadercache.front.preprocess.version import extension_macros, read_extension, switched
 from shadercache.source import Span
 
 _FILE_NAME = re.compile(r'"[^"\n]*"$')
@@ -110,10 +110,8 @@ def _misplaced_version(state: ReadingState, line: Line) -> None:
 
 def _extension(state: ReadingState, line: Line) -> None:
     name, behaviour = read_extension(line.rest)
-    if behaviour == "disable":
-        state.enabled.discard(name)
-    else:
-        state.enabled.add(name)
+    every = extension_macros(state.version.number, state.version.es)
+    state.enabled = switched(state.enabled, (name, behaviour), every)
     # Some are for the preprocessor alone: the text that it makes needs them no more.
     if name not in _FOR_INCLUDES:
         state.directives.append(Directive(line.span, f"#extension {name} : {behaviour}"))

@@ -89,7 +89,7 @@ class ReadingState:
         self.directives: list[Directive] = []
         self.expander = Expander(options.max_tokens, self._line_number)
         self.macros = self.expander.macros
-        self.enabled: set[str] = set()
+        self.enabled: frozenset[str] = frozenset()
         self.files: list[OpenFile] = []
         self.once: set[Source] = set()
         self.place = Span(0, 0)  # Of the directive or macro that is being read.

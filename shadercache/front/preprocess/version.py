@@ -10,6 +10,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from typing import Protocol
 
 from shadercache.ast.nodes import Directive
 from shadercache.front.preprocess.directive_errors import DirectiveError
@@ -121,15 +122,38 @@ def extension_macros(version: int, es: bool) -> frozenset[str]:
     return frozenset(name for name, since in sinces if since != "-" and int(since) <= version)
 
 
-def enabled_extensions(directives: Iterable[Directive]) -> frozenset[str]:
+class Headed(Protocol):
+    """A file or a tree: what its first lines say of it."""
+
+    @property
+    def version(self) -> int: ...
+    @property
+    def profile(self) -> str | None: ...
+    @property
+    def directives(self) -> Iterable[Directive]: ...
+
+
+def enabled_extensions(part: Headed) -> frozenset[str]:
     """Names of the extensions that the kept directives of a file leave on."""
-    names: set[str] = set()
-    for directive in directives:
+    names: frozenset[str] = frozenset()
+    every = extension_macros(part.version, part.profile == "es")
+    for directive in part.directives:
         line = _EXTENSION_LINE.fullmatch(directive.text)
         if line is not None:
-            change = names.discard if line[2] == "disable" else names.add
-            change(line[1])
-    return frozenset(names)
+            names = switched(names, (line[1], line[2]), every)
+    return names
+
+
+def switched(on: frozenset[str], line: tuple[str, str], every: frozenset[str]) -> frozenset[str]:
+    """The extensions that are on behind an ``#extension`` line of this name and behaviour.
+
+    ``every``: those that there are. ``all`` overrides every line before it, and ``warn`` is as good
+    as ``enable`` but for the warnings.
+    """
+    name, behaviour = line
+    if name == "all":
+        return every if behaviour == "warn" else frozenset()
+    return on - {name} if behaviour == "disable" else on | {name}
 
 
 def read_extension(rest: str) -> tuple[str, str]:

@@ -110,7 +110,7 @@ class FixedFunction:
             return
         was, stage = self._module, self._place[2]
         # Before GLSL 1.50 there are no profiles, and all that was dropped later is there.
-        profile, extensions = was.profile or "compatibility", enabled_extensions(was.directives)
+        profile, extensions = was.profile or "compatibility", enabled_extensions(was)
         known = variable(name, stage, was.version, profile, extensions)
         assert known is not None, name
         self._used[name] = known

@@ -141,7 +141,7 @@ def target_version(module: n.Module) -> tuple[int, str | None]:
     """Version and profile in which the variants of a shader are written."""
     if module.profile == "es":
         return max(module.version, ES_VERSION), "es"
-    extensions = enabled_extensions(module.directives)
+    extensions = enabled_extensions(module)
     compatible = module.profile == "compatibility" or "GL_ARB_compatibility" in extensions
     if module.version < DESKTOP_VERSION or compatible:
         return max(module.version, DESKTOP_VERSION), "core"
@@ -149,7 +149,7 @@ def target_version(module: n.Module) -> tuple[int, str | None]:
 
 
 def _place(module: n.Module, stage: Stage) -> Place:
-    return module.version, module.profile, stage, enabled_extensions(module.directives)
+    return module.version, module.profile, stage, enabled_extensions(module)
 
 
 class _Raiser(Rewriter):

@@ -89,6 +89,28 @@ void main() { }
 #extension GL_ARB_uniform_buffer_object : enable
 uniform B { vec4 v; };
 void main() { }
+//// 1.30 3.3 all : disable takes every extension back | SC221 [130]
+#extension GL_ARB_uniform_buffer_object : enable
+#extension all : disable
+uniform B { vec4 v; };
+void main() { }
+//// 1.30 3.3 behind all : disable one may come back | ok [130]
+#extension all : disable
+#extension GL_ARB_uniform_buffer_object : enable
+uniform B { vec4 v; };
+void main() { }
+//// 1.30 3.3 all : warn turns every extension on | ok [130]
+#extension all : warn
+uniform B { vec4 v; };
+void main() { }
+//// 1.30 3.3 but one that is disabled behind it | SC221 [130]
+#extension all : warn
+#extension GL_ARB_uniform_buffer_object : disable
+uniform B { vec4 v; };
+void main() { }
+//// 3.30 3.3 all : warn brings keywords | SC106
+#extension all : warn
+void main() { float buffer = 1.0; }
 //// 4.00 4.1.10 to uint and to double | ok [400]
 void main() { uint u = 1; double d = 1; d = 1.0; dvec2 v = ivec2(1); dmat2 m = mat2(1.0); d = sqrt(d); }
 //// 4.00 4.1.10 but nothing back | SC210 [400]
