@@ -37,7 +37,8 @@ def resolve(context: InferenceContext, spec: TypeSpec) -> Type:
 def _named(context: InferenceContext, spec: TypeSpec) -> Type:
     if spec.struct is not None:
         return _define(context, spec.struct)
-    meaning = builtin_type(spec.name) or context.scopes.visible.get(spec.name)
+    # The user's first: a struct may have the name of a type that this version lacks.
+    meaning = context.scopes.visible.get(spec.name) or builtin_type(spec.name)
     if meaning is None and spec.name.startswith("gl_"):
         meaning = struct(spec.name)
     if isinstance(meaning, Type):

@@ -14,7 +14,7 @@ Variants write several targets and calculate with unsigned integers: they need G
 The state of the fixed-function pipeline (``gl_Vertex``, ``gl_ModelViewMatrix``, ``gl_LightSource``,
 ``gl_TexCoord``) is declared: the core profile has none, so an engine gives it like any other
 attribute or uniform (:mod:`transform.versions.fixed_function`). The compatibility profile is left
-as well.
+as well. A struct with the name of a type of another version gets another name in every version.
 """
 
 from __future__ import annotations
@@ -29,6 +29,7 @@ from shadercache.ast.walk import walk
 from shadercache.diagnostics import Diagnostic, InputError, Severity
 from shadercache.front.preprocess import enabled_extensions
 from shadercache.lang.builtins import functions
+from shadercache.lang.types import builtin_type
 from shadercache.lang.words import keywords, reserved_words
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.infer import infer
@@ -105,7 +106,7 @@ def raise_versions(stages: Sequence[StageTree], stem: str) -> list[Raised]:
 def _raise(tree: StageTree, stem: str, shared: Shared) -> Raised:
     tree = _without_hidden_parameters(tree)
     raiser = _Raiser(tree, stem, shared)
-    if not raiser.raises and not raiser.fixed.names:
+    if not raiser.raises and not raiser.fixed.names and not raiser.structs:
         return Raised(tree.module, tree.facts, {}, ())
     module = raiser.raised()
     try:
@@ -164,6 +165,8 @@ class _Raiser(Rewriter):
         self.bare = replace(tree.module, version=version, profile=profile, directives=directives)
         self.place = _place(self.bare, tree.stage)
         self.fixed = FixedFunction(tree.module, tree.facts, self.place, stem, shared)
+        # From here on names tell types, also those of versions that this is not raised to.
+        self.structs = {name for name in _structs(tree.module) if builtin_type(name) is not None}
         self.variables, self.functions, self.words = self._clashes()
         # Only outputs may be invariant in GLSL ES 3.00 (section 4.6.1).
         self.drops_invariant_inputs = profile == "es" and tree.stage == "fragment"
@@ -215,7 +218,8 @@ class _Raiser(Rewriter):
         def renamed(names: Set[str]) -> dict[str, str]:
             return {name: self.stem + name for name in names}
 
-        variables, functions_ = keyed | (declared & shadowing), keyed | (called & hiding)
+        variables = keyed | (declared & shadowing) | self.structs
+        functions_ = keyed | (called & hiding)
         return renamed(variables), renamed(functions_), renamed(keyed)
 
     def expression(self, node: n.Expr, original: n.Expr) -> n.Expr:
@@ -326,6 +330,10 @@ class _Raiser(Rewriter):
 def _renamed(node: N, names: Mapping[str, str]) -> N:
     bare: Any = node
     return replace(bare, name=names[bare.name]) if bare.name in names else node
+
+
+def _structs(module: n.Module) -> Iterator[str]:
+    return (node.name for node in walk(module) if isinstance(node, n.StructDef))
 
 
 def _declared(module: n.Module) -> set[str]:

@@ -590,3 +590,40 @@ void main() {
     legacy_FragColor = texture(s, vec2(0.5));
 }
 // gl_FragColor is legacy_FragColor
+
+//// Structs with the names of types of later versions.
+#version 330 core
+struct int64_t {
+    float dmat2;
+};
+struct dmat2 {
+    int64_t at;
+    float more;
+};
+
+in float v;
+out vec4 color;
+
+void main() {
+    dmat2 a = dmat2(int64_t(v), 1.0);
+    color = vec4(a.at.dmat2, a.more, v, 1.0);
+}
+//// becomes
+#version 330 core
+
+struct legacy_int64_t {
+    float dmat2;
+};
+
+struct legacy_dmat2 {
+    legacy_int64_t at;
+    float more;
+};
+
+in float v;
+out vec4 color;
+
+void main() {
+    legacy_dmat2 a = legacy_dmat2(legacy_int64_t(v), 1.0);
+    color = vec4(a.at.dmat2, a.more, v, 1.0);
+}

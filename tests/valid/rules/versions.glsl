@@ -111,6 +111,16 @@ void main() { }
 //// 3.30 3.3 all : warn brings keywords | SC106
 #extension all : warn
 void main() { float buffer = 1.0; }
+//// 1.20 4.1.8 a struct may have the name of a type of 1.30 | ok [120 glslang refuses]
+struct uint { float x; };
+struct sampler2DMSArray { uint of[2]; };
+uniform sampler2DMSArray s;
+void main() { uint a = uint(1.0); float b = s.of[1].x + a.x; }
+//// 3.30 4.1.8 a struct may have the name of a type of 4.00 | ok [glslang refuses]
+struct dmat2 { float x; };
+struct int64_t { dmat2 m; };
+in int64_t v;
+void main() { int64_t a = int64_t(dmat2(1.0)); a.m.x += v.m.x; }
 //// 4.00 4.1.10 to uint and to double | ok [400]
 void main() { uint u = 1; double d = 1; d = 1.0; dvec2 v = ivec2(1); dmat2 m = mat2(1.0); d = sqrt(d); }
 //// 4.00 4.1.10 but nothing back | SC210 [400]
