@@ -159,9 +159,24 @@ class Analysis:
         return {node.id: node for node in self.nodes}
 
     def node(self, node_id: str) -> Candidate:
-        """The node with this id. Raises :class:`UsageError` SC010 or SC011 if there is none."""
+        """The node with this id.
+
+        Raises :class:`UsageError` SC010 or SC011 if there is none, SC012 if there are several.
+        """
         if node_id in self._by_id:
             return self._by_id[node_id]
+        ids = self.candidates.ids
+        several: list[str] = []
+        for node in self.nodes:
+            if node.instance is None or node.place is None:
+                continue
+            if node_id.startswith(node.id) and ids.long(node.instance, node.place) == node_id:
+                return node
+            if node.id.startswith(node_id) and ids.short(node.instance, node.place) == node_id:
+                several.append(node.id)
+        if several:
+            message = f"'{node_id}' is short for {len(several)} nodes of {self.fragment.name}"
+            raise usage_error("SC012", message, f"they are {', '.join(several)}")
         unroll = " --unroll" if self.reading.unroll else ""
         hint = f"'shadercache nodes {self.fragment.name}{unroll}' lists the nodes"
         if not unroll and _UNROLLED.search(node_id):

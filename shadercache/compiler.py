@@ -220,7 +220,7 @@ def rewrite(
     be cached that are refused only as cheaper than a fetch?
 
     Raises:
-        UsageError: SC010, SC011 for a node that does not exist.
+        UsageError: SC010 to SC012 for an id that is not that of one node.
         InputError: the refusal's code for a node, SC415 to SC417 for a set; SC402 without a vertex
             shader; SC407 where no algorithm fits; SC408 for names that become keywords; SC419,
             SC430, SC432, SC440 for choices that do not go with the shader.

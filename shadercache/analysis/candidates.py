@@ -7,9 +7,9 @@ stands in :mod:`analysis.refusals`.
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
-from hashlib import blake2b
+from dataclasses import dataclass, replace
 
 from shadercache.analysis.call_paths import Instance, Place, Use, find_instances, path_to
 from shadercache.analysis.costs.cost import CostTable
@@ -21,6 +21,7 @@ from shadercache.analysis.derivative_uses import (
 )
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.mapping import MappingKind
+from shadercache.analysis.node_ids import NodeIds
 from shadercache.analysis.reaching_definitions import written_anywhere
 from shadercache.analysis.refusals import Code, Evidence, Refusal, Trial, refusal_of
 from shadercache.analysis.slices import DERIVATIVE, SliceTable
@@ -89,6 +90,7 @@ class Candidates:
     """The nodes of a shader with the tables they were judged by."""
 
     nodes: tuple[Candidate, ...]
+    ids: NodeIds
     instances: tuple[Instance, ...]
     slices: SliceTable
     derivatives: SharedUses
@@ -120,7 +122,7 @@ def find_candidates(
     slices = SliceTable(module, instances, table, costs)
     evidence = _evidence(module, facts, slices, table, mapping)
     total = costs.function(table.functions["main"]) or 1.0
-    digests = _digests(instances, origin.printed)
+    ids = NodeIds(instances, origin.printed)
     texts: dict[n.Expr, str] = {}
     nodes: list[Candidate] = []
     for instance in instances:
@@ -135,7 +137,7 @@ def find_candidates(
             trial = Trial(evidence, instance, place, facts.types[expr], value, cost)
             nodes.append(
                 Candidate(
-                    id=_node_id(instance, place, digests),
+                    id=ids.short(instance, place),
                     instance=instance,
                     place=place,
                     expr=expr,
@@ -148,8 +150,8 @@ def find_candidates(
                     refusal=refusal_of(trial),
                 )
             )
-    nodes.extend(_initialisers(module, facts, origin))
-    return Candidates(tuple(nodes), instances, slices, evidence.derivatives)
+    nodes.extend(_initialisers(module, facts, origin.source, ids))
+    return Candidates(_told_apart(nodes, ids), ids, instances, slices, evidence.derivatives)
 
 
 def _evidence(
@@ -224,32 +226,24 @@ def _spelled(excerpt: str, root: n.Expr, facts: Facts) -> str:
     return _LAST_COMMA.sub(")", "".join(pieces))
 
 
-def _digest(*parts: str) -> str:
-    return blake2b("\0".join(parts).encode(), digest_size=4).hexdigest()
+def _told_apart(nodes: list[Candidate], ids: NodeIds) -> tuple[Candidate, ...]:
+    """The nodes, with longer ids where two would have the same."""
+    counts = Counter(node.id for node in nodes)
+    if len(counts) == len(nodes):
+        return tuple(nodes)
+    apart = tuple(
+        replace(node, id=ids.long(node.instance, node.place))
+        if counts[node.id] > 1 and node.instance is not None and node.place is not None
+        else node
+        for node in nodes
+    )
+    assert len({node.id for node in apart}) == len(apart), "two nodes have one id"
+    return apart
 
 
-def _digests(instances: tuple[Instance, ...], printed: Mapping[str, str]) -> dict[Instance, str]:
-    """A digest of every call path: the functions on it as written, and which calls it takes."""
-    digests: dict[Instance, str] = {}
-    for instance in instances:
-        # With its loops taken apart the same text has other expressions under the same numbers.
-        own = printed[instance.places.function.name] + (
-            " unrolled" if instance.places.unrolled else ""
-        )
-        above: tuple[str, ...] = ()
-        if instance.parent is not None and instance.place is not None:
-            above = (digests[instance.parent], str(instance.place.ordinal))
-        digests[instance] = _digest(*above, own)
-    return digests
-
-
-def _node_id(instance: Instance, place: Place, digests: dict[Instance, str]) -> str:
-    name = instance.places.function.name
-    mark = "u" if instance.unrolled else ""
-    return f"{name}.{place.ordinal}{mark}-{_digest(digests[instance], str(place.ordinal))}"
-
-
-def _initialisers(module: n.Module, facts: Facts, origin: Origin) -> Iterator[Candidate]:
+def _initialisers(
+    module: n.Module, facts: Facts, source: Source, ids: NodeIds
+) -> Iterator[Candidate]:
     """The expressions in initialisers of globals: all refused (law 9: refused means told)."""
     variables = (decl for decl in module.decls if isinstance(decl, n.VarDecl))
     for owner in (owner for decl in variables for owner in decl.declarators):
@@ -257,11 +251,11 @@ def _initialisers(module: n.Module, facts: Facts, origin: Origin) -> Iterator[Ca
         for number, expr in enumerate(expr for expr in inside if expr.span != NOWHERE):
             code = Code.CONSTANT if facts.is_constant(expr) else Code.INITIALISER
             yield Candidate(
-                id=f"{owner.name}.{number}-{_digest(origin.printed[owner.name], str(number))}",
+                id=ids.of_initialiser(owner.name, number),
                 instance=None,
                 place=None,
                 expr=expr,
-                text=_text(origin.source, expr, facts),
+                text=_text(source, expr, facts),
                 path=f"(initialiser of {owner.name})",
                 type=facts.types[expr],
                 cost=0.0,

@@ -62,7 +62,7 @@ def choose_nodes(scene: Scene, analysis: Analysis, wanted: Sequence[str]) -> lis
     """The payload for each wanted id, or name from the scene's ``[nodes]``.
 
     One of the wanted is a node, or a set of nodes that are cached together: ``a+b``. Raises
-    :class:`UsageError` SC010 or SC011 for a node that does not exist.
+    :class:`UsageError` SC010 to SC012 for an id that is not that of one node.
     """
     payloads = []
     for label in wanted:

@@ -109,8 +109,8 @@ def plan_scene(file: SceneFile, choices: Choices) -> list[SweepTrial]:
     """All trials of one scene.
 
     Raises:
-        InputError, UsageError: as :func:`open_scene`; SC010, SC011 for a node that does not exist;
-            SC028 for a setting; SC027 where nothing can be cached.
+        InputError, UsageError: as :func:`open_scene`; SC010 to SC012 for an id that is not that of
+            one node; SC028 for a setting; SC027 where nothing can be cached.
     """
     linker = file.open()
     scene, analysis = linker.scene, linker.analysis

@@ -5,7 +5,9 @@ from __future__ import annotations
 import pytest
 from shaders import analysed, find
 
-from shadercache.analysis.candidates import MAX_TEXT
+from shadercache.analysis import node_ids
+from shadercache.analysis.candidates import MAX_TEXT, Candidate
+from shadercache.compiler import Analysis
 from shadercache.diagnostics import InputError, UsageError
 
 FUNCTIONS = """
@@ -65,6 +67,59 @@ def test_id_from_another_source_is_told_from_an_unknown_one() -> None:
     with pytest.raises(UsageError) as error:
         edited.node("nothing.1-00000000")
     assert error.value.diagnostics[0].code == "SC010"
+
+
+def many_paths(salt: int) -> Analysis:
+    """40 functions that call one; what all but the first of them pass on depends on ``salt``."""
+    callers = (f"float c{i}(vec3 p) {{ return wave(p * {i and salt}.{i}); }}" for i in range(40))
+    body = " + ".join(f"c{i}(v_position)" for i in range(40))
+    return analysed(f"o_color = vec4({body});", FUNCTIONS + "\n".join(callers))
+
+
+def test_ids_that_would_collide_are_longer(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(node_ids, "SHORT", 1)
+    analysis = many_paths(1)
+    shorts: dict[str, list[Candidate]] = {}
+    for node in analysis.nodes:
+        assert node.instance is not None and node.place is not None
+        assert analysis.node(node.id) is node
+        shorts.setdefault(analysis.candidates.ids.short(node.instance, node.place), []).append(node)
+    assert 1 < len(shorts) < len({node.id for node in analysis.nodes}) == len(analysis.nodes)
+    for short, (first, *others) in shorts.items():
+        if not others:
+            assert first.id == short
+            continue
+        with pytest.raises(UsageError) as error:
+            analysis.node(short)
+        (diagnostic,) = error.value.diagnostics
+        assert diagnostic.code == "SC012" and diagnostic.hint is not None
+        assert all(node.id in diagnostic.hint for node in (first, *others))
+
+
+def test_ids_that_would_collide_survive_edits_off_the_call_path(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Whatever an edit makes them collide with, an id never comes to mean another node."""
+    monkeypatch.setattr(node_ids, "SHORT", 1)
+    before, *after = (many_paths(salt) for salt in range(1, 5))
+    seen = set[bool]()
+    for node in before.nodes:
+        if node.path != "main > c0 > wave":
+            continue
+        assert node.instance is not None and node.place is not None
+        long = before.candidates.ids.long(node.instance, node.place)
+        short = before.candidates.ids.short(node.instance, node.place)
+        for analysis in (before, *after):
+            assert (analysis.node(long).path, analysis.node(long).text) == (node.path, node.text)
+            try:
+                found = analysis.node(short)
+            except UsageError as error:
+                assert error.diagnostics[0].code == "SC012"
+                seen.add(False)
+            else:
+                assert (found.path, found.text) == (node.path, node.text)
+                seen.add(True)
+    assert seen == {False, True}, "it collides with others in some of them, and not in all"
 
 
 def test_cost_counts_what_the_value_depends_on_and_no_more() -> None:

@@ -6,6 +6,9 @@ import json
 from pathlib import Path
 
 import pytest
+from shaders import analysed
+
+from shadercache.analysis import node_ids
 
 from .conftest import Shell
 
@@ -249,3 +252,25 @@ def test_a_node_of_an_unrolled_loop(shell: Shell, tmp_path: Path) -> None:
     assert "for (" not in (out / "2-pass.miss.frag").read_text()
     refused = shell(*line, "--node", node, "-o", out)
     assert refused.status == 2 and "add --unroll" in refused.err
+
+
+def test_an_id_that_is_short_for_several_nodes(
+    shell: Shell, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(node_ids, "SHORT", 1)
+    calls = " + ".join(f"wave(v_uv.x * {i}.0)" for i in range(100))
+    wave = "float wave(float x) { return sin(x * 3.0) * cos(exp(x)) + sin(x); }"
+    analysis = analysed(f"o_color = vec4({calls});", wave)
+    files = analysis.fragment, analysis.vertex_source
+    for source in files:
+        (tmp_path / source.name).write_text(source.text)
+    pair = tmp_path / files[0].name, "--vert", tmp_path / files[1].name
+    digits = 2 * node_ids.LONG
+    node = next(n for n in analysis.nodes if n.offered and len(n.id.rpartition("-")[2]) > digits)
+    outcome = shell("rewrite", *pair, "--node", node.id[:-digits], "-o", tmp_path / "out")
+    assert outcome.status == 2 and "[SC012]" in outcome.err and node.id in outcome.err
+    assert not (tmp_path / "out").exists()
+    outcome = shell("rewrite", *pair, "--node", node.id, "-o", tmp_path / "out")
+    assert outcome.status == 0
+    manifest = json.loads((tmp_path / "out" / "manifest.json").read_text())
+    assert [item["id"] for item in manifest["nodes"]] == [node.id]
