@@ -11,7 +11,7 @@ from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.gpu.programs import Program
 from shadercache.gpu.textures import GlTexture
 from shadercache.render.uploads import Uploads
-from shadercache.scene.camera import Values, semantic_values, uniform_values
+from shadercache.scene.camera import Values, semantic_values, shift_of, uniform_values
 from shadercache.scene.description import Scene, SceneObject
 from shadercache.source import Source
 
@@ -87,8 +87,11 @@ class Drawable:
             return False
         if frame not in self._outside:
             view = self.scene.view
-            width, height = view.engine.viewport(frame, self._size)[2:]
-            values = semantic_values(view, self.scene_object.motion, frame, width / height)
+            size = view.engine.viewport(frame, self._size)[2:]
+            # Jitter may bring in what lies less than half a pixel outside.
+            shift = shift_of(view, frame, size)
+            aspect = size[0] / size[1]
+            values = semantic_values(view, self.scene_object.motion, frame, aspect, shift)
             bounds = np.asarray(self.scene_object.bounds, np.float64)
             self._outside[frame] = _is_outside(values["model-view-projection"], bounds)
         return self._outside[frame]

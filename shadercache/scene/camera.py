@@ -35,9 +35,7 @@ def uniform_values(
     ``jittered``: the frame whose jitter it has, if it is another.
     """
     width, height = size
-    x, y = view.engine.shift(frame if jittered is None else jittered)
-    # Clip space is two wide and two high.
-    shift = (2.0 * x / width, 2.0 * y / height)
+    shift = shift_of(view, frame if jittered is None else jittered, size)
     values = semantic_values(view, scene_object.motion, frame, width / height, shift) | {
         "resolution": np.array([width, height], np.float64),
         # Of a Shadertoy: the shape of a pixel, 1, comes behind the size.
@@ -48,6 +46,13 @@ def uniform_values(
     uniforms |= {name: animation.at(frame) for name, animation in given.animated.items()}
     # A transpose read row by row is the matrix column by column; vectors stay as they are.
     return uniforms | {name: values[word].T.ravel() for name, word in given.semantics.items()}
+
+
+def shift_of(view: View, frame: int, size: tuple[int, int]) -> tuple[float, float]:
+    """The jitter of a frame in halves of the width and height of a picture of a size in pixels."""
+    x, y = view.engine.shift(frame)
+    # Clip space is two wide and two high.
+    return 2.0 * x / size[0], 2.0 * y / size[1]
 
 
 def semantic_values(

@@ -156,6 +156,23 @@ def test_objects_outside_of_the_picture_are_not_drawn(
     assert 5 <= sum(seen) < 20
 
 
+def test_jitter_brings_in_what_lies_just_outside(gpu: Gpu, crowd: RenderScene) -> None:
+    turning = crowd.scene.objects[0]
+
+    def drawn(x: float, *places: tuple[float, float]) -> bool:
+        scene = altered(crowd.scene, target=(x, 0.0, 0.0), objects=(turning,), places=places)
+        with RenderScene(gpu, scene, SIZE) as world:
+            return bool(world.drawn(0))
+
+    inside, outside = 0.0, 6.0
+    for _ in range(20):
+        middle = (inside + outside) / 2.0
+        inside, outside = (middle, outside) if drawn(middle) else (inside, middle)
+    assert drawn(inside) and not drawn(outside)
+    # It stands to the left of the camera, so a shift to the right brings it in.
+    assert drawn(outside, (0.45, 0.0)) and not drawn(inside, (-0.45, 0.0))
+
+
 @pytest.mark.parametrize("algorithm", ALGORITHMS)
 def test_what_begins_anew_finds_nothing_in_the_cache_of_others(
     crowd: RenderScene, proof: Bundle, algorithm: str
