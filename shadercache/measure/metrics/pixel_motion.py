@@ -14,6 +14,9 @@ NEAR = 0.02
 """So much may the 1/w of a texel be off that of the point that is looked for, relative to it, and
 still count as the same surface (as the look-ups of the variants have it, times the slope)."""
 
+ROUNDED = 1.0 / 256.0
+"""Pixels by which the place of a pixel's centre may be off: as fine as rasterisers are."""
+
 
 @dataclass(frozen=True, eq=False)
 class PixelMotion:
@@ -64,12 +67,13 @@ def motion_between(now: Surface, before: Surface) -> PixelMotion:
     """The motion from one frame to the next; both are of the same size."""
     height, width = now.number.shape
     place = now.place
+    last = np.array([width - 1, height - 1])
     with np.errstate(invalid="ignore", divide="ignore"):
-        corner = np.floor(place - 0.5)
+        at = place - 0.5
         # Where 1/w was not positive, the point lay behind the camera.
         both: Mask = (now.number > 0) & (now.before > 0.0) & np.isfinite(place).all(axis=-1)
-        both &= (corner >= 0).all(axis=-1) & (corner[..., 0] <= width - 1)
-        both &= corner[..., 1] <= height - 1
+        both &= ((at >= -ROUNDED) & (at <= last + ROUNDED)).all(axis=-1)
+        corner = np.clip(np.floor(at), 0, last)
         x = np.where(both, corner[..., 0], 0).astype(np.intp)
         y = np.where(both, corner[..., 1], 0).astype(np.intp)
         for right in (0, 1):

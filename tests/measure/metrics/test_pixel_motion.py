@@ -33,11 +33,20 @@ def test_at_rest_everything_is_where_it_was() -> None:
     assert np.array_equal(motion.warped(ramp()), ramp())
 
 
-@pytest.mark.parametrize(("right", "up"), [(2.0, 0.0), (0.0, 1.0), (0.5, 0.25)])
+@pytest.mark.parametrize("off", [1e-4, -1e-4])
+def test_at_rest_the_border_counts_however_places_are_rounded(off: float) -> None:
+    assert motion_between(surface(off, off), surface()).both.all()
+
+
+@pytest.mark.parametrize(
+    ("right", "up"),
+    [(2.0, 0.0), (0.0, 1.0), (0.5, 0.25), (-2.0, 0.0), (0.0, -1.0), (-0.5, -0.25), (0.5, -0.25)],
+)
 def test_a_ramp_that_moves_is_found_again(right: float, up: float) -> None:
+    """But for what was not between four pixels, on whichever side that is."""
     motion = motion_between(surface(right, up), surface())
-    inside = np.zeros_like(ALL)
-    inside[int(np.ceil(up)) :, int(np.ceil(right)) :] = True
+    y, x = np.mgrid[0:HEIGHT, 0:WIDTH]
+    inside = (x >= right) & (y >= up) & (x - right <= WIDTH - 1) & (y - up <= HEIGHT - 1)
     assert np.array_equal(motion.both, inside)
     expected = ramp() - np.array([right, up, 0.0], np.float32)
     assert np.allclose(motion.warped(ramp())[inside], expected[inside], atol=1e-6)
