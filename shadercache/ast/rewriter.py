@@ -7,7 +7,7 @@
             empty = isinstance(node, ExprStmt) and node.expr is None
             return () if empty else node
 
-For passes that only replace expressions there are :func:`map_expressions` and
+For passes that only replace expressions there are :func:`replace_expressions` and
 :func:`map_expressions_keyed`. Nothing here recurses.
 """
 
@@ -193,12 +193,12 @@ def _several(field: str, results: list[Result | None]) -> tuple[Node | None, ...
 # --- expressions only -----------------------------------------------------------------------------
 
 
-class _Mapped(Rewriter):
-    def __init__(self, fn: Callable[[Expr], Expr]) -> None:
-        self._fn = fn
+class _EveryExpression(Rewriter):
+    def __init__(self, choose: Callable[[Expr, Expr], Expr]) -> None:
+        self._choose = choose
 
     def expression(self, node: Expr, original: Expr) -> Expr:
-        return self._fn(node)
+        return self._choose(original, node)
 
 
 class _Keyed(Rewriter):
@@ -209,12 +209,12 @@ class _Keyed(Rewriter):
         return cast("Node | None", self._replace.get(node))
 
 
-def map_expressions(node: N, fn: Callable[[Expr], Expr]) -> N:
-    """The tree with every expression replaced by what ``fn`` makes of it, from the bottom up.
+def replace_expressions(root: N, choose: Callable[[Expr, Expr], Expr]) -> N:
+    """The tree with ``choose(original, rebuilt)`` in the place of every expression.
 
-    ``fn`` is given the expression with its parts replaced already and returns it, or another.
+    Called from the bottom up; ``rebuilt`` has the replacements inside it made.
     """
-    return _Mapped(fn).rewrite(node)
+    return _EveryExpression(choose).rewrite(root)
 
 
 def map_expressions_keyed(node: N, replace: Mapping[Expr, Expr]) -> N:

@@ -20,7 +20,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TypeVar
 
 from shadercache.ast import nodes as n
-from shadercache.ast.rewriter import Rewriter, map_expressions
+from shadercache.ast.rewriter import Rewriter, replace_expressions
 from shadercache.source import NOWHERE
 
 N = TypeVar("N", bound=n.Node)
@@ -116,6 +116,6 @@ def returned(function: n.FunctionDef, args: Sequence[n.Expr]) -> n.Expr:
 
 
 def _with_arguments(node: N, meant: Mapping[str | None, n.Expr]) -> N:
-    return map_expressions(
-        node, lambda expr: meant.get(expr.name, expr) if isinstance(expr, n.Name) else expr
+    return replace_expressions(
+        node, lambda _, expr: meant.get(expr.name, expr) if isinstance(expr, n.Name) else expr
     )

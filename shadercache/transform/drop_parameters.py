@@ -22,6 +22,7 @@ from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.effects import root_variable
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
+from shadercache.ast.rewriter import replace_expressions
 from shadercache.ast.walk import walk
 from shadercache.transform.move_arguments import (
     ActingArgument,
@@ -29,7 +30,7 @@ from shadercache.transform.move_arguments import (
     move_arguments,
 )
 from shadercache.transform.reachable import declared_names, kept_names
-from shadercache.transform.trees import change_declarations, replace_expressions
+from shadercache.transform.trees import change_declarations
 
 _T = TypeVar("_T")
 

@@ -26,16 +26,11 @@ from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.precision import PrecisionTable
 from shadercache.analysis.reaching_definitions import order_matters
 from shadercache.ast import nodes as n
+from shadercache.ast.rewriter import replace_expressions
 from shadercache.sema.facts import Facts
 from shadercache.source import NOWHERE, Span
 from shadercache.transform.names import FreshNames, all_names
-from shadercache.transform.trees import (
-    assigned,
-    change_functions,
-    declared,
-    replace_expressions,
-    unconditional,
-)
+from shadercache.transform.trees import assigned, change_functions, declared, unconditional
 
 Choice: TypeAlias = n.Conditional | n.Binary
 

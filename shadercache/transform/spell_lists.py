@@ -14,10 +14,10 @@ from __future__ import annotations
 from collections import Counter
 
 from shadercache.ast import nodes as n
+from shadercache.ast.rewriter import replace_expressions
 from shadercache.ast.walk import walk
 from shadercache.sema.facts import Facts
 from shadercache.source import NOWHERE
-from shadercache.transform.trees import replace_expressions
 
 
 def spell_lists(module: n.Module, facts: Facts) -> n.Module:

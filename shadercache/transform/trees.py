@@ -15,14 +15,6 @@ from shadercache.source import NOWHERE, Span
 N = TypeVar("N", bound=n.Node)
 
 
-class _EveryExpression(Rewriter):
-    def __init__(self, choose: Callable[[n.Expr, n.Expr], n.Expr]) -> None:
-        self._choose = choose
-
-    def expression(self, node: n.Expr, original: n.Expr) -> n.Expr:
-        return self._choose(original, node)
-
-
 class _Everything(Rewriter):
     def __init__(self, choose: Callable[[Any, Any], Any]) -> None:
         self._choose = choose
@@ -33,16 +25,9 @@ class _Everything(Rewriter):
     expression = statement = declaration = other
 
 
-def replace_expressions(root: N, choose: Callable[[n.Expr, n.Expr], n.Expr]) -> N:
-    """The tree with ``choose(original, rebuilt)`` in the place of every expression.
-
-    Called from the bottom up; ``rebuilt`` has the replacements inside it made.
-    """
-    return _EveryExpression(choose).rewrite(root)
-
-
 def replace_nodes(root: N, choose: Callable[[Any, Any], n.Node | Sequence[n.Node]]) -> N:
-    """:func:`replace_expressions` for nodes of every sort, by several where several may stand."""
+    """The tree with ``choose(original, rebuilt)`` in the place of every node of any sort, from the
+    bottom up; by several where several may stand."""
     return _Everything(choose).rewrite(root)
 
 

@@ -9,7 +9,7 @@ from sema.tools import checked, initialisers
 from verify_tree import InternalError, verify_module
 
 from shadercache.ast.nodes import Expr, FunctionDef, Literal, Member, Module, Name
-from shadercache.ast.rewriter import map_expressions
+from shadercache.ast.rewriter import replace_expressions
 from shadercache.source import NOWHERE
 
 TEXT = """#version 330
@@ -30,19 +30,19 @@ def test_a_valid_module_passes() -> None:
 
 
 def test_a_rewritten_module_passes() -> None:
-    def double(expr: Expr) -> Expr:
+    def double(_: Expr, expr: Expr) -> Expr:
         return Literal(NOWHERE, "2.0") if isinstance(expr, Literal) else expr
 
     module, _ = checked(TEXT)
-    facts = verify_module(map_expressions(module, double))
+    facts = verify_module(replace_expressions(module, double))
     assert 2.0 in facts.constants.values()
 
 
 def renamed(old: str, new: str) -> Module:
-    def rename(expr: Expr) -> Expr:
+    def rename(_: Expr, expr: Expr) -> Expr:
         return Name(NOWHERE, new) if isinstance(expr, Name) and expr.name == old else expr
 
-    return map_expressions(checked(TEXT)[0], rename)
+    return replace_expressions(checked(TEXT)[0], rename)
 
 
 def test_a_name_that_is_gone() -> None:
@@ -51,11 +51,11 @@ def test_a_name_that_is_gone() -> None:
 
 
 def test_a_type_that_does_not_fit() -> None:
-    def drop_swizzle(expr: Expr) -> Expr:
+    def drop_swizzle(_: Expr, expr: Expr) -> Expr:
         return expr.object if isinstance(expr, Member) and expr.name == "x" else expr
 
     with pytest.raises(InternalError, match="SC206"):
-        verify_module(map_expressions(checked(TEXT)[0], drop_swizzle))
+        verify_module(replace_expressions(checked(TEXT)[0], drop_swizzle))
 
 
 def test_a_function_that_is_gone() -> None:
@@ -76,21 +76,21 @@ def test_a_node_with_two_meanings() -> None:
     module, facts = checked(TEXT)
     inner = next(n for n, s in facts.symbols.items() if n.name == "x" and str(s.type) == "float")
 
-    def share(expr: Expr) -> Expr:
+    def share(_: Expr, expr: Expr) -> Expr:
         return inner if isinstance(expr, Name) and expr.name == "x" else expr
 
     with pytest.raises(InternalError, match="the name 'x' stands at two places"):
-        verify_module(map_expressions(module, share))
+        verify_module(replace_expressions(module, share))
 
 
 def test_a_shared_node_with_one_meaning_passes() -> None:
     module, _ = checked(TEXT)
     value = initialisers(module)["y"]
 
-    def share(expr: Expr) -> Expr:
+    def share(_: Expr, expr: Expr) -> Expr:
         return value if isinstance(expr, Name) and expr.name == "y" else expr
 
-    verify_module(map_expressions(module, share))
+    verify_module(replace_expressions(module, share))
 
 
 def test_unique_names_on_request() -> None:

@@ -10,11 +10,11 @@ import pytest
 
 from shadercache import compiler
 from shadercache.ast import nodes as n
+from shadercache.ast.rewriter import replace_expressions
 from shadercache.compiler import analyse
 from shadercache.gpu.context import Gpu
 from shadercache.sema.infer import infer
 from shadercache.source import Source
-from shadercache.transform.trees import replace_expressions
 from shadercache.transform.versions.raise_version import Raised, StageTree
 from shadercache.verify import round_trip
 from shadercache.verify.verifier import Verifier

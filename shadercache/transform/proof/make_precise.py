@@ -28,19 +28,13 @@ from typing import cast
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
-from shadercache.ast.rewriter import Rewriter
+from shadercache.ast.rewriter import Rewriter, replace_expressions
 from shadercache.ast.walk import children, walk
 from shadercache.lang.types import builtin_type
 from shadercache.sema.facts import Stage
 from shadercache.source import NOWHERE
 from shadercache.transform.proof.write_out_matrices import Types, rewrite_linked
-from shadercache.transform.trees import (
-    block_of,
-    change_declarations,
-    declared,
-    replace_expressions,
-    unconditional,
-)
+from shadercache.transform.trees import block_of, change_declarations, declared, unconditional
 from shadercache.transform.versions.state_precisions import all_highp
 
 _DESKTOP, _ES = 400, 320
