@@ -24,6 +24,7 @@ from shadercache.analysis.reaching_definitions import Step, written_anywhere
 from shadercache.analysis.use_def import Definition, Definitions
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import children
+from shadercache.lang.types import Type
 from shadercache.sema.facts import Facts
 
 
@@ -114,7 +115,7 @@ class _ValueNumbering:
             definition = self._definition(instance, place)
             if definition is not None:
                 number = self._numbers[definition.instance, definition.expr]
-                kind = str(definition.type), self._precisions.of(place.expr)
+                kind = definition.type, self._precisions.of(place.expr)
                 if (self._type(definition.expr), self._precisions.of(definition.expr)) == kind:
                     return number
                 key = ("converted", *kind, number)
@@ -176,8 +177,9 @@ class _ValueNumbering:
             here, at = at.place.step if at.place else None, at.parent
         return False
 
-    def _type(self, expr: n.Expr) -> str:
-        return str(self._facts.types[expr])
+    def _type(self, expr: n.Expr) -> Type:
+        # Not by its name: structs of one name in two scopes are two types (4.60 section 4.1.8).
+        return self._facts.types[expr]
 
 
 def _shape(expr: n.Expr) -> tuple[str, ...]:

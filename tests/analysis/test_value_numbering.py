@@ -92,6 +92,18 @@ def test_derivatives_in_different_flow_are_different() -> None:
     assert analysis.groups[calls[0]] is not analysis.groups[calls[1]]
 
 
+def test_structs_of_one_name_in_two_scopes_are_two_types() -> None:
+    body = """
+    float a = 0.0;
+    { struct S { float x; float y; }; S s = S(v_uv.x, v_uv.y); a += sin(s.x); }
+    { struct S { float y; float x; }; S s = S(v_uv.x, v_uv.y); a += sin(s.x); }
+    o_color = vec4(a);
+    """
+    analysis = analysed(body)
+    first, second = (node for node in analysis.nodes if node.text == "sin(s.x)")
+    assert analysis.groups[first] is not analysis.groups[second]
+
+
 KILL = "void kill() { if (v_uv.y > 0.5) discard; }"
 
 
