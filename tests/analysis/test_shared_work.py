@@ -57,6 +57,17 @@ def test_what_both_passes_need_is_told() -> None:
     assert at.overlap == 0.0
 
 
+@pytest.mark.slow
+def test_no_walk_goes_down_a_whole_chain() -> None:
+    """There are as many walks as the chain has links."""
+    analysis = analysed_body(f"o_color = vec4({' + '.join(['v_uv.x'] * 11_000)});")
+    legal = [node for node in analysis.nodes if node.legal]
+    assert len(legal) > 20_000
+    for node in legal:
+        parts = analysis.shared_work.parts((node,))
+        assert (parts.payload, parts.overlap) == (node.cost, 0.0)
+
+
 def test_what_travels_along_is_not_computed_twice() -> None:
     analysis = analysed_body(BODY, NOISE)
     both = analysis.shared_work.parts([find(analysis, text, "main") for text in (ONCE, AT)])
