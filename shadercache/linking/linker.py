@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -75,6 +75,10 @@ class Linker:
     def algorithms(self, configuration: Configuration) -> tuple[str, ...]:
         """Those that fit the configuration's nodes. Raises as :meth:`link`."""
         return self._variants(None, configuration).algorithms
+
+    def refused(self, configuration: Configuration) -> Mapping[str, str]:
+        """Those that do not, and why. Raises as :meth:`link`."""
+        return self._variants(None, configuration).refused
 
     def originals(self, mode: Mode = "plain", bundle: Bundle | None = None) -> tuple[Bundle, ...]:
         """The unchanged shaders of each object; ``bundle`` as in :meth:`link`."""

@@ -112,8 +112,8 @@ class TrialRoom(Resource):
             subjects = subjects_of(linker, payload.label, [configuration], payload.equal)
             if subjects:
                 return subjects[0]
-            refused = linker.link(linker.assign(configuration))[0].bundle.refused
-            return Failure("refused", "SC026", refused[configuration.algorithm])
+            reason = linker.refused(configuration)[configuration.algorithm]
+            return Failure("refused", "SC026", reason)
         except DiagnosticError as error:
             return _failure("refused", error)
 

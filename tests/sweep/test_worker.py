@@ -74,6 +74,20 @@ def test_a_variant_that_cannot_be_is_a_row(worker: Worker, rings: SceneFile) -> 
     assert rows[1].failure is not None and rows[1].failure.code == "SC011"
 
 
+def test_why_an_algorithm_does_not_fit(worker: Worker, rings: SceneFile) -> None:
+    """The first object is not cached, and has no variants that could tell."""
+    fragment = rings.path.with_name("rings.frag")
+    fragment.write_text(
+        fragment.read_text().replace("in vec3", "struct { float a; } g;\nin vec3", 1)
+    )
+    with rings.path.open("a") as scene:
+        scene.write('[[objects]]\nname = "plain"\ncached = false\n[[objects]]\nname = "cached"\n')
+    trial = planned(rings)[-1]
+    (row,) = worker.carry_out(replace(trial, configurations=trial.configurations[:1])).rows
+    assert row.failure is not None and row.failure.code == "SC026"
+    assert "struct without a name" in row.failure.message
+
+
 def test_an_original_that_the_driver_rejects(worker: Worker, rings: SceneFile) -> None:
     trial = planned(rings)[0]
     vertex = rings.path.with_name("rings.vert")
