@@ -66,6 +66,7 @@ def command(
     cached = cached.with_refresh(period, edge)
     context.obj.show(depth_warnings(cached, scene.view.camera.near, scene.view.camera.far))
     linker = Linker(scene, analysis)
+    linker.require_cached()
     assignment = linker.assign(cached)
     facts = PayloadFacts(static_ratio=analysis.static_ratio(payload.nodes))
     subject = VariantSubject(payload.label, cached, linker.link(assignment), assignment, facts)

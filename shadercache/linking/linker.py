@@ -10,6 +10,7 @@ from typing import Any
 from shadercache.caching.algorithms import NAMES
 from shadercache.caching.configuration import Assignment, Configuration, Mode, by_every_algorithm
 from shadercache.compiler import Analysis, Emission, emit_original, rewrite
+from shadercache.diagnostics import input_error
 from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.render.bundle import Bundle, LinkedObject
 from shadercache.scene.description import Scene, SceneObject
@@ -38,6 +39,14 @@ class Linker:
             for part in scene.objects
         )
         self.scene = replace(scene, objects=named)
+
+    def require_cached(self) -> None:
+        """Raise :class:`InputError` SC542 where no object that the scene's own shader draws may be
+        cached: nothing would show what its nodes do."""
+        if not any(part.caching.on and not part.own_shader for part in self.scene.parts):
+            message = f"in the scene {self.scene.name}, nothing that its shader draws may be cached"
+            hint = "leave cached = false out of one of its objects"
+            raise input_error("SC542", message, hint)
 
     def assign(self, configuration: Configuration) -> Assignment:
         """A configuration of the scene's own shader, for all that the scene lets be cached.

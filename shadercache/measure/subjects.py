@@ -154,8 +154,9 @@ def subjects_of(
 ) -> list[VariantSubject]:
     """A subject for each configuration of one payload whose algorithm fits it.
 
-    Raises as :meth:`Linker.link`.
+    Raises as :meth:`Linker.link` and :meth:`Linker.require_cached`.
     """
+    linker.require_cached()
     fitting = linker.algorithms(configurations[0])
     nodes = linker.analysis.nodes_of("+".join(configurations[0].nodes))
     facts = PayloadFacts(equal, linker.analysis.static_ratio(nodes))

@@ -65,6 +65,7 @@ class Verifier:
         Several nodes are cached together; raises InputError where they cannot be. A variant that
         the driver turns down breaks the laws; it does not end the verifying.
         """
+        self.references.linker.require_cached()
         if not self.references.covered[0].any():
             raise input_error("SC612", "the object covers no pixel, so no law can be checked")
         nodes = (node,) if isinstance(node, Candidate) else tuple(node)

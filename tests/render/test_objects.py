@@ -10,10 +10,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from shadercache.caching.configuration import Configuration
 from shadercache.compiler import Analysis
 from shadercache.diagnostics import InputError
 from shadercache.gpu.context import Gpu
+from shadercache.linking.linker import Linker
 from shadercache.linking.scene_shaders import open_scene
+from shadercache.measure.subjects import subjects_of
 from shadercache.render.bundle import Bundle
 from shadercache.render.pass_runners import CoverageRunner, OriginalRunner, render_original
 from shadercache.render.render_scene import RenderScene
@@ -83,6 +86,21 @@ def test_the_laws_hold_for_all_objects_together(gpu: Gpu, opened: tuple[Scene, A
         verdict = verifier.check(analysis.node(NODE))
         assert not verdict.broken, verdict
         assert verdict.algorithms == set(ALGORITHMS)
+
+
+def test_a_scene_of_which_nothing_may_be_cached(gpu: Gpu, opened: tuple[Scene, Analysis]) -> None:
+    """Whether or not objects with shaders of their own may."""
+    scene, analysis = opened
+    plain = [altered(item, on=item.own_shader) for item in scene.objects]
+    for objects in (plain, [item for item in plain if not item.own_shader]):
+        off = replace(scene, objects=tuple(objects))
+        with (
+            closing(Verifier(gpu, (off, analysis))) as verifier,
+            pytest.raises(InputError, match="SC542"),
+        ):
+            verifier.check(analysis.node(NODE))
+        with pytest.raises(InputError, match="SC542"):
+            subjects_of(Linker(off, analysis), "bands", [Configuration(nodes=(NODE,))])
 
 
 @pytest.mark.parametrize("algorithm", ALGORITHMS)
