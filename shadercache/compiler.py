@@ -58,6 +58,7 @@ from shadercache.analysis.vertex_inputs import POSITION, check_position, check_v
 from shadercache.ast import nodes as n
 from shadercache.ast.large import allow_deep_trees
 from shadercache.ast.walk import walk
+from shadercache.caching.algorithms import LeftOut
 from shadercache.caching.configuration import Configuration, Mode
 from shadercache.caching.layout import Layout, extras_of
 from shadercache.diagnostics import Diagnostic, InputError, input_error
@@ -213,11 +214,13 @@ def rewrite(
     configurations: Configuration | Sequence[Configuration],
     *,
     unprofitable: bool = False,
+    left_out: LeftOut | None = None,
 ) -> Emission[Manifest]:
     """The programs of configurations that differ in their algorithm alone, with their manifest.
 
     Several nodes share the cache's texels, the look-up and the refresh. ``unprofitable``: may nodes
-    be cached that are refused only as cheaper than a fetch?
+    be cached that are refused only as cheaper than a fetch? ``left_out``: what two passes do
+    without, for a profile.
 
     Raises:
         UsageError: SC010 to SC012 for an id that is not that of one node.
@@ -234,7 +237,8 @@ def rewrite(
     _check_names(analysis, chosen.mode, chosen.fetches == "level")
     _check_schedule(analysis, chosen)
     _check_room(analysis, nodes, chosen)
-    programs = program_set.emit_programs(analysis.program, analysis.vertex_emitter, nodes, wanted)
+    program, vertex = analysis.program, analysis.vertex_emitter
+    programs = program_set.emit_programs(program, vertex, nodes, wanted, left_out)
     if not programs.variants:
         name, reason = next(iter(programs.refused.items()))
         texts = " and ".join(f"'{node.text}'" for node in nodes)

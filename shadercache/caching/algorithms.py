@@ -6,7 +6,7 @@ all that an algorithm takes.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal, TypeAlias
 
 COLOR, CACHE, MASK = "color", "cache", "mask"
@@ -103,6 +103,22 @@ DEFAULT = "2-pass"
 """What a configuration takes where nothing is said."""
 
 NAMES = tuple(record.name for record in ALGORITHMS)
+
+PROFILED, FIRST = "2-pass", "hit"
+"""The algorithm of which a profile is taken, and its pass that looks up."""
+
+LeftOut: TypeAlias = Literal["look-up", "look-up and store"]
+"""What the first pass may do without, to measure what that costs."""
+
+_FOUND = {"look-up": ("found", (COLOR, CACHE)), "look-up and store": ("found_unstored", (COLOR,))}
+
+
+def without(left_out: LeftOut) -> Algorithm:
+    """Two passes that leave something out. What they draw is not the picture: it is timed."""
+    whole = _BY_NAME[PROFILED]
+    maker, targets = _FOUND[left_out]
+    first = AlgorithmPass(FIRST, f"side_passes:{maker}", targets, on_reset=False)
+    return replace(whole, passes=(first, *whole.passes[1:]))
 
 
 def algorithm(name: str) -> Algorithm:

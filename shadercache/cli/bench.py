@@ -14,6 +14,8 @@ import typer
 
 from shadercache.cli import options
 from shadercache.cli.measuring import TrialOptions, measured, result_table, summary
+from shadercache.cli.profiling import profile_table, profiled
+from shadercache.cli.profiling import to_json as profiles_to_json
 from shadercache.cli.scenes import choose_nodes, one_by_one
 from shadercache.cli.tables import shorten
 
@@ -43,6 +45,9 @@ def command(
     draw: options.DrawOptions = SMALL,
     out: Annotated[Path, options.output("For JSON, CSV and plots.")] = Path("out/bench"),
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON, not a table.")] = False,
+    profile: Annotated[
+        bool, typer.Option("--profile", help="Also where a frame of two passes goes, by ablation.")
+    ] = False,
 ) -> None:
     """Measure nodes by every algorithm: P/T, time, ratio to the original, hit rate, error.
 
@@ -55,7 +60,7 @@ def command(
     """
     from shadercache.linking.linker import Linker
     from shadercache.measure.measurement import MeasureOptions
-    from shadercache.measure.result_files import to_json
+    from shadercache.measure.result_files import to_json, write_json
     from shadercache.measure.subjects import subjects_of
 
     algorithms = options.parse_passes(passes)
@@ -84,11 +89,24 @@ def command(
     results, where = measured(linker, subjects, how, draw, scene.name)
     report = to_json(results, where)
     _store(out, results, report)
+    tables = []
+    if profile:
+        bases = [base.with_refresh(every, edge) for every in periods for edge in blocks]
+        cases = [(one.label, replace(kind, nodes=one.ids)) for one in payloads for kind in bases]
+        profiles = profiled(linker, [chosen for _, chosen in cases], how, draw)
+        tables = [
+            profile_table(taken, case[0]) for taken, case in zip(profiles, cases, strict=True)
+        ]
+        # Written once more: the measurement is safe, whatever becomes of the profiles.
+        report["profiles"] = profiles_to_json(profiles)
+        write_json(out / f"{results.scene}.json", report)
     if as_json:
         print(json.dumps(report, indent=1))
-    else:
-        print(f"mapping: {analysis.mapping}")
-        print(f"{summary(results)}\n\n{result_table(results, _label)}\n")
+        return
+    print(f"mapping: {analysis.mapping}")
+    print(f"{summary(results)}\n\n{result_table(results, _label)}\n")
+    for table in tables:
+        print(f"{table}\n")
 
 
 def _label(node: NodeResult) -> str:

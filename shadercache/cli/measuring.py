@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from shadercache.measure.metrics.perceived import Perceived
     from shadercache.measure.statistics import StopRule
     from shadercache.measure.subjects import VariantSubject
+    from shadercache.render.render_scene import RenderScene
 
 _FIGURES: Mapping[str, Callable[[VariantResult], str]] = {
     "time ms": lambda variant: f"{variant.timing.median * 1e3:.1f}",
@@ -99,10 +100,21 @@ def measured(
     label: str,
 ) -> tuple[Measurement, dict[str, Any]]:
     """Measure the subjects of a scene, and say where. ``label`` is what the progress is called."""
-    from shadercache.gpu.context import open_context
-    from shadercache.linking.user_places import at_home
     from shadercache.measure.measure import measure
     from shadercache.measure.result_files import environment
+
+    with opened(linker, drawn, label) as (world, tell):
+        results = measure(world, linker.originals(), subjects, how, tell)
+        return results, environment(world.gpu)
+
+
+@contextmanager
+def opened(
+    linker: Linker, drawn: PictureOptions, label: str
+) -> Iterator[tuple[RenderScene, Callable[[int, int, str], None]]]:
+    """The scene, ready to be drawn, and who is told of progress, which has that label."""
+    from shadercache.gpu.context import open_context
+    from shadercache.linking.user_places import at_home
     from shadercache.render.render_scene import RenderScene
     from shadercache.scene.mesh import replacement_mesh
 
@@ -113,8 +125,7 @@ def measured(
         RenderScene(gpu, linker.scene, parse_size(drawn.size), mesh=mesh) as world,
         _steps(label) as tell,
     ):
-        results = measure(world, linker.originals(), subjects, how, tell)
-        return results, environment(gpu)
+        yield world, tell
 
 
 @contextmanager

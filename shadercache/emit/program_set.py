@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.caching import algorithms
-from shadercache.caching.algorithms import AlgorithmPass
+from shadercache.caching.algorithms import AlgorithmPass, LeftOut
 from shadercache.caching.configuration import Configuration, Mode
 from shadercache.caching.settings import written_settings
 from shadercache.emit.assemble import Shader, interface
@@ -87,9 +87,10 @@ def emit_programs(
     vertex: VertexEmitter,
     nodes: Sequence[Candidate],
     configurations: Sequence[Configuration],
+    left_out: LeftOut | None = None,
 ) -> ProgramSet:
     """Every pass of the nodes by some configurations that differ in their algorithms, with the
-    original and the hit mask."""
+    original and the hit mask. ``left_out``: what two passes do without."""
     program.memo.trim()
     builder = _builder(program, nodes, configurations[0])
     programs = ProgramSet(
@@ -106,6 +107,8 @@ def emit_programs(
     programs.payload = write.add(_PAYLOAD, builder)
     for configuration in configurations:
         algorithm = algorithms.algorithm(configuration.algorithm)
+        if left_out is not None:
+            algorithm = algorithms.without(left_out)
         reason = unfit(builder, algorithm)
         if reason is not None:
             programs.refused[algorithm.name] = reason

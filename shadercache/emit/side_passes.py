@@ -26,6 +26,20 @@ def needed(builder: PassBuilder) -> Shader:
     return builder.build("needed", [_payloads(builder)], [builder.own("outcome")])
 
 
+def found(builder: PassBuilder) -> Shader:
+    """The first of two passes without its look-up: every pixel is a hit."""
+    return builder.build("found", [_reusing(builder)], builder.color_and_stores)
+
+
+def found_unstored(builder: PassBuilder) -> Shader:
+    """The same, storing nothing for the next frame."""
+    return builder.build("found", [_reusing(builder)], [builder.program.color])
+
+
+def _reusing(builder: PassBuilder) -> Clones:
+    return builder.cut("need" if builder.whole else "use")
+
+
 def _payloads(builder: PassBuilder) -> Clones:
     return builder.cut("keep" if builder.whole else "goal")
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from shadercache.caching.algorithms import NAMES
+from shadercache.caching.algorithms import NAMES, LeftOut
 from shadercache.caching.configuration import Assignment, Configuration, Mode, by_every_algorithm
 from shadercache.compiler import Analysis, Emission, emit_original, rewrite
 from shadercache.diagnostics import input_error
@@ -59,12 +59,16 @@ class Linker:
         )
 
     def link(
-        self, assignment: Assignment, bundle: Bundle | None = None
+        self,
+        assignment: Assignment,
+        bundle: Bundle | None = None,
+        left_out: LeftOut | None = None,
     ) -> tuple[LinkedObject, ...]:
         """The programs of each object, in the scene's order.
 
         An object with a shader of its own that has no variant by its algorithm is drawn by another.
         ``bundle`` has the programs of the scene's own shader, where they are not to be compiled.
+        ``left_out``: what two passes do without.
 
         Raises:
             InputError, UsageError: as the compiler.
@@ -77,7 +81,7 @@ class Linker:
             if chosen is None:
                 linked.append(LinkedObject(given or self._original(part, mode)))
                 continue
-            cached = LinkedObject(given or self._variants(part, chosen), chosen)
+            cached = LinkedObject(given or self._variants(part, chosen, left_out), chosen)
             linked.append(cached.by(chosen.algorithm) if part.own_shader else cached)
         return tuple(linked)
 
@@ -105,16 +109,23 @@ class Linker:
             return own
         return replace(own, nodes=tuple(wanted.node.split("+")), fetches="whole")
 
-    def _variants(self, part: SceneObject | None, configuration: Configuration) -> Bundle:
+    def _variants(
+        self,
+        part: SceneObject | None,
+        configuration: Configuration,
+        left_out: LeftOut | None = None,
+    ) -> Bundle:
         """Without a part they are the scene's own shader's."""
         analysis = self.analysis if part is None else self.analysis_of(part)
         first = replace(configuration.compiled, algorithm=NAMES[0])
         # `compiled` leaves out the format, which no program depends on, but the manifest tells it.
         # An id stands for its analysis, since this linker keeps them all alive.
-        key = (id(analysis), first, configuration.storage.format)
+        key = (id(analysis), first, configuration.storage.format, left_out)
         # All algorithms, since the parts of P/T and of the floor are measured on their passes.
-        every = by_every_algorithm(configuration)
-        return self._bundle(key, lambda: rewrite(analysis, every, unprofitable=True))
+        every = by_every_algorithm(configuration) if left_out is None else (configuration,)
+        return self._bundle(
+            key, lambda: rewrite(analysis, every, unprofitable=True, left_out=left_out)
+        )
 
     def _original(self, part: SceneObject, mode: Mode) -> Bundle:
         analysis = self.analysis_of(part)

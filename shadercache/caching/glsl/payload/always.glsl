@@ -10,3 +10,6 @@ void sc_PASS_THROUGH() {
 void sc_NEED() {
     sc_outcome = 1.0;
 }
+
+void sc_FIND() {
+}

@@ -12,3 +12,8 @@ void sc_PASS_THROUGH() {
 void sc_NEED() {
     sc_outcome = sc_VALID() ? 1.0 : 2.0;
 }
+
+void sc_FIND() {
+    sc_reuse = true;
+    sc_SET_VALID(true);
+}
