@@ -1,8 +1,9 @@
-"""The upper part of a store's report, down to the pictures: what the front page shows of it.
+"""Pictures of a store's report for the documents.
 
-    python -m bench.report_picture STORE [-o docs/images/report.jpg]
+    python -m bench.report_picture STORE [-o docs/images]
 
-Needs Debian's chromium and chromium-driver.
+``report.jpg`` is its upper part, down to the slider; ``front.jpg``, which the front page shows, the
+closer look alone. Needs Debian's chromium and chromium-driver.
 """
 
 from __future__ import annotations
@@ -25,15 +26,17 @@ from shadercache.sweep.store import Store
 ROOT = Path(__file__).resolve().parent.parent
 WIDTH = 1280
 
-_END = "return document.querySelector('.look').getBoundingClientRect().bottom + scrollY"
+_LOOK = "const box = document.querySelector('.look').getBoundingClientRect();"
+_EDGES = f"{_LOOK} return [box.top + scrollY, box.bottom + scrollY]"
+MARGIN = 30
 
 
 def main(arguments: Sequence[str]) -> int:
-    """Make the page, open it, write its picture."""
+    """Make the page, open it, write the pictures."""
     parser = argparse.ArgumentParser(prog="report_picture")
     parser.add_argument("store", type=Path)
-    default = ROOT / "docs" / "images" / "report.jpg"
-    parser.add_argument("-o", "--output", type=Path, default=default, metavar="FILE")
+    default = ROOT / "docs" / "images"
+    parser.add_argument("-o", "--output", type=Path, default=default, metavar="DIR")
     chosen = parser.parse_args(arguments)
     if MISSING is not None:
         print(MISSING)
@@ -45,13 +48,19 @@ def main(arguments: Sequence[str]) -> int:
         with open_browser() as browser:
             set_window(browser, WIDTH)
             open_page(browser, page)
-            picture_of(browser, shot, WIDTH, round(browser.execute_script(_END)) + 30)
-        buffer = io.BytesIO()
+            top, bottom = map(round, browser.execute_script(_EDGES))
+            picture_of(browser, shot, WIDTH, bottom + MARGIN)
         with Image.open(shot) as image:
-            image.convert("RGB").save(buffer, "JPEG", quality=85, optimize=True)
-    write_bytes(chosen.output, buffer.getvalue())
-    print(f"wrote {chosen.output}, {len(buffer.getvalue()) / 1e3:.0f} KB")
+            _write(image, chosen.output / "report.jpg")
+            _write(image.crop((0, top - MARGIN, *image.size)), chosen.output / "front.jpg")
     return 0
+
+
+def _write(image: Image.Image, path: Path) -> None:
+    buffer = io.BytesIO()
+    image.convert("RGB").save(buffer, "JPEG", quality=85, optimize=True)
+    write_bytes(path, buffer.getvalue())
+    print(f"wrote {path}, {len(buffer.getvalue()) / 1e3:.0f} KB")
 
 
 if __name__ == "__main__":

@@ -100,7 +100,9 @@ function strip(row) {
 
 function repeatParts(row) {
   const button = make("button", { type: "button", class: "copy" }, "Copy");
-  const command = make("pre", { class: "command" }, row.repeat);
+  // Lines end between words: a browser would break `--size` behind its first hyphen as well.
+  const words = row.repeat.split(/(?<= )/).map((word) => make("span", {}, word));
+  const command = make("pre", { class: "command" }, ...words);
   button.addEventListener("click", () => {
     // A page opened as a file may not use the clipboard; what is selected can be copied by hand.
     getSelection().selectAllChildren(command);
