@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
-from itertools import cycle
 
 import numpy as np
 import pytest
@@ -19,6 +17,7 @@ from shadercache.paths import data_path
 from shadercache.render.render_scene import RenderScene
 from shadercache.scene.description import load_scene
 from tests.configured import configured
+from tests.told_clock import ToldClock
 
 pytestmark = pytest.mark.xdist_group("gl")
 
@@ -37,19 +36,6 @@ SECONDS = {
 """What each draw takes, in the order of a frame."""
 
 
-class Told:
-    """A clock that draws, and says how long each draw of a frame takes."""
-
-    name = "told"
-
-    def __init__(self, *seconds: float) -> None:
-        self._seconds = cycle(seconds)
-
-    def time(self, draw: Callable[[], None]) -> float:
-        draw()
-        return next(self._seconds)
-
-
 def profiled(gpu: Gpu, monkeypatch: pytest.MonkeyPatch, **changed: float) -> Profile:
     """Of the heroine, whose ground is cached as well."""
     scene, analysis = analyse_scene(load_scene(data_path("corpus", "heroine")))
@@ -57,7 +43,7 @@ def profiled(gpu: Gpu, monkeypatch: pytest.MonkeyPatch, **changed: float) -> Pro
     nodes = tuple(node.id for node in analysis.nodes_of(scene.nodes["surface"]))
     chosen = replace(configured(ids=True, period=8), nodes=nodes)
     seconds = [changed.get(label.replace(" ", "_"), SECONDS[label]) for label in SECONDS]
-    monkeypatch.setattr(measuring, "pick_clock", lambda _: Told(*seconds))
+    monkeypatch.setattr(measuring, "pick_clock", lambda _: ToldClock(*seconds))
     with RenderScene(gpu, linker.scene, (32, 32)) as world:
         return profile(world, linker, chosen, MeasureOptions(frames=4))
 

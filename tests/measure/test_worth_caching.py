@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from itertools import cycle
 
 import pytest
 
@@ -21,24 +20,12 @@ from shadercache.render.render_scene import RenderScene
 from shadercache.render.variant_runner import VariantRunner
 from shadercache.scene.description import load_scene
 from tests.configured import configured
+from tests.told_clock import ToldClock
 
 pytestmark = pytest.mark.xdist_group("gl")
 
 SIZE = (32, 32)
 OPTIONS = MeasureOptions(frames=4)
-
-
-class Told:
-    """A clock that draws, and says what it is told to, over and over."""
-
-    name = "told"
-
-    def __init__(self, *seconds: float) -> None:
-        self._seconds = cycle(seconds)
-
-    def time(self, draw: Callable[[], None]) -> float:
-        draw()
-        return next(self._seconds)
 
 
 Opened = tuple[Linker, VariantSubject]
@@ -58,7 +45,7 @@ def heroine() -> Opened:
 @pytest.fixture
 def clock(monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[[Sequence[float]], None]]:
     def tell(seconds: Sequence[float]) -> None:
-        monkeypatch.setattr(measuring, "pick_clock", lambda _: Told(*seconds))
+        monkeypatch.setattr(measuring, "pick_clock", lambda _: ToldClock(*seconds))
 
     yield tell
 
