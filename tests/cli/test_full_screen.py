@@ -97,6 +97,21 @@ def test_what_is_perceived_is_measured_when_asked(
 
 
 @gl
+def test_where_a_frame_goes_is_told_when_asked(shell: Shell, static: str, tmp_path: Path) -> None:
+    small = ("--size", "48x32", "--frames", 4, "--until", 0, "-o", tmp_path)
+    asked = ("bench", *CLOUDS, "--nodes", static, "--passes", "3", "--period", "2,8", *small)
+    outcome = shell(*asked, "--profile")
+    assert outcome.status == 0, outcome.err
+    tables = outcome.out.split("where a frame of 2-pass goes: ")[1:]
+    assert [table.split(", ")[1] for table in tables] == ["period 2", "period 8"]
+    profiles = json.loads((tmp_path / "clouds.json").read_text())["profiles"]
+    for profile, table in zip(profiles, tables, strict=True):
+        names = [part["name"] for part in profile["parts"]]
+        assert "look-up" in names and all(f"\n{name} " in table for name in names)
+    assert "where a frame" not in shell(*asked).out
+
+
+@gl
 def test_periods_and_blocks_are_measured_beside_each_other(
     shell: Shell, static: str, tmp_path: Path
 ) -> None:
