@@ -44,14 +44,14 @@ def spread(
 
     Args:
         begin: what each process does first.
-        most_lost: so many processes may die one after another before the rest is given up.
+        most_lost: so many processes may die before there is any result; then all is given up.
 
     Raises what ``begin`` and ``work`` raise, and :class:`AllLostError`.
     """
     left, suspects = deque(range(len(tasks))), deque[int]()
     idle: list[_Process] = []
     busy: dict[Connection, _Process] = {}
-    deaths = 0
+    deaths, answers = 0, 0
     try:
         while left or suspects or busy:
             again = not left
@@ -65,14 +65,14 @@ def spread(
             answered = wait(list(busy))
             for process in [busy.pop(pipe) for pipe in list(busy) if pipe in answered]:
                 if (answer := process.answer()) is not None:
-                    deaths = 0
+                    answers += 1
                     idle.append(process)
                     yield process.task, answer.result()
                     continue
                 process.stop()
                 deaths += 1
-                if most_lost is not None and deaths > most_lost:
-                    raise AllLostError(f"{deaths} processes died, one after another")
+                if most_lost is not None and deaths > most_lost and not answers:
+                    raise AllLostError(f"{deaths} processes died, and nothing came of any")
                 if process.again:
                     yield process.task, LostTaskError("the process died, twice")
                 else:

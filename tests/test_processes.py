@@ -80,5 +80,16 @@ def test_death_after_death_is_given_up() -> None:
         list(spread(2, deadly, [(number,) for number in range(9)], most_lost=2))
 
 
+def mostly_deadly(number: int) -> int:
+    """All but the first number take their process along."""
+    return number if number == 0 else deadly(number)
+
+
+def test_what_came_is_kept_however_many_die_later() -> None:
+    found = dict(spread(1, mostly_deadly, [(number,) for number in range(4)], most_lost=2))
+    assert found.pop(0) == 0
+    assert len(found) == 3 and all(isinstance(one, LostTaskError) for one in found.values())
+
+
 def test_nothing_to_do() -> None:
     assert list(spread(2, doubled, [])) == []

@@ -30,7 +30,7 @@ THREADS = "LP_NUM_THREADS"
 """The variable by which llvmpipe, once a context is opened, is told how many threads to have."""
 
 MOST_LOST = 6
-"""Processes that may die one after another before the run is given up."""
+"""Processes that may die before there is any verdict; then the run is given up."""
 
 _verifier: Verifier | None = None
 """The worker process's own; set once when the process starts."""
