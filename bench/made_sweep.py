@@ -20,6 +20,7 @@ from PIL import Image
 from shadercache import Configuration, __version__, analyse, rewrite
 from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.value_numbering import one_of_each
+from shadercache.caching.algorithms import PROFILED
 from shadercache.caching.configuration import by_every_algorithm
 from shadercache.cli.io import read_pair
 from shadercache.compiler import Analysis
@@ -91,7 +92,11 @@ class _Maker:
                 for chosen in by_every_algorithm(plain):
                     time = self._time(chosen.algorithm, node.ratio, period, number)
                     outcome: kept.Failure | kept.TrialResult
-                    outcome = self._outcome(time, error, node.ratio, period)
+                    outcome = result = self._outcome(time, error, node.ratio, period)
+                    if chosen.algorithm == PROFILED:
+                        parts = self._parts(time)
+                        times = structs.replace(result.times, profile=parts)
+                        outcome = structs.replace(result, times=times)
                     if number == 1 and chosen.algorithm == "1-pass":
                         message = "the program took more than 20 times as long as the original"
                         outcome = kept.Failure("hung", "SC606", message)
@@ -140,6 +145,17 @@ class _Maker:
         if algorithm == "2-pass":
             shading += 0.12 * (1.0 - ratio)
         return _GEOMETRY + shading + overhead + 0.02 * math.sin(2.1 * number)
+
+    def _parts(self, time: float) -> tuple[kept.PartEntry, ...]:
+        """Where a frame goes: the geometry twice, and the rest as it is drawn."""
+        names = ("clears", "look-up", "refresh decision", "shading", "store")
+        drawn = self._draw.dirichlet(np.full(len(names), 6.0)) * (time - 2.0 * _GEOMETRY)
+        shares = dict(zip(names, drawn.tolist(), strict=True))
+        shares |= {"geometry, both passes": 2.0 * _GEOMETRY, "not explained": -0.01}
+        return tuple(
+            kept.PartEntry(name, kept.RatioEntry(share, share - 0.01, share + 0.01, share))
+            for name, share in shares.items()
+        )
 
     def _outcome(
         self, time: float, error: float, ratio: float | None, period: int | None

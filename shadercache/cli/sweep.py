@@ -61,6 +61,9 @@ class ChoiceOptions:
         ),
     ] = None
     size: Annotated[str, typer.Option(metavar="W[xH]", help="Picture size.")] = "512"
+    profile: Annotated[
+        bool, typer.Option("--profile", help="Also where the frames of two passes go, by ablation.")
+    ] = False
 
     def read(self, targets: Sequence[str], trial: TrialOptions) -> Choices:
         """The choices of the file, or of the options.
@@ -94,6 +97,7 @@ class ChoiceOptions:
             "until": trial.until,
             "seconds": trial.seconds,
             "perceptual": trial.perceptual,
+            "profile": self.profile,
         }
         try:
             return check_choices(msgspec.convert(texts, Choices))

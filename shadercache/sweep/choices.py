@@ -38,7 +38,7 @@ class Choices(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     ``cache`` is one alternative, as ``--cache`` takes it. ``size`` is width and height in pixels,
     ``frames`` are drawn and compared in any case; then frames are timed until every ratio is known
     to ``until`` percent (0: not at all), or for ``seconds``. ``perceptual``: also the metrics of
-    ``measure.metrics``.
+    ``measure.metrics``; ``profile``: also where the frames of two passes go.
     """
 
     scenes: tuple[str, ...] = ()
@@ -54,6 +54,7 @@ class Choices(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     until: Percent = 3.0
     seconds: Annotated[float, msgspec.Meta(ge=0.0)] = 30.0
     perceptual: bool = False
+    profile: bool = False
 
     def configurations(self, ids: Sequence[str], several: bool) -> Iterator[Configuration]:
         """Every combination for one payload, algorithms innermost.

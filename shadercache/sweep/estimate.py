@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from shadercache.caching.algorithms import PROFILED
 from shadercache.sweep.plan import SceneFile, SweepTrial
 
 COMPILING = 1.5
@@ -12,6 +13,9 @@ COMPILING = 1.5
 BESIDE = 2.5
 """Originals' worth that a turn draws beside the configurations: the original, its geometry, parts
 of the floor."""
+
+PROFILE = 10.0
+"""Originals' worth that a turn of a profile draws: programs with and without each part."""
 
 PROBES = 1.5
 """Times that a configuration is drawn in a fixed frame, masks and reading back included."""
@@ -26,7 +30,12 @@ def trial_seconds(trial: SweepTrial, original: float) -> float:
     count = len(trial.configurations)
     turn = original * (BESIDE + PROBES * count)
     fixed = trial.scene.frames * turn * (2.0 if trial.limits.perceptual else 1.0)
-    return COMPILING * count + fixed + 0.5 * min(trial.limits.seconds, 4.0 * fixed)
+    once = COMPILING * count + fixed + 0.5 * min(trial.limits.seconds, 4.0 * fixed)
+    if not trial.limits.profile:
+        return once
+    each = trial.scene.frames * PROFILE * original
+    profiled = sum(one.algorithm == PROFILED for one in trial.configurations)
+    return once + profiled * (each + 0.5 * min(trial.limits.seconds, 4.0 * each))
 
 
 def plan_seconds(trials: Sequence[SweepTrial], originals: Mapping[SceneFile, float]) -> float:

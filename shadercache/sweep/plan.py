@@ -58,11 +58,13 @@ class SceneFile:
 @dataclass(frozen=True, slots=True)
 class Limits:
     """How long a trial goes on: ``StopRule`` says what the first two are. ``perceptual``: also the
-    metrics of ``measure.metrics``, by drawing the fixed frames once more."""
+    metrics of ``measure.metrics``, by drawing the fixed frames once more; ``profile``: where the
+    frames of two passes go, by as much timing again."""
 
     half_width: float
     seconds: float
     perceptual: bool = False
+    profile: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,6 +95,7 @@ class SweepTrial:
         named = [*self.file.path.resolve().parts[-2:], *scene.options]
         # Without how long is timed: rows that differ in that alone differ in times alone.
         what = [named, list(scene.size), scene.frames, self.limits.perceptual, self.payload.label]
+        what += ["profile"] if self.limits.profile else []  # rows without it keep their keys
         return short_hash([what, configuration.to_json(), where])
 
     def words(self, configuration: Configuration) -> Mapping[str, str]:
@@ -124,7 +127,7 @@ def plan_scene(file: SceneFile, choices: Choices) -> list[SweepTrial]:
     )
     several = sum(part.caching.on for part in scene.objects) > 1
     fingerprint = scene_fingerprint(linker)
-    limits = Limits(choices.until / 100.0, choices.seconds, choices.perceptual)
+    limits = Limits(choices.until / 100.0, choices.seconds, choices.perceptual, choices.profile)
     trials = []
     for payload in _payloads(linker, choices):
         every = list(choices.configurations(payload.ids, several))

@@ -7,6 +7,7 @@ from datetime import UTC, datetime
 
 from shadercache import __version__
 from shadercache.caching.configuration import Configuration
+from shadercache.measure.frame_profile import Profile
 from shadercache.measure.measurement import (
     Group,
     Measurement,
@@ -15,12 +16,14 @@ from shadercache.measure.measurement import (
     VariantResult,
 )
 from shadercache.measure.result_files import plain
+from shadercache.measure.statistics import Ratio
 from shadercache.render.bundle import Bundle
 from shadercache.sweep.pictures import shot_pictures
 from shadercache.sweep.plan import SweepTrial
 from shadercache.sweep.row import (
     Failure,
     ImageErrors,
+    PartEntry,
     RatioEntry,
     ReuseShares,
     Row,
@@ -30,6 +33,9 @@ from shadercache.sweep.row import (
     Written,
 )
 from shadercache.sweep.store import hash_of
+
+UNEXPLAINED = "not explained"
+"""What is left of a frame beside the parts of its profile."""
 
 
 class Blobs:
@@ -50,12 +56,14 @@ def result_rows(
     measurement: Measurement,
     bundles: Mapping[Configuration, Bundle],
     blobs: Blobs,
+    profiles: Mapping[Configuration, Profile],
 ) -> Iterator[Row]:
     """A row for each variant of a measurement.
 
     Args:
         bundles: the programs of each configuration.
         blobs: shaders and pictures are added to these.
+        profiles: where frames go, of those configurations of which it is known.
     """
     shots = {shot.configuration: shot for shot in measurement.shots}
     for group in measurement.groups:
@@ -70,7 +78,7 @@ def result_rows(
                 }
                 images = {kind: blobs.add(data) for kind, data in shot_pictures(shot)}
                 result = TrialResult(
-                    _times(group, node, variant),
+                    _times(group, node, variant, profiles.get(configuration)),
                     image_errors(variant),
                     ReuseShares(
                         variant.hit_rate,
@@ -114,10 +122,12 @@ def _row(
     )
 
 
-def _times(group: Group, node: NodeResult, variant: VariantResult) -> Times:
-    ratio, timing = variant.speedup, variant.timing
+def _times(
+    group: Group, node: NodeResult, variant: VariantResult, profile: Profile | None
+) -> Times:
+    timing = variant.timing
     return Times(
-        ratio=RatioEntry(ratio.median, ratio.low, ratio.high, ratio.total),
+        ratio=_entry(variant.speedup),
         tail=timing.tail,
         capped=group.reached.capped,
         reset=variant.reset,
@@ -125,7 +135,18 @@ def _times(group: Group, node: NodeResult, variant: VariantResult) -> Times:
         floor=variant.floor,
         efficiency=variant.efficiency,
         samples=Samples(timing.samples, group.original.samples, group.geometry.samples),
+        profile=() if profile is None else tuple(_parts(profile)),
     )
+
+
+def _parts(profile: Profile) -> Iterator[PartEntry]:
+    for part in profile.parts:
+        yield PartEntry(part.name, _entry(part.share))
+    yield PartEntry(UNEXPLAINED, _entry(profile.unexplained))
+
+
+def _entry(ratio: Ratio) -> RatioEntry:
+    return RatioEntry(ratio.median, ratio.low, ratio.high, ratio.total)
 
 
 def image_errors(variant: SubjectResult) -> ImageErrors:

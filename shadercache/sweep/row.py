@@ -87,12 +87,20 @@ class Samples(msgspec.Struct, frozen=True):
     geometry: tuple[float, ...]
 
 
+class PartEntry(msgspec.Struct, frozen=True):
+    """A part of a frame, as ``measure.frame_profile`` has it: its time over the original's."""
+
+    name: str
+    share: RatioEntry
+
+
 class Times(msgspec.Struct, frozen=True):
     """What follows from the clock: it differs from run to run.
 
     ``tail`` is p99 over median of the subject, ``capped`` says that the time ended before the ratio
     was known as well as was asked, ``p_over_t`` P/T as timed, ``reset`` the frame
     behind a reset over the original's, ``floor`` in seconds, ``efficiency`` floor over time.
+    ``profile``: where its frames go, if that was asked for; last what no part explains.
     """
 
     ratio: RatioEntry
@@ -103,6 +111,7 @@ class Times(msgspec.Struct, frozen=True):
     floor: float | None
     efficiency: float | None
     samples: Samples
+    profile: tuple[PartEntry, ...] = ()
 
 
 class ImageErrors(msgspec.Struct, frozen=True):

@@ -13,6 +13,7 @@ from statistics import median
 
 from msgspec import structs
 
+from shadercache.caching.algorithms import PROFILED
 from shadercache.caching.configuration import Configuration
 from shadercache.diagnostics import DiagnosticError
 from shadercache.gpu.clock import Clock, pick_clock
@@ -20,6 +21,7 @@ from shadercache.gpu.context import Gpu, open_context
 from shadercache.gpu.resource import Resource
 from shadercache.linking.linker import Linker
 from shadercache.linking.user_places import at_home
+from shadercache.measure.frame_profile import Profile, profile
 from shadercache.measure.image_error import Pixels
 from shadercache.measure.measure import measure
 from shadercache.measure.measurement import MeasureOptions
@@ -147,8 +149,9 @@ class TrialRoom(Resource):
                 linker.originals(),
                 subjects,
                 options,
-                lambda done, steps, what: self._say("step", 0.0),
+                self._step,
             )
+            profiles = self._profiles(trial, subjects, options)
         blobs = Blobs()
         source, vertex = linker.analysis.fragment, linker.analysis.vertex_source
         texts = {
@@ -159,9 +162,26 @@ class TrialRoom(Resource):
         bundles = {subject.configuration: subject.bundle for subject in subjects}
         rows = [
             structs.replace(row, texts={**texts, **row.texts}, pictures={**shown, **row.pictures})
-            for row in result_rows(trial, measurement, bundles, blobs)
+            for row in result_rows(trial, measurement, bundles, blobs, profiles)
         ]
         return Finished(tuple(rows), blobs.data)
+
+    def _profiles(
+        self, trial: SweepTrial, subjects: list[VariantSubject], options: MeasureOptions
+    ) -> dict[Configuration, Profile]:
+        """Where frames go, if that is asked for: of those in two passes."""
+        assert self._opened is not None
+        _, linker, world = self._opened
+        chosen = [subject.configuration for subject in subjects] if trial.limits.profile else []
+        how = replace(options, picture_frame=None)
+        return {
+            one: profile(world, linker, one, how, self._step)
+            for one in chosen
+            if one.algorithm == PROFILED
+        }
+
+    def _step(self, done: int, steps: int, what: str) -> None:
+        self._say("step", 0.0)
 
     def _payload(self, subject: VariantSubject, options: MeasureOptions) -> Pixels:
         """The payload alone, at the frame of the other pictures."""

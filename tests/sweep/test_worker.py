@@ -66,6 +66,18 @@ def test_two_runs_differ_in_times_alone(worker: Worker, rings: SceneFile) -> Non
         assert (one.result.image, one.result.reuse) == (other.result.image, other.result.reuse)
 
 
+def test_where_the_frames_of_two_passes_go(worker: Worker, rings: SceneFile) -> None:
+    trial = planned(rings)[-1]
+    asked = replace(trial, limits=replace(trial.limits, profile=True))
+    asked, trial = (replace(one, machine=worker.machine()) for one in (asked, trial))
+    assert asked.key(trial.configurations[0]) != trial.key(trial.configurations[0])
+    for row in worker.carry_out(asked).rows:
+        assert row.result is not None
+        parts = [part.name for part in row.result.times.profile]
+        assert bool(parts) == (row.words["passes"] == "2")
+        assert not parts or (parts[0], parts[-1]) == ("clears", "not explained")
+
+
 def test_a_variant_that_cannot_be_is_a_row(worker: Worker, rings: SceneFile) -> None:
     trial = planned(rings)[0]
     bad = replace(trial.configurations[0], nodes=("main.1-nothing",))

@@ -16,8 +16,8 @@ function showDetails() {
   place.replaceChildren(
     make("p", { class: "big" }, `${row.speedup[0].toFixed(2)}×`,
       make("small", {}, `as fast, 95 % interval ${row.speedup[1].toFixed(2)}–${row.speedup[2].toFixed(2)}`)),
-    what, facts, ...outcomeParts(row), make("h3", {}, "Time of each frame"), strip(row), ...ageParts(row),
-    ...repeatParts(row));
+    what, facts, ...outcomeParts(row), make("h3", {}, "Time of each frame"), strip(row), ...profileParts(row),
+    ...ageParts(row), ...repeatParts(row));
 }
 
 function factsOf(row) {
@@ -54,6 +54,21 @@ function outcomeParts(row) {
         style: `width:${100 * share}%;background:${(page.legend[name] || ["#888"])[0]}`,
         title: `${name} ${percent(share, 1)}`,
       }))),
+  ];
+}
+
+// A line for each part of a frame: its share of the original's time, with its interval.
+function profileParts(row) {
+  if (!row.profile.length) return [];
+  const most = Math.max(...row.profile.map(([, share]) => share));
+  return [
+    make("h3", {}, "Where a frame goes, in shares of the original’s time"),
+    make("div", { class: "parts" }, ...row.profile.flatMap(([name, share, low, high]) => [
+      make("span", {}, name),
+      make("span", { title: `95 % interval ${percent(low, 1)} to ${percent(high, 1)}` },
+        make("i", { style: `width:${Math.max(0, 100 * share / most)}%` })),
+      make("span", {}, percent(share, 1)),
+    ])),
   ];
 }
 

@@ -92,9 +92,11 @@ def repeat_command(row: Row, store: str) -> str:
     settings = [word for word in settings_in_words(chosen) if not word.startswith("format=")]
     words += ["--cache", ",".join(settings)] if settings else []
     words += ["--size", f"{width}x{height}", "--frames", str(row.scene.frames)]
-    perceptual = row.result is not None and row.result.image.perceived is not None
+    if row.result is not None:
+        words += ["--perceptual"] if row.result.image.perceived is not None else []
+        words += ["--profile"] if row.result.times.profile else []
     # Forced: the store has this row, and a sweep leaves what it has alone.
-    return shlex.join([*words, *(["--perceptual"] if perceptual else []), "--force"])
+    return shlex.join([*words, "--force"])
 
 
 def _result(result: TrialResult) -> dict[str, Any]:
@@ -112,6 +114,10 @@ def _result(result: TrialResult) -> dict[str, Any]:
         "ratio": _rounded(times.p_over_t),
         "floor": None if times.floor is None else _rounded(times.floor / original),
         "efficiency": _rounded(times.efficiency),
+        "profile": [
+            [part.name, *map(_rounded, (part.share.median, part.share.low, part.share.high))]
+            for part in times.profile
+        ],
         "histogram": histogram(times.samples.subject, times.samples.original),
         "errors": {
             "rmse": _rounded(image.rmse),

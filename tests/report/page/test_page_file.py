@@ -171,6 +171,10 @@ def test_how_to_repeat_a_row(sourced: Sourced, made_rows: list[Row]) -> None:
         "--period 4 --block 4 --format rgba16f --cache age=on --size 64x64 --frames 24 "
         "--perceptual --force"
     )
+    profiled = next(one for one in made_rows if one.result and one.result.times.profile)
+    assert "--perceptual --profile --force" in repeat_command(profiled, "made.db")
+    [shown] = rows_of(page_data(sourced([profiled]), page_groups([profiled])))
+    assert shown["profile"][0][0] == "clears" and len(shown["profile"][0]) == 4
     assert repeat_command(made_rows[-1], "made.db") == (
         "python -m bench.peers corpus/dragon/scene.toml --size 64 --frames 24 --store made.db"
     )

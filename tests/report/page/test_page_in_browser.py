@@ -154,6 +154,21 @@ def test_a_point_shows_its_card_and_a_click_chooses_it(
     assert (payload.text if payload else row.label) in card.text
 
 
+def test_where_a_frame_goes_is_drawn_part_by_part(opened: Chrome, made_rows: list[Row]) -> None:
+    profiled = "choice.group.rows.findIndex((row) => row.profile && row.profile.length)"
+    opened.execute_script(f"choice.chooseRow({profiled})")
+    row = next(row for row in made_rows if row.result and row.result.times.profile)
+    assert row.result is not None
+    widths = opened.execute_script(
+        "return [...document.querySelectorAll('#details .parts i')].map((one) => one.offsetWidth)"
+    )
+    parts = row.result.times.profile
+    assert len(widths) == len(parts) and widths[-1] == 0, "less than nothing has no bar"
+    longest = max(range(len(parts)), key=lambda at: parts[at].share.median)
+    assert widths[longest] == max(widths) > 0
+    assert all(part.name in text(opened, "#details .parts") for part in parts)
+
+
 def test_the_slider_moves_by_keys_and_by_pointer(opened: Chrome) -> None:
     from selenium.webdriver import ActionChains, Keys
 
