@@ -240,7 +240,8 @@ def rewrite(
     program, vertex = analysis.program, analysis.vertex_emitter
     programs = program_set.emit_programs(program, vertex, nodes, wanted, left_out)
     if not programs.variants:
-        name, reason = next(iter(programs.refused.items()))
+        # What is wrong with the value tells more than what an algorithm never does.
+        name, reason = min(programs.refused.items(), key=lambda one: one[1] == program_set.NO_RATE)
         texts = " and ".join(f"'{node.text}'" for node in nodes)
         message = f"{texts} cannot be cached by {name}: {reason}"
         raise InputError(Diagnostic("SC407", message, analysis.fragment, nodes[0].expr.span))

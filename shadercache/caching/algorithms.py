@@ -39,12 +39,14 @@ class Algorithm:
     """``name`` is what files, manifests and tables say, ``word`` what the command line takes.
 
     ``unfit``: the function of ``emit/`` that says why it cannot be used for a payload, if so.
+    ``fraction``: its passes where payloads are computed at a fraction of the rate, if it can that.
     """
 
     name: str
     word: str
     passes: tuple[AlgorithmPass, ...]
     unfit: str | None = None
+    fraction: tuple[AlgorithmPass, ...] = ()
 
     @property
     def branches(self) -> bool:
@@ -61,6 +63,10 @@ class Algorithm:
         """Is a frame after a reset one pass that looks nothing up?"""
         drawn = [record for record in self.passes if record.on_reset]
         return len(drawn) == 1 and not self.branches
+
+    def at_fraction(self) -> Algorithm | None:
+        """The same with payloads at a fraction of the rate, if it can that."""
+        return replace(self, passes=self.fraction) if self.fraction else None
 
     def file_of(self, record: AlgorithmPass) -> str:
         """The name of a pass's files, without their endings."""
@@ -95,6 +101,13 @@ ALGORITHMS = (
             AlgorithmPass("shade", "three_passes:shade", (COLOR,), (CURRENT,), depth_test="lequal"),
         ),
         unfit="three_passes:unfit",
+        # The first two draw into a cache that is smaller than the picture, with a depth of its own.
+        fraction=(
+            AlgorithmPass("reuse", "three_passes:reuse", (CACHE,), (PREVIOUS,), on_reset=False),
+            AlgorithmPass("payload", "three_passes:payload_only", (CACHE,)),
+            AlgorithmPass("shade", "upsampling:shade", (COLOR,), (CURRENT,)),
+            AlgorithmPass("rest", "upsampling:rest", (COLOR,)),
+        ),
     ),
 )
 """In the order of their passes; where one has to be chosen without reason, the last that fits."""

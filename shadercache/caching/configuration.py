@@ -41,8 +41,12 @@ never reused, or are brought into the format's range."""
 Combine: TypeAlias = Literal["reuse"]
 """What a hit makes of the cached value and a new sample."""
 
-PayloadRate: TypeAlias = Literal["full"]
-"""Of how many pixels payloads are computed."""
+PayloadRate: TypeAlias = Literal["full", "half", "quarter"]
+"""Of how many pixels payloads are computed: of each, or of as many as a picture of half or a
+quarter of the size has; the others take them from those (docs/why/rate.md)."""
+
+DIVISORS: dict[PayloadRate, int] = {"full": 1, "half": 2, "quarter": 4}
+"""How many pixels a texel of the cache covers in each direction."""
 
 DEFAULT_EPSILON = 1e-3
 """Accepted relative difference of 1/w: twice what half floats round it by (docs/why/reuse.md)."""
@@ -153,6 +157,11 @@ class Configuration:
     def look_up(self) -> Configuration:
         """The configuration with all at its default that no text of the runtime depends on."""
         return replace(self.compiled, nodes=(), algorithm=DEFAULT, fetches="whole", mode="plain")
+
+    @property
+    def divisor(self) -> int:
+        """How many pixels a texel of the cache covers in each direction."""
+        return DIVISORS[self.payload_rate]
 
     @property
     def canonical(self) -> str:

@@ -30,6 +30,14 @@ LEAST_WEIGHT = 0.25
 """What those texels must weigh together that fit in the depth-aware filter: as the nearest may."""
 
 
+NEARBY = 2e-3
+"""What the depth of a texel of a smaller cache may be off, relative to 1/w, where its payload is
+taken for a pixel beside it: the surface may bend between the two (docs/why/rate.md)."""
+
+STEEPEST = 0.024
+"""How much the depth of such a texel may differ from the pixel's, by the same measure."""
+
+
 def outcomes(configuration: Configuration) -> dict[str, int]:
     """What a look-up can say."""
     return {

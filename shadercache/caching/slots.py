@@ -12,13 +12,15 @@ from typing import Literal, TypeAlias
 from shadercache.analysis.mapping import MappingKind
 from shadercache.caching.configuration import DEFAULT_EPSILON, Configuration
 from shadercache.caching.layout import MOST_OF_HALF, Layout, empty_depth
-from shadercache.caching.outcomes import INTERPOLATION, LEAST_WEIGHT, SPREAD
+from shadercache.caching.outcomes import INTERPOLATION, LEAST_WEIGHT, NEARBY, SPREAD, STEEPEST
 
 NUMBERS = {
     "SPREAD": str(SPREAD),
     "EPSILON": str(DEFAULT_EPSILON),
     "INTERPOLATION": str(INTERPOLATION),
     "LEAST_WEIGHT": str(LEAST_WEIGHT),
+    "NEARBY": str(NEARBY),
+    "STEEPEST": str(STEEPEST),
     "MOST_OF_HALF": str(MOST_OF_HALF),
 }
 """What words in capitals mean that stand for numbers."""
@@ -46,7 +48,7 @@ class Resampling:
 
 
 RESAMPLE = {
-    "bilateral": Resampling(test="test/apart", part=("resample/bilateral",)),
+    "bilateral": Resampling(test="test/apart", part=("resample/bilateral", "resample/chosen")),
     "bilinear": Resampling(),
     "nearest": Resampling("fetch/nearest", "test/nearest"),
     "lanczos2": Resampling(more=("resample/lanczos2", "resample/cubic")),
@@ -106,7 +108,7 @@ class Choice:
             *self._look_up(),
             *self._storage(),
             f"combine/{chosen.combine}",
-            f"rate/{chosen.payload_rate}",
+            *self._rate(),
             "payload/sometimes" if self.whole else "payload/always",
         )
 
@@ -133,6 +135,14 @@ class Choice:
             "mark/moved" if self._marks else "mark/none",
             "found/marked_and_judged" if how.part and chosen.refresh.age else f"found/{marked}",
         )
+
+    def _rate(self) -> tuple[str, ...]:
+        if self.configuration.payload_rate == "full":
+            return ("rate/full",)
+        nearest = self.configuration.filter.kind == "nearest" and not self.layout.bits
+        # A filter may have brought the last already.
+        chosen = () if "resample/chosen" in self._look_up() else ("resample/chosen",)
+        return ("rate/fraction", "rate/nearest" if nearest else "rate/blended", *chosen)
 
     def _storage(self) -> tuple[str, ...]:
         chosen = self.configuration

@@ -49,6 +49,13 @@ UnprofitableOption: TypeAlias = Annotated[
 FormatOption: TypeAlias = Annotated[
     cached.CacheFormat, typer.Option("--format", help="Texel format of the cache.")
 ]
+RateOption: TypeAlias = Annotated[
+    cached.PayloadRate,
+    typer.Option(
+        help="Compute values for each pixel, or in a picture of half or a quarter of the size, from"
+        " which pixels of the same surface take them (--passes 3 alone can do that)."
+    ),
+]
 SettingsOption: TypeAlias = Annotated[
     list[str] | None,
     typer.Option(
@@ -164,13 +171,14 @@ class CacheOptions:
             "it; its level (needs isotropic filtering, GLSL 4.00)."
         ),
     ] = "whole"
+    rate: RateOption = "full"
     cache: SettingsOption = None
 
     @property
     def base(self) -> cached.Configuration:
         """The configuration without what ``--cache`` sets."""
         storage = cached.Storage(self.cache_format)
-        return cached.Configuration(storage=storage, fetches=self.fetches)
+        return cached.Configuration(storage=storage, fetches=self.fetches, payload_rate=self.rate)
 
 
 @dataclass(frozen=True, kw_only=True)

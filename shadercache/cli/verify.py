@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from shadercache.caching.configuration import Configuration
-from shadercache.cli.options import ClusterOption, SettingsOption, ShaderOptions
+from shadercache.cli.options import ClusterOption, RateOption, SettingsOption, ShaderOptions
 from shadercache.cli.progress import progress
 from shadercache.cli.scenes import choose_nodes, configured, find_scene, one_by_one
 from shadercache.cli.tables import format_table, shorten, terminal_width
@@ -61,6 +61,7 @@ def command(
     ] = True,
     reading: ShaderOptions = READ,
     cache: SettingsOption = None,
+    rate: RateOption = "full",
     jobs: Annotated[
         int, typer.Option("-j", "--jobs", min=0, help="Processes; 0 takes one per core.")
     ] = 0,
@@ -88,7 +89,7 @@ def command(
 
     path, read_options = find_scene(target), reading.read_options()
     scene, analysis = open_scene(path, read_options, reading.mapping)
-    configuration = configured(scene, Configuration(), cache)
+    configuration = configured(scene, Configuration(payload_rate=rate), cache)
     if node:
         payloads = choose_nodes(scene, analysis, node)
     else:

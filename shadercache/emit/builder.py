@@ -24,7 +24,7 @@ from shadercache.caching.layout import Layout, extras_of
 from shadercache.caching.program_parts import program_part
 from shadercache.caching.slots import Choice, LocateKind
 from shadercache.emit.assemble import Shader, interface, merge, with_locations, without_main
-from shadercache.emit.runtime import FOLDER, runtime_names
+from shadercache.emit.runtime import FOLDER, runtime_names, whole_picture
 from shadercache.sema.facts import Facts
 from shadercache.transform.drop_parameters import drop_parameters
 from shadercache.transform.drop_results import drop_results
@@ -33,10 +33,14 @@ from shadercache.transform.guard_loops import guard_loops
 from shadercache.transform.hoist_fetches import form_of
 from shadercache.transform.names import FreshNames
 from shadercache.transform.remove_dead import remove_dead
+from shadercache.transform.scale_coordinates import scale_coordinates
 from shadercache.transform.specialise import Clones, Cut, CutKind, insert_clones, specialise
 
 _LATE = ("here_late", "hit_late")
 """Passes that fragments without a payload go through, up to a discard at the end."""
+
+_INTO_CACHE = ("reuse", "reuse_late", "payload", "miss", "hit_mask", "needed")
+"""Passes that are drawn as large as the cache, of those there are at a fraction of the rate."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -164,6 +168,9 @@ class PassBuilder:
         choice = Choice(layout, program.prefix, self.whole, program.located, self._configuration)
         part = program_part(FOLDER / f"passes/{template}.glsl", choice)
         user = insert_clones(program.module, *clones)
+        if template in _INTO_CACHE and self._configuration.payload_rate != "full":
+            scale, whole = whole_picture(program.prefix)
+            user, extra = scale_coordinates(user, whole), (*extra, scale)
         # Without a payload a loop that waits for it may never end, whatever is discarded later.
         if template in _LATE and self.decides_loops:
             user = guard_loops(user, self._decided(user), self.own("lacks"))

@@ -73,6 +73,12 @@ class ProgramSet:
         return [*variants, *(emitted for emitted in beside if emitted is not None)]
 
 
+NO_RATE = (
+    "no pass of it computes payloads alone, so that they could be computed for a fraction of the "
+    "pixels"
+)
+"""Why an algorithm cannot compute payloads at a fraction of the rate."""
+
 # Not part of any algorithm; what is drawn with objects as the passes of one are.
 _ORIGINAL = AlgorithmPass("original", "", (algorithms.COLOR,))
 _PAYLOAD = AlgorithmPass("payload-alone", "side_passes:payload_alone", (algorithms.COLOR,))
@@ -110,6 +116,10 @@ def emit_programs(
         if left_out is not None:
             algorithm = algorithms.without(left_out)
         reason = unfit(builder, algorithm)
+        if configuration.payload_rate != "full":
+            slower = algorithm.at_fraction()
+            reason = reason if slower else NO_RATE
+            algorithm = slower or algorithm
         if reason is not None:
             programs.refused[algorithm.name] = reason
             continue
@@ -124,7 +134,7 @@ def _builder(
 ) -> PassBuilder:
     # Whoever wants one mode of a variant often wants the other next: only its printing differs.
     kept: dict[object, PassBuilder] = program.memo.table("last builder")
-    settings = tuple(written_settings(configuration).items())
+    settings = (configuration.payload_rate, *written_settings(configuration).items())
     key = (tuple(nodes), configuration.fetches, settings)
     if key not in kept:
         kept.clear()

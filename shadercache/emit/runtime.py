@@ -7,6 +7,7 @@ from functools import cache
 from pathlib import Path
 
 from shadercache.ast import nodes as n
+from shadercache.caching.fill import returned
 from shadercache.caching.read_template import FOLDER as SLOTS
 from shadercache.caching.read_template import read_template
 from shadercache.front.parse import parse
@@ -24,6 +25,14 @@ _MOST_PAYLOADS = 7  # A scalar for each channel of two texels but the depth's.
 def vertex_part(prefix: str) -> tuple[n.Decl, ...]:
     """What stands behind the user's vertex shader."""
     return read_template(FOLDER / "vertex.glsl", prefix).decls
+
+
+def whole_picture(prefix: str) -> tuple[n.Decl, n.Expr]:
+    """``gl_FragCoord`` of the whole picture in a pass that draws a smaller one: the uniform that it
+    takes, and the expression."""
+    scale, function = read_template(FOLDER / "whole_picture.glsl", prefix).decls
+    assert isinstance(function, n.FunctionDef)
+    return scale, returned(function, ())
 
 
 def full_screen_vertex(fragment: n.Module) -> tuple[Source, n.Module]:

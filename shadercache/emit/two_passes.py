@@ -14,13 +14,7 @@ def hit(builder: PassBuilder) -> Shader:
     template = "here" if builder.whole else "hit"
     kind: CutKind = "need" if builder.whole else "use"
     early = builder.build(template, [builder.cut(kind)], builder.color_and_stores)
-    # Behind a discard derivatives are undefined (GLSL 4.60 section 8.14.1), and whether a loop that
-    # waits for a payload ends is the driver's affair.
-    if (
-        not builder.takes_derivatives(early.module)
-        and not _loops_over_arrays(early.module)
-        and not builder.decides_loops
-    ):
+    if not discards_late(builder, early):
         return early
     late: CutKind = "lack" if builder.whole else "use"
     return builder.build(f"{template}_late", [builder.cut(late)], builder.color_and_stores)
@@ -30,6 +24,17 @@ def miss(builder: PassBuilder) -> Shader:
     """The original, keeping the payload."""
     kind: CutKind = "keep" if builder.whole else "store"
     return builder.build("miss", [builder.cut(kind)], builder.color_and_stores)
+
+
+def discards_late(builder: PassBuilder, early: Shader) -> bool:
+    """Must a pass that shades what has its payload discard the rest at its very end?"""
+    # Behind a discard derivatives are undefined (GLSL 4.60 section 8.14.1), and whether a loop that
+    # waits for a payload ends is the driver's affair.
+    return (
+        builder.takes_derivatives(early.module)
+        or _loops_over_arrays(early.module)
+        or builder.decides_loops
+    )
 
 
 def _loops_over_arrays(module: n.Module) -> bool:

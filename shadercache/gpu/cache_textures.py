@@ -73,7 +73,7 @@ class CachePair:
             if form not in _FORMATS:
                 hint = f"one of {', '.join(_FORMATS)}"
                 raise input_error("SC603", f"unknown cache format {form!r}", hint=hint)
-        self.formats = tuple(formats)
+        self.formats, self.size = tuple(formats), size
         # Two sets: a pass that samples what it draws into reads undefined values (OpenGL 4.6
         # section 9.3.1).
         self._previous = [_layer(ctx, size, form) for form in formats]

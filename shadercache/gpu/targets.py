@@ -1,4 +1,7 @@
-"""Render targets of one size, shared by every runner: colour, depth, mask, caches."""
+"""Render targets of a picture, shared by every runner: colour, depth, mask, caches.
+
+Caches and masks may be a fraction of the picture; each size has a depth buffer of its own.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +13,7 @@ from numpy.typing import NDArray
 
 from shadercache.diagnostics import Diagnostic, GraphicsError, input_error
 from shadercache.gpu.cache_textures import CachePair
+from shadercache.gpu.fractions import divided_size
 
 COLOR_FORMATS = {"rgba8": "f1", "rgba32f": "f4"}
 """Colour formats: 8 bits for what is shown and timed, 32-bit floats for proofs."""
@@ -46,7 +50,9 @@ class Targets:
         self._framebuffers: dict[tuple[Any, ...], moderngl.Framebuffer] = {}
         self._idle: list[CachePair] = []
         self._pairs: list[CachePair] = []
-        self._mask: moderngl.Texture | None = None
+        self._masks: dict[int, moderngl.Texture] = {}
+        self._depths: dict[tuple[int, int], moderngl.Renderbuffer] = {}
+        """Of what has another depth than the picture, by size."""
         self._surface: moderngl.Texture | None = None
         try:
             self.color = ctx.texture(size, 4, dtype=COLOR_FORMATS[color])
@@ -61,9 +67,13 @@ class Targets:
     @property
     def mask(self) -> moderngl.Texture:
         """One float channel for the debug program; made when first wanted."""
-        if self._mask is None:
-            self._mask = self.ctx.texture(self.size, 1, dtype="f4")
-        return self._mask
+        return self.mask_of(1)
+
+    def mask_of(self, divisor: int) -> moderngl.Texture:
+        """The same a fraction of the picture in size."""
+        if divisor not in self._masks:
+            self._masks[divisor] = self.ctx.texture(divided_size(self.size, divisor), 1, dtype="f4")
+        return self._masks[divisor]
 
     @property
     def surface(self) -> moderngl.Texture:
@@ -84,26 +94,45 @@ class Targets:
         framebuffer = self.framebuffer((texture,), None if keep_depth else True)
         framebuffer.clear(0.0, 0.0, 0.0, 0.0, depth=self._empty_depth)
 
+    def clear_depth(self, divisor: int) -> None:
+        """Empty the depth of targets that have another one than the picture."""
+        framebuffer = self.framebuffer((self.mask_of(divisor),), True, apart=True)
+        framebuffer.clear(depth=self._empty_depth)
+
     def framebuffer(
-        self, textures: tuple[moderngl.Texture, ...], depth_write: bool | None
+        self,
+        textures: tuple[moderngl.Texture, ...],
+        depth_write: bool | None,
+        apart: bool = False,
     ) -> moderngl.Framebuffer:
-        """The framebuffer with these attachments (in order) and the shared depth; None: without."""
+        """The framebuffer with these attachments (in order) and the shared depth; None: without.
+
+        ``apart``: with the other depth, which all share that are of this size.
+        """
         # GL reuses the names of what is freed; these textures live as long as their framebuffers.
-        key = (*(texture.glo for texture in textures), depth_write)
+        key = (*(texture.glo for texture in textures), depth_write, apart)
         if key not in self._framebuffers:
-            depth = None if depth_write is None else self.depth
+            shared = self._depth_apart(textures[0].size) if apart else self.depth
+            depth = None if depth_write is None else shared
             self._framebuffers[key] = self.ctx.framebuffer(textures, depth)
             # moderngl keeps this mask with the framebuffer, hence one for each.
             self._framebuffers[key].depth_mask = bool(depth_write)
         return self._framebuffers[key]
 
-    def lend_cache(self, formats: tuple[str, ...]) -> CachePair:
-        """Cache textures with undefined contents; hand them back with ``take_back``."""
+    def _depth_apart(self, size: tuple[int, int]) -> moderngl.Renderbuffer:
+        if size not in self._depths:
+            self._depths[size] = self.ctx.depth_renderbuffer(size)
+        return self._depths[size]
+
+    def lend_cache(self, formats: tuple[str, ...], divisor: int = 1) -> CachePair:
+        """Cache textures with undefined contents, maybe a fraction of the picture in size; hand
+        them back with ``take_back``."""
+        size = divided_size(self.size, divisor)
         for pair in self._idle:
-            if pair.formats == formats:
+            if (pair.formats, pair.size) == (formats, size):
                 self._idle.remove(pair)
                 return pair
-        pair = CachePair(self.ctx, self.size, formats)
+        pair = CachePair(self.ctx, size, formats)
         self._pairs.append(pair)
         return pair
 
@@ -124,10 +153,11 @@ class Targets:
             return pixels.astype(np.float32, copy=False)
         return pixels.astype(np.float32) / np.float32(255.0)
 
-    def mask_values(self) -> NDArray[np.uint8]:
+    def mask_values(self, divisor: int = 1) -> NDArray[np.uint8]:
         """The mask target, rounded to whole numbers, (h, w), row 0 at the bottom."""
-        width, height = self.size
-        values = np.frombuffer(self.mask.read(), np.float32).reshape(height, width)
+        mask = self.mask_of(divisor)
+        width, height = mask.size
+        values = np.frombuffer(mask.read(), np.float32).reshape(height, width)
         return (values + 0.5).astype(np.uint8)
 
     def release(self) -> None:
@@ -136,7 +166,9 @@ class Targets:
             framebuffer.release()
         for pair in self._pairs:
             pair.release()
-        for texture in (self.color, self.depth, self._mask, self._surface):
+        for buffer in self._depths.values():
+            buffer.release()
+        for texture in (self.color, self.depth, self._surface, *self._masks.values()):
             if texture is not None:
                 texture.release()
 

@@ -77,7 +77,7 @@ def build_manifest(
         ),
         color=model.ColorEntry(output=programs.color, location=0),
         cache=cache,
-        targets=_targets(cache),
+        targets=_targets(cache, configuration.divisor),
         uniforms=tuple(
             uniform
             for uniform in added_uniforms(programs.prefix, layout, configuration)
@@ -85,7 +85,7 @@ def build_manifest(
         ),
         previous=programs.previous,
         debug=_debug(programs.debug, configuration, setting),
-        frame=tuple(frame_sentences(layout.second, setting, programs)),
+        frame=tuple(frame_sentences(layout.second, configuration, setting, programs)),
         reset=tuple(reset_sentences(configuration, setting, programs)),
         relies_on=tuple(relies_on(configuration, programs, setting)),
         **_head(programs, configuration.mode, setting.inputs),
@@ -154,12 +154,18 @@ def _head(programs: ProgramSet, mode: Mode, inputs: Iterable[InputEntry]) -> dic
     }
 
 
-def _targets(cache: cache_model.CacheEntry) -> dict[TargetName, cache_model.TargetEntry]:
+def _targets(
+    cache: cache_model.CacheEntry, divisor: int
+) -> dict[TargetName, cache_model.TargetEntry]:
     formats: dict[TargetName, Any] = {"color": None, "cache": cache.format}
     if cache.second is not UNSET:
         formats["cache-2"] = cache.second.format
     formats["mask"] = "r32f"
-    return {name: cache_model.TargetEntry(format=form) for name, form in formats.items()}
+    whole: TargetName = "color"
+    return {
+        name: cache_model.TargetEntry(format=form, divisor=1 if name == whole else divisor)  # type: ignore[arg-type]
+        for name, form in formats.items()
+    }
 
 
 def _cache(layout: Layout, configuration: Configuration) -> cache_model.CacheEntry:

@@ -58,7 +58,8 @@ class CacheEntry(kinds.ManifestPart, frozen=True, kw_only=True):
         Meta(description="of a texel; integers are written and read as they are"),
     ]
     buffers: Annotated[
-        Literal[2], Meta(description="textures of the size of the target; they swap each frame")
+        Literal[2],
+        Meta(description="textures of the size that targets.cache tells of; they swap each frame"),
     ]
     clear: Annotated[
         Texel, Meta(description="what an empty texel holds; its depth matches nothing")
@@ -86,6 +87,13 @@ class TargetEntry(kinds.ManifestPart, frozen=True, kw_only=True):
     """What passes draw into."""
 
     format: Annotated[TextureFormat | None, Meta(description="of a texel; null: the engine's own")]
+    divisor: Annotated[
+        Literal[1, 2, 4],
+        Meta(
+            description="width and height are those of the colour target divided by this, rounded "
+            "up; so is a viewport's extent, and its place is rounded down"
+        ),
+    ] = 1
 
 
 class PlacesEntry(kinds.ManifestPart, frozen=True, kw_only=True):

@@ -112,7 +112,10 @@ class Manifest(kinds.ManifestPart, frozen=True, kw_only=True):
     cache: CacheEntry
     targets: Annotated[
         dict[kinds.TargetName, TargetEntry],
-        Meta(description="every target that a pass names; all are as large as the colour target"),
+        Meta(
+            description="every target that a pass names, and its size; those of a pass are all of "
+            "one size, and so is its depth buffer: there is one for each size"
+        ),
     ]
     uniforms: Annotated[
         tuple[pass_model.AddedUniform, ...],

@@ -21,6 +21,7 @@ Role: TypeAlias = Literal[
     "object",
     "viewport",
     "previous-viewport",
+    "scale",
     "reset",
     "mask",
     "unit",
@@ -49,7 +50,7 @@ class AddedUniform(kinds.ManifestPart, frozen=True, kw_only=True):
     """A uniform that was added; it has no location or binding of its own."""
 
     name: kinds.Identifier
-    type: Literal["ivec4", "sampler2D", "usampler2D", "int", "float"]
+    type: Literal["ivec4", "vec4", "sampler2D", "usampler2D", "int", "float"]
     role: Role
     meaning: kinds.Words
     unit: str | None

@@ -64,6 +64,11 @@ def _pass(path: str, entry: PassEntry, manifest: Manifest) -> Iterator[Problem]:
     for key in ("targets", "reads", "uniforms", "attributes"):
         yield from _twice(f"{path}.{key}", getattr(entry, key))
     yield from _unknown(f"{path}.targets", entry.targets, manifest.targets)
+    if (
+        len({target.divisor for name in entry.targets if (target := manifest.targets.get(name))})
+        > 1
+    ):
+        yield f"{path}.targets", "they are of several sizes"
     if entry.draws == "screen" and entry.attributes:
         yield f"{path}.attributes", "a pass over the screen has none"
     sampled = {"previous-cache-2", "current-cache-2"}.intersection(entry.reads)

@@ -77,6 +77,14 @@ FRAME_OF_TWO = (
     "to values of their own."
 )
 
+FRAME_OF_FRACTION = (
+    "Targets with a divisor are smaller than the picture. Passes into them have a depth buffer of "
+    "their own, cleared with the other one, and a viewport that is as much smaller: its place "
+    "rounded down, its extent up. What 'uniforms' tells of a viewport is told of the pass's own.",
+    "Pixels for which no texel fits are left open by the pass that reads this frame's cache, and "
+    "drawn by the next one, which is the unchanged shader.",
+)
+
 NOT_FINITE = (
     "What is not finite, or too large or too small for cache.format, is read back as it is in the "
     "frame that computes it (half floats make 65504 of larger numbers). Of later frames "
@@ -92,6 +100,13 @@ ON_RESET = (
     "and show the original with the payload as cache.format holds it: rgba32f and rgba32ui hold "
     "it as it is, rgba16f rounds it (to 11 bits, and larger numbers to 65504)."
 )
+ON_RESET_AT_FRACTION = (
+    "Draw only the passes with on_reset true: what was stored is not looked up. The image is that "
+    "of any other frame: most pixels have their payloads from texels around them, the others are "
+    "the original's."
+)
+OF_SIZE = "of the size that targets.cache tells of"
+
 SHORT_RESET = (
     "One and three passes may then be drawn as the one of two passes with on_reset true: the cache "
     "is the same, and the image is that of two passes; no branch is in the way, and the geometry "
@@ -125,8 +140,10 @@ RESET_UNIFORMS = (
 RESET_TWINS = "What is a twin of the last frame may have any value in the draws of a reset."
 
 
-WHOLE_TARGET = "a viewport that covers the whole target and begins at (0, 0), as large as the cache"
-PART_OF_TARGET = "a viewport inside of the target, which is as large as the cache"
+AS_LARGE = ", as large as the cache"
+WHICH_IS = ", which is as large as the cache"
+WHOLE_TARGET = f"a viewport that covers the whole target and begins at (0, 0){AS_LARGE}"
+PART_OF_TARGET = f"a viewport inside of the target{WHICH_IS}"
 
 ONE_VIEW = "one view: each view or target has caches and last values of its own"
 
@@ -154,7 +171,9 @@ _LARGEST_OF_HALF = (
 )
 
 
-def frame_sentences(two_textures: bool, setting: Setting, programs: ProgramSet) -> list[str]:
+def frame_sentences(
+    two_textures: bool, configuration: Configuration, setting: Setting, programs: ProgramSet
+) -> list[str]:
     """What it does each frame, in order; ``two_textures``: is a payload too wide for one?"""
     blocks = {entry.name for entry in setting.inputs if isinstance(entry, UniformBlockInput)}
     return [
@@ -164,6 +183,7 @@ def frame_sentences(two_textures: bool, setting: Setting, programs: ProgramSet) 
         *(BLOCKS if blocks else ()),
         *(TWINS_OF_BLOCKS if blocks & programs.previous.keys() else ()),
         *[FRAME_OF_TWO] * two_textures,
+        *(FRAME_OF_FRACTION if configuration.divisor > 1 else ()),
     ]
 
 
@@ -176,6 +196,9 @@ def reset_sentences(
     # An algorithm that resets in one pass does so anyway, and without it no pass can be borrowed.
     if not at_once or len(programs.variants) == 1:
         sentences.remove(SHORT_RESET)
+    if configuration.divisor > 1:
+        sentences[sentences.index(ON_RESET)] = ON_RESET_AT_FRACTION
+        sentences = [text.replace("as large as the target", OF_SIZE) for text in sentences]
     twins = [RESET_TWINS] * bool(programs.previous)
     return [*sentences, RESET_UNIFORMS, *twins, *_of_changes(configuration.refresh, setting)]
 
@@ -212,6 +235,8 @@ def relies_on(configuration: Configuration, programs: ProgramSet, setting: Setti
     relies = list(RELIES_ON_FULL_SCREEN if setting.full_screen else RELIES_ON)
     if configuration.hit_test.viewport:
         relies[relies.index(WHOLE_TARGET)] = PART_OF_TARGET
+    if configuration.divisor > 1:
+        relies = [text.removesuffix(AS_LARGE).removesuffix(WHICH_IS) for text in relies]
     if configuration.storage.depth != "ndc" and not setting.full_screen:
         relies.append("a perspective projection: in an orthographic one w tells no depth")
     if configuration.storage.format == "rgba16f" and any(record.reads_back for record in chosen):

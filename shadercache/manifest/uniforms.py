@@ -75,6 +75,13 @@ _UNIFORMS = (
     _uniform("ivec4 viewport", "left, bottom, width and height of the viewport", "pixels"),
     _uniform("ivec4 previous_viewport", "the same of the last frame", "pixels"),
     _uniform(
+        "vec4 scale",
+        "leads from pixels to texels of a smaller cache: times .xy, plus .zw. The .xy are the "
+        "extent of the cache's viewport over that of the picture's, the .zw the corner of the "
+        "cache's less (.xy times the corner of the picture's)",
+        "pixels",
+    ),
+    _uniform(
         "int object",
         "number of the object that is drawn; each draw sets it, to the same in every frame",
         default=0,

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.gpu.cache_textures import CachePair
+from shadercache.gpu.fractions import Viewport, divided
 from shadercache.gpu.textures import GlTexture, texture_kind
 from shadercache.gpu.uniform_blocks import Uniform
 from shadercache.manifest.interface import UniformInput
@@ -29,13 +30,23 @@ CACHE_TARGETS = ("cache", "cache-2")
 class FrameInputs:
     """What the passes of one frame read: this and the last frame's uniforms, numbers by role.
 
-    ``viewport``: left, bottom, width and height of what is drawn into, in pixels.
+    ``viewport``: left, bottom, width and height of what is drawn into, in pixels;
+    ``previous_viewport`` those of the last frame.
     """
 
     now: Values
     before: Values
     numbers: Values
-    viewport: tuple[int, int, int, int]
+    viewport: Viewport
+    previous_viewport: Viewport = (0, 0, 0, 0)
+
+    def numbers_of(self, divisor: int) -> Values:
+        """The numbers for a pass into targets that are so many times smaller."""
+        if divisor == 1 or "viewport" not in self.numbers:
+            return self.numbers
+        both = {"viewport": self.viewport, "previous-viewport": self.previous_viewport}
+        told = {name: np.array(divided(it, divisor), np.float64) for name, it in both.items()}
+        return {**self.numbers, **told}
 
 
 def plain_inputs(
@@ -98,9 +109,11 @@ class BoundPass:
             depth_test: a moderngl depth function in place of the manifest's.
         """
         targets = self._targets(caches)
-        framebuffer = self._world.targets.framebuffer(targets, self._spec.depth_write)
+        framebuffer = self._world.targets.framebuffer(
+            targets, self._spec.depth_write, self._spec.apart
+        )
         # Views and frames share framebuffers, and may have viewports of their own.
-        framebuffer.viewport = inputs.viewport
+        framebuffer.viewport = divided(inputs.viewport, self._spec.divisor)
         framebuffer.use()
         test = depth_test or self._world.scene.view.engine.function(self._spec.depth_test)
         self._world.gpu.ctx.depth_func = test
@@ -113,8 +126,10 @@ class BoundPass:
         self._world.programs.release(self._program)
 
     def _load(self, inputs: FrameInputs, caches: CachePair | None) -> None:
+        tables = {"now": inputs.now, "before": inputs.before}
+        tables["numbers"] = inputs.numbers_of(self._spec.divisor)
         for uniform, table, name in self._values:
-            uniform.write(uniform.encode(getattr(inputs, table)[name], name))
+            uniform.write(uniform.encode(tables[table][name], name))
         for unit, (uniform, source) in enumerate(self._units):
             # Caches swap with each frame, so their textures are found by role in each draw.
             texture = _cache_texture(source, caches) if isinstance(source, str) else source
@@ -129,7 +144,7 @@ class BoundPass:
             # A cache has one texture or two.
             by_name |= dict(zip(CACHE_TARGETS, caches.current, strict=False))
         if "mask" in self._spec.targets:
-            by_name["mask"] = shared.mask
+            by_name["mask"] = shared.mask_of(self._spec.divisor)
         return tuple(by_name[name] for name in self._spec.targets)
 
     def _bind(self, naming: Naming) -> None:

@@ -12,11 +12,11 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
-from msgspec import UNSET
+from msgspec import UNSET, structs
 
 from shadercache import foreign_files as foreign
 from shadercache.caching.algorithms import NAMES
-from shadercache.caching.configuration import DEFAULT_EPSILON, Configuration
+from shadercache.caching.configuration import DEFAULT_EPSILON, DIVISORS, Configuration
 from shadercache.caching.settings import with_settings
 from shadercache.diagnostics import input_error, usage_error
 from shadercache.manifest.codec import decode, unusable
@@ -27,6 +27,7 @@ from shadercache.scene.object_inputs import root_of
 from shadercache.source import Source
 
 _CONSTANT = Path(__file__).parent / "glsl" / "constant.frag"
+_RATES = {divisor: rate for rate, divisor in DIVISORS.items()}
 _DEPTH_TESTS = {"less": "<", "lequal": "<="}
 _VERSION_LINE = re.compile(r"^\s*#\s*version\b.*$", re.MULTILINE)
 
@@ -36,7 +37,9 @@ class PassSpec:
     """One draw of all objects, or of one triangle ``over_screen`` for all of them.
 
     ``depth_test`` is ``<`` or ``<=``; targets stand at their index. ``looks``: does it look up what
-    the last frame stored? ``inputs``: what it declares of the user's, and the twins.
+    the last frame stored? ``inputs``: what it declares of the user's, and the twins. ``divisor``:
+    how many times smaller than the picture the targets are, in each direction; ``apart``: is their
+    depth not the picture's?
     """
 
     name: str
@@ -49,6 +52,8 @@ class PassSpec:
     looks: bool = False
     over_screen: bool = False
     inputs: tuple[InputEntry, ...] = ()
+    divisor: int = 1
+    apart: bool = False
 
 
 class NeededPass(NamedTuple):
@@ -61,7 +66,8 @@ class NeededPass(NamedTuple):
 
 @dataclass(frozen=True)
 class CacheSpec:
-    """Formats of a cache's textures (one, or two), what each is cleared to, and their filter.
+    """Formats of a cache's textures (one, or two), what each is cleared to, and their filter;
+    ``divisor``: how many times smaller than the picture they are, in each direction.
 
     ``extras``: what a cache read back holds beside payloads and depth (``object``, ``age``), and in
     which channel. Objects share a cache only where these are the same: one would take the other's
@@ -72,6 +78,7 @@ class CacheSpec:
     clear: tuple[tuple[float, ...], ...]
     filter: str
     extras: tuple[tuple[str, int], ...] = ()
+    divisor: int = 1
 
     @property
     def age_channel(self) -> int | None:
@@ -110,6 +117,8 @@ class Bundle:
 
     manifest: AnyManifest
     files: Mapping[str, str]
+    enlarged: bool = False
+    """Is the cache of a picture's size in place of a fraction of it? (:meth:`enlarge`)"""
 
     @property
     def has_variants(self) -> bool:
@@ -152,6 +161,7 @@ class Bundle:
             algorithm=self.algorithms[0],
             hit_test=replace(said.hit_test, epsilon=epsilon),
             storage=replace(said.storage, format=form),
+            payload_rate=_RATES[self.cache.divisor],
         )
 
     @cached_property
@@ -175,6 +185,30 @@ class Bundle:
                 return tuple(map(self._pass, variant.passes))
         message = f"node {self.node('id')} has no {algorithm} variant here"
         raise usage_error("SC026", message, f"there are: {', '.join(self.algorithms) or 'none'}")
+
+    def enlarge(self) -> Bundle:
+        """The same programs with a texel for each pixel, where the cache is a fraction of the
+        picture: what they draw then is what a variant at the full rate draws."""
+        if not self.apart:
+            return self
+        targets = {
+            name: structs.replace(target, divisor=1)
+            for name, target in self._variants.targets.items()
+        }
+        return Bundle(structs.replace(self._variants, targets=targets), self.files, enlarged=True)
+
+    @property
+    def apart(self) -> bool:
+        """Have passes into the cache a depth of their own?"""
+        return self.enlarged or self.cache.divisor > 1
+
+    def left_open(self, algorithm: str) -> PassSpec | None:
+        """What the last pass of a variant would draw, as coverage: the pixels for which no texel of
+        a smaller cache holds a payload. None where the cache has a texel for each pixel."""
+        if not self.apart:
+            return None
+        last = self.passes(algorithm)[-1]
+        return replace(last, fragment=self.coverage.fragment, targets=("mask",))
 
     @cached_property
     def reset_pass(self) -> PassSpec | None:
@@ -260,7 +294,8 @@ class Bundle:
             if held is not UNSET
             for kept, channel in held.items()
         )
-        return CacheSpec(tuple(formats), tuple(clear), cache.filter, tuple(places))
+        divisor = self._variants.targets["cache"].divisor
+        return CacheSpec(tuple(formats), tuple(clear), cache.filter, tuple(places), divisor)
 
     @cached_property
     def naming(self) -> Naming:
@@ -274,6 +309,7 @@ class Bundle:
         )
 
     def _pass(self, entry: PassEntry) -> PassSpec:
+        divisor = self._divisor(entry)
         return PassSpec(
             name=entry.name,
             vertex=self._file(entry.vertex),
@@ -284,8 +320,15 @@ class Bundle:
             on_reset=entry.on_reset,
             looks="previous-cache" in entry.reads,
             over_screen=entry.draws == "screen",
+            divisor=divisor,
+            apart=divisor > 1 or (self.enlarged and "color" not in entry.targets),
             inputs=declared_of(self.manifest.inputs, entry.uniforms, entry.attributes),
         )
+
+    def _divisor(self, entry: PassEntry) -> int:
+        """How many times smaller than the picture the targets of a pass are."""
+        targets = self.manifest.targets if isinstance(self.manifest, Manifest) else {}
+        return max(targets[name].divisor for name in entry.targets) if targets else 1
 
     def _file(self, name: str) -> Source:
         if name not in self.files:

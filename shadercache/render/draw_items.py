@@ -11,6 +11,7 @@ import numpy as np
 from shadercache.caching.configuration import Configuration
 from shadercache.diagnostics import usage_error
 from shadercache.gpu.cache_textures import CachePair
+from shadercache.gpu.fractions import scale_of
 from shadercache.render.bound_pass import BoundPass, FrameInputs, object_numbers
 from shadercache.render.bundle import NO_NAMES, Bundle, CacheSpec, LinkedObject, Naming, PassSpec
 from shadercache.render.drawable import Drawable
@@ -55,12 +56,19 @@ class DrawItem:
         return self.on_reset if self.before is None else self.passes
 
 
-def uncached_item(run: Runner, drawable: Drawable, linked: LinkedObject) -> DrawItem:
-    """An object that its original draws. Raises as ``BoundPass``."""
+def uncached_item(
+    run: Runner, drawable: Drawable, linked: LinkedObject, others: Bundle
+) -> DrawItem:
+    """An object that its original draws; ``others`` have the caches. Raises as ``BoundPass``."""
     spec = replace(linked.bundle.original, name=ORIGINAL)
     bound = (run.bind(drawable, spec, NO_NAMES),)
     # Where others are asked for their hits, it hides what is behind it.
-    hides = replace(linked.bundle.coverage, targets=("mask",))
+    hides = replace(
+        linked.bundle.coverage,
+        targets=("mask",),
+        divisor=others.cache.divisor,
+        apart=others.apart,
+    )
     return DrawItem(drawable, linked, NO_NAMES, bound, bound, hides, None)
 
 
@@ -128,12 +136,16 @@ class RunInputs:
         given = {name: np.array([value], np.float64) for name, value in numbers.items()}
         given |= object_numbers(role.drawable)
         viewport = self._world.viewport(shown)
+        previous = self._world.viewport(before)
         given["viewport"] = np.array(viewport, np.float64)
-        given["previous-viewport"] = np.array(self._world.viewport(before), np.float64)
+        given["previous-viewport"] = np.array(previous, np.float64)
+        if role.caches is not None:
+            given["scale"] = scale_of(viewport, role.bundle.cache.divisor)
         # Told of the jitter, the last frame's place of a point is the one it had with this frame's.
         same_jitter = self._world.scene.view.engine.jitter_told or role.before is None
         last = role.drawable.values(before, frame if same_jitter else frame - 1)
-        return FrameInputs(role.drawable.values(shown, frame), last, given, viewport)
+        now = role.drawable.values(shown, frame)
+        return FrameInputs(now, last, given, viewport, previous)
 
 
 class Turn(NamedTuple):

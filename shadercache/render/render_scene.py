@@ -9,6 +9,7 @@ import moderngl
 
 from shadercache.diagnostics import input_error
 from shadercache.gpu.context import Gpu, apply_state
+from shadercache.gpu.fractions import Viewport, divided, divided_size
 from shadercache.gpu.programs import Programs
 from shadercache.gpu.resource import Resource
 from shadercache.gpu.targets import Targets
@@ -48,6 +49,7 @@ class RenderScene(Resource):
             message = f"the scene {scene.name} has several objects; one mesh cannot replace theirs"
             raise input_error("SC540", message)
         self.gpu, self.scene, self.size = gpu, scene, size
+        self._whole, self._divisor = size, 1
         self.culling = True
         self.programs = Programs(gpu)
         self._uploads: Uploads | None = Uploads(gpu, mesh)
@@ -61,9 +63,9 @@ class RenderScene(Resource):
         # moderngl cannot free a query, so there is one for all runners.
         self.sample_counter = gpu.ctx.query(samples=True)
 
-    def viewport(self, frame: int) -> tuple[int, int, int, int]:
+    def viewport(self, frame: int) -> Viewport:
         """Left, bottom, width and height of what a frame is drawn into, in pixels."""
-        return self.scene.view.engine.viewport(frame, self.size)
+        return divided(self.scene.view.engine.viewport(frame, self._whole), self._divisor)
 
     def drawn(self, frame: int) -> tuple[Drawable, ...]:
         """The objects that are drawn in a frame: there, and not outside of the picture."""
@@ -90,6 +92,19 @@ class RenderScene(Resource):
         other.drawables = tuple(drawable.seen_as(other.scene) for drawable in self.drawables)
         return other
 
+    def smaller(self, divisor: int) -> RenderScene:
+        """The same objects with the same inputs, drawn into targets of their own that are so many
+        times smaller in each direction.
+
+        It shares everything else with this world, which must outlive it.
+        """
+        other = copy(self)
+        other._uploads, other._owns_targets = None, True
+        other._divisor, other.size = divisor, divided_size(self.size, divisor)
+        empty, color = self.scene.view.engine.empty_depth, self.targets.color_format
+        other.targets = Targets(self.gpu.ctx, other.size, color, empty)
+        return other
+
     def drawn_apart(self, size: tuple[int, int], engine: GraphicsState) -> RenderScene:
         """The same objects before the same camera, drawn into targets of their own, which shaders
         can read.
@@ -104,7 +119,7 @@ class RenderScene(Resource):
             GraphicsError: SC603 for a size that the driver cannot give.
         """
         other = copy(self)
-        other._uploads, other.size = None, size
+        other._uploads, other.size, other._whole, other._divisor = None, size, size, 1
         other.scene = replace(self.scene, view=replace(self.scene.view, engine=engine))
         other.drawables = tuple(drawable.seen_as(other.scene, size) for drawable in self.drawables)
         empty, color = engine.empty_depth, self.targets.color_format

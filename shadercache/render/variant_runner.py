@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from shadercache.caching.configuration import Configuration
 from shadercache.diagnostics import DiagnosticError
+from shadercache.render.bound_pass import BoundPass
 from shadercache.render.bundle import Bundle, LinkedObject
 from shadercache.render.cut_detector import CutDetector, ResetReason
 from shadercache.render.draw_items import (
@@ -66,12 +67,13 @@ class VariantRunner(Runner):
         linked = objects * len(world.drawables) if len(objects) == 1 else objects
         self.bundle, self.configuration = _principal(world, linked)
         self.algorithm = self.configuration.algorithm
+        self.divisor = self.bundle.cache.divisor
         self.inputs = RunInputs(world, self.configuration, moving)
         self.resets: list[ResetReason] = []
         self.cuts = CutDetector()
         self.idle = EmptyPasses(self.configuration.refresh, world.sample_counter)
         self._cuts_told = world.scene.view.camera_path.cuts if moving else frozenset[int]()
-        self._caches = world.targets.lend_cache(self.bundle.cache.formats)
+        self._caches = world.targets.lend_cache(self.bundle.cache.formats, self.divisor)
         self._holds_caches = True
         try:
             self._caches.set_filter(self.bundle.cache.filter)
@@ -81,7 +83,7 @@ class VariantRunner(Runner):
                 cached_item(self, drawable, linked_object, self._caches, short_reset)
                 if linked_object.configuration is not None
                 and linked_object.bundle.cache == self.bundle.cache
-                else uncached_item(self, drawable, linked_object)
+                else uncached_item(self, drawable, linked_object, self.bundle)
                 for drawable, linked_object in zip(world.drawables, linked, strict=True)
             ]
         except DiagnosticError:
@@ -152,20 +154,39 @@ class VariantRunner(Runner):
         return counts
 
     def hit_mask(self, frame: int) -> NDArray[np.uint8]:
-        """What becomes of each pixel in this frame, (h, w): 0 uncovered, else ``mask_values``.
+        """What becomes of each pixel in this frame, (h, w): 0 uncovered, else ``mask_values``; of
+        each texel, where the cache is a fraction of the picture.
 
         Objects that are not cached hide what is behind them and count as uncovered.
         """
         # The mask's draws would close the depth that passes must find open. It is cleared here and
         # when the frame itself begins.
-        self.world.begin()
+        self._clear()
         targets = self.world.targets
-        targets.clear(targets.mask)
+        targets.clear(targets.mask_of(self.divisor), keep_depth=True)
         for role in self._drawn(frame):
             if role.debug is None:
                 role.debug = self.bind(role.drawable, role.debug_spec, role.naming)
             role.debug.draw(self.inputs.of(role, frame), role.caches)
-        return targets.mask_values()
+        return targets.mask_values(self.divisor)
+
+    def computed(self, frame: int) -> NDArray[np.bool_]:
+        """Which pixels of cached objects compute a payload of their own in this frame, (h, w): with
+        a cache that is a fraction of the picture, those for which none of its texels fits."""
+        targets = self.world.targets
+        for turn in self._begin(self._drawn(frame), frame):
+            if turn.bound.name != self.pass_names[-1]:
+                turn.draw()
+        targets.clear(targets.mask, keep_depth=True)
+        for role in self.cached:
+            spec = self.bundle.left_open(self.algorithm)
+            assert spec is not None, "each pixel has a texel"
+            bound = BoundPass(self.world, role.drawable, spec, role.naming)
+            bound.draw(self.inputs.of(role, frame), role.caches)
+            bound.release()
+        width, height = self.world.size
+        raw = np.frombuffer(targets.mask.read(), np.float32).reshape(height, width)
+        return raw > 0.0
 
     def note_hits(self, frame: int, rate: float) -> None:
         """Tell the run the share of hits of the frame that is about to be drawn: where it falls
@@ -204,9 +225,14 @@ class VariantRunner(Runner):
 
     def _begin(self, drawn: Sequence[DrawItem], frame: int) -> Iterator[Turn]:
         """Clear what a frame begins with; its draws, in order."""
-        self.world.begin()
+        self._clear()
         self._caches.clear_current(self.bundle.cache.clear)
         return turns(drawn, self.inputs, frame)
+
+    def _clear(self) -> None:
+        self.world.begin()
+        if self.bundle.apart:
+            self.world.targets.clear_depth(self.divisor)
 
     def _remember(self, frame: int) -> None:
         """What was not drawn has nothing in the cache: it begins anew when it is back."""

@@ -9,6 +9,7 @@ import numpy as np
 from shadercache.caching.configuration import Mode
 from shadercache.caching.layout import POISONED
 from shadercache.render.bundle import Bundle
+from shadercache.render.surfaces import Mask
 from shadercache.verify.references import MOVING, References
 from shadercache.verify.reuse_checks import DEPTH, Look, Reuse
 from shadercache.verify.verdict import PERIOD, Difference, Image, Verdict, difference, worst_of
@@ -25,29 +26,52 @@ Frames = list[tuple[Image, Image]]
 
 def judge(references: References, bundle: Bundle, verdict: Verdict) -> None:
     """Laws 2 to 4 for a proof-mode bundle, and 7 where it keeps ages, into ``verdict``."""
-    reuse, laws = Reuse(references, bundle), verdict.laws
+    # At a fraction of the rate most pixels take payloads of others, and are not the original's. So
+    # the same programs are judged twice: with a texel for each pixel, where they are, and as they
+    # are shipped.
+    whole = bundle.enlarge()
+    reuse, laws = Reuse(references, whole), verdict.laws
     first: Frames = []
     for name in bundle.algorithms:
-        laws["always"][name] = refreshed(references, bundle, name, "proof")
-        laws["resting"][name], resting_fault = _resting(reuse, name)
-        frames, moving_fault = _reusing(reuse, name)
+        laws["always"][name] = refreshed(references, whole, name, "proof")
+        laws["resting"][name], resting_fault = _resting(references, reuse, name)
+        frames, moving_fault = _reusing(references, reuse, name)
         first = first or frames  # the first algorithm agrees with itself
         laws["agreeing"][name] = _agreement(references, frames, first)
-        for law, fault in (("law 3", resting_fault), ("law 4", moving_fault)):
-            if fault:
-                verdict.faults[f"{law} ({name})"] = fault
+        _note(verdict, name, resting_fault, moving_fault)
         if bundle.cache.age_channel is not None:
             verdict.ages[name] = _oldest(references, bundle, name, bundle.cache.age_channel)
+    if bundle.cache.divisor > 1:
+        _judge_fraction(references, bundle, verdict)
+
+
+def _judge_fraction(references: References, bundle: Bundle, verdict: Verdict) -> None:
+    """What holds at a fraction of the rate: pixels with payloads of their own are the original, at
+    rest each frame is the first one, and texels are reused as pixels of a smaller picture are."""
+    reuse, laws = Reuse(references.smaller(bundle.cache.divisor), bundle), verdict.laws
+    for name in bundle.algorithms:
+        own = _computed(references, bundle, name)
+        laws["always"][name] = worst_of((laws["always"][name], own))
+        resting, resting_fault = _resting(references, reuse, name)
+        laws["resting"][name] = worst_of((laws["resting"][name], resting))
+        _, moving_fault = _reusing(references, reuse, name)
+        _note(verdict, name, resting_fault, moving_fault)
+
+
+def _note(verdict: Verdict, name: str, resting_fault: str, moving_fault: str) -> None:
+    for law, fault in (("law 3", resting_fault), ("law 4", moving_fault)):
+        if fault:
+            verdict.faults.setdefault(f"{law} ({name})", fault)
 
 
 def apart(references: References, mode: Mode, images: Iterable[Image]) -> Difference:
     """How far images of a run, from frame 0 on, are from the original's."""
-    return between(references, images, references.images[mode])
+    return between(images, references.images[mode], references.covered)
 
 
-def between(references: References, images: Iterable[Image], others: Iterable[Image]) -> Difference:
-    """How far images of two runs, from frame 0 on, are from each other."""
-    pairs = zip(images, others, references.covered, strict=False)
+def between(images: Iterable[Image], others: Iterable[Image], judged: Iterable[Mask]) -> Difference:
+    """How far images of two runs, from frame 0 on, are from each other, in pixels that count."""
+    pairs = zip(images, others, judged, strict=False)
     return worst_of(difference(image, original, covered) for image, original, covered in pairs)
 
 
@@ -70,14 +94,28 @@ def refreshed(references: References, bundle: Bundle, name: str, mode: Mode) -> 
     return apart(references, mode, images)
 
 
-def _resting(reuse: Reuse, name: str) -> tuple[Difference, str]:
-    """Law 3: while nothing moves a variant is the original, however often it reuses.
+def _computed(references: References, bundle: Bundle, name: str) -> Difference:
+    """Law 2 at a fraction of the rate: the pixels for which no texel fits."""
+    images, judged = [], []
+    with references.run(bundle, name) as runner:
+        for frame in ALWAYS:
+            judged.append(references.covered[frame] & runner.computed(frame))
+            images.append(runner.image(frame))
+    return between(images, references.images["proof"], judged)
+
+
+def _resting(references: References, reuse: Reuse, name: str) -> tuple[Difference, str]:
+    """Law 3: while nothing moves a variant is the original, however often it reuses; at a fraction
+    of the rate it is what its first frame was.
 
     And it reuses all that is not due. What it reuses that it should not, or does not, in words.
     """
-    references, masks, differences = reuse.references, [], []
+    masks, differences = [], []
     still, covered = references.images["proof"][0], references.covered[0]
     with references.run(reuse.bundle, name, moving=False) as runner:
+        if reuse.bundle.cache.divisor > 1:
+            still = runner.image(0)
+            runner.reset()
         for frame in RESTING:
             if frame > 0:
                 masks.append(runner.hit_mask(frame))
@@ -85,12 +123,12 @@ def _resting(reuse: Reuse, name: str) -> tuple[Difference, str]:
         return worst_of(differences), reuse.rest_fault(runner, masks, RESTING.stop)
 
 
-def _reusing(reuse: Reuse, name: str) -> tuple[Frames, str]:
+def _reusing(references: References, reuse: Reuse, name: str) -> tuple[Frames, str]:
     """A short run in motion, and what is wrong with what it reuses there, in words."""
     frames: Frames = []
     looks: list[Look] = []
     fault = ""
-    with reuse.references.run(reuse.bundle, name) as runner:
+    with references.run(reuse.bundle, name) as runner:
         for frame in MOVING:
             look = reuse.look(runner, frame) if frame > 0 else None
             if look is not None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from copy import copy
 from dataclasses import replace
 from functools import cached_property
 
@@ -54,6 +55,11 @@ class References(Resource):
             for mode in modes:
                 originals = self.linker.originals(mode)
                 self.images[mode] = render_original(self.world, originals, MOVING)
+        self._cover()
+        self.proven: set[tuple[Drawable, str]] = set()
+        self._smaller: dict[int, References] = {}
+
+    def _cover(self) -> None:
         # The depth function decides which of two tied fragments is seen, and passes differ in it.
         with CoverageRunner(self.world, *self.linker.originals("proof")) as runner:
             ties = [runner.ties(frame) for frame in MOVING]
@@ -61,7 +67,20 @@ class References(Resource):
                 runner.coverage(frame) & ~tie for frame, tie in zip(MOVING, ties, strict=True)
             ]
         self.ties = float(np.mean(ties))
-        self.proven: set[tuple[Drawable, str]] = set()
+
+    def smaller(self, divisor: int) -> References:
+        """The same scene in a picture that is so many times smaller in each direction, as caches
+        at a fraction of the rate show it. It has no images of the original."""
+        if divisor == 1:
+            return self
+        if divisor not in self._smaller:
+            other = copy(self)
+            other.world, other.images = self.world.smaller(divisor), {}
+            # What the copied one has drawn is of another size.
+            other.__dict__.pop("surfaces", None)
+            other._cover()
+            self._smaller[divisor] = other
+        return self._smaller[divisor]
 
     @cached_property
     def surfaces(self) -> Surfaces:
@@ -79,4 +98,6 @@ class References(Resource):
 
     def release(self) -> None:
         """Free everything on the GPU."""
+        for other in self._smaller.values():
+            other.world.release()
         self.world.release()

@@ -79,7 +79,7 @@ def _in_two_steps(references: References, text: str, own: list[Image]) -> Differ
         printed, left = (_drawn(references, print_module(item)) for item in (module, leaving))
     except InputError:
         return None
-    return worst_of((between(references, own, printed), apart(references, "plain", left)))
+    return worst_of((between(own, printed, references.covered), apart(references, "plain", left)))
 
 
 def _drawn(references: References, text: str) -> list[Image]:

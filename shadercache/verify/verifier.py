@@ -11,6 +11,7 @@ from dataclasses import replace
 import numpy as np
 
 from shadercache.analysis.candidates import Candidate
+from shadercache.caching.algorithms import NAMES
 from shadercache.caching.configuration import Configuration, Mode, by_every_algorithm
 from shadercache.caching.layout import Layout, precision_of
 from shadercache.compiler import Analysis, rewrite
@@ -87,7 +88,10 @@ class Verifier:
                 for name in shipped.algorithms:
                     verdict.plain[name] = refreshed(self.references, shipped, name, "plain")
         except InputError as error:
-            verdict.failure = str(error)
+            if [told.code for told in error.diagnostics] == ["SC407"]:
+                verdict.refused.update(dict.fromkeys(NAMES, str(error)))
+            else:
+                verdict.failure = str(error)
         return verdict
 
     def rewritten(self, nodes: Sequence[Candidate], mode: Mode) -> Bundle:
@@ -106,7 +110,8 @@ class Verifier:
         layout = Layout(tuple(node.type for node in nodes))
         channels = [channel for channel, discrete in layout.read_back if not discrete]
         covered = self.references.covered[0]
-        with self.references.run(bundle, bundle.algorithms[0], period=1) as runner:
+        whole = bundle.enlarge()
+        with self.references.run(whole, whole.algorithms[0], period=1) as runner:
             runner.draw(0)
             payloads = runner.cache()[covered][:, channels]
         size = np.abs(payloads)

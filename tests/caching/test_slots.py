@@ -22,6 +22,7 @@ from shadercache.lang.types import BOOL, FLOAT, INT, Type, vector
 
 FILES = {path.relative_to(FOLDER).with_suffix("").as_posix() for path in FOLDER.rglob("*.glsl")}
 MAINS = [PASSES / "passes" / f"{name}.glsl" for name in ("one", "reuse", "needed", "shade")]
+AT_FRACTION = PASSES / "passes" / "neighbours.glsl"
 TYPES = {
     "float": (FLOAT,),
     "vec4": (vector("float", 4),),
@@ -46,6 +47,9 @@ def choices(types: tuple[Type, ...]) -> list[Choice]:
         Choice(Layout(types, extras=extras_of(one)), "sc_", configuration=one)
         for one in configurations
     ]
+    filters = [plain[0], *(one for one in plain if one.configuration.filter.kind == "nearest")]
+    slower = [replace(one.configuration, payload_rate="half") for one in filters]
+    plain += [replace(plain[0], configuration=one) for one in slower]
     others = [
         replace(plain[0], located=where, whole=whole) for where in LOCATE for whole in (False, True)
     ]
@@ -100,7 +104,9 @@ def test_every_file_is_chosen_by_something_and_is_there() -> None:
 
 @pytest.mark.parametrize("name", TYPES)
 def test_nothing_is_left_to_fill_in(name: str) -> None:
-    for choice, main in product(choices(TYPES[name]), MAINS):
+    chosen = choices(TYPES[name])
+    slower = [one for one in chosen if one.configuration.payload_rate != "full"]
+    for choice, main in (*product(chosen, MAINS), *product(slower, [AT_FRACTION])):
         text = "\n".join(print_node(decl) for decl in program_part(main, choice).decls)
         assert not re.findall(r"\bsc_[A-Z]\w*", text), main.stem
         assert ("sc_cache_2" in text) <= choice.layout.second

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,7 @@ from runner import independent_runner
 from runner.canvas import Canvas
 from runner.independent_runner import IndependentRunner, Turn, draw_together
 
+from shadercache.caching.configuration import PayloadRate
 from shadercache.caching.settings import with_settings
 from shadercache.compiler import Emission, analyse
 from shadercache.gpu.context import Gpu
@@ -133,23 +135,42 @@ def test_same_bits_for_other_ways_to_refresh(gpu: Gpu, tmp_path: Path, settings:
             assert agree(world, bundle, tmp_path, algorithm, None), algorithm
 
 
-@pytest.mark.parametrize("algorithm", ["1-pass", "2-pass", "3-pass"])
+@pytest.mark.parametrize(
+    ("rate", "size"), [("half", (64, 48)), ("half", (61, 47)), ("quarter", (61, 47))]
+)
+def test_same_bits_at_a_fraction_of_the_rate(
+    gpu: Gpu, tmp_path: Path, rate: PayloadRate, size: tuple[int, int]
+) -> None:
+    """The manifest says how large the cache is, and how pixels find their texels."""
+    scene, analysis = open_scene(data_path("corpus", "trashcan", "scene.toml"))
+    node = next(node for node in analysis.nodes if node.offered)
+    write(rewritten(analysis, node, replace(DEFAULT, payload_rate=rate)), tmp_path)
+    bundle = load_bundle(tmp_path)
+    assert bundle.algorithms == ("3-pass",)
+    with RenderScene(gpu, scene, size, "rgba32f") as world:
+        assert agree(world, bundle, tmp_path, "3-pass", None)
+
+
+@pytest.mark.parametrize(
+    ("algorithm", "rate"),
+    [("1-pass", "full"), ("2-pass", "full"), ("3-pass", "full"), ("3-pass", "half")],
+)
 def test_same_bits_for_several_objects(
-    gpu: Gpu, scene_folder: Path, tmp_path: Path, algorithm: str
+    gpu: Gpu, scene_folder: Path, tmp_path: Path, algorithm: str, rate: PayloadRate
 ) -> None:
     """By two shaders, of two periods, one that is hidden for a while and one that is not cached:
     they share caches and depth, and the manifests say how."""
     scene, analysis = open_scene(scene_folder / "objects" / "scene.toml")
     # A number beside the object's own leaves room in one texture, as the other shader's node does.
     node = next(node for node in analysis.nodes if node.legal and str(node.type) == "float")
-    options = with_settings(DEFAULT, ["ids=on"])
+    options = with_settings(replace(DEFAULT, payload_rate=rate), ["ids=on"])
     emission = rewritten(analysis, node, options, unprofitable=True)
     bundle = Bundle(emission.manifest, emission.files)
     with (
         RenderScene(gpu, scene, (96, 80), "rgba32f") as world,
         variant(world, bundle, algorithm, period=5, block=4) as runner,
     ):
-        canvas = Canvas(gpu.ctx, world.size, plain(bundle.manifest)["cache"])
+        canvas = Canvas(gpu.ctx, world.size, plain(bundle.manifest))
         others: list[tuple[Drawable, Any]] = []
         linked = drawn_by(scene, bundle, algorithm)
         for drawable, item in zip(world.drawables, linked, strict=True):

@@ -22,18 +22,23 @@ class Canvas:
         self,
         ctx: moderngl.Context,
         size: tuple[int, int],
-        cache: Mapping[str, Any],
+        manifest: Mapping[str, Any],
         cache_format: str | None = None,
     ) -> None:
-        """Args: ``cache`` as the manifest has it; ``cache_format`` replaces that of floats."""
-        self.ctx = ctx
+        """Args: ``cache_format`` replaces that of floats."""
+        self.ctx, cache = ctx, manifest["cache"]
         self.layers = [cache, cache["second"]] if "second" in cache else [cache]
-        self.caches = [self._textures(size, cache_format) for _ in range(cache["buffers"])]
+        divisor = manifest["targets"]["cache"].get("divisor", 1)
+        small = tuple(-(-edge // divisor) for edge in size)
+        self.caches = [self._textures(small, cache_format) for _ in range(cache["buffers"])]
         for texture in self.caches[0] + self.caches[1]:
             texture.filter = (FILTERS[cache["filter"]],) * 2
             texture.repeat_x = texture.repeat_y = False
         self.color = ctx.texture(size, 4, dtype="f4")
-        self.depth = ctx.depth_renderbuffer(size)
+        self.depths = {edges: ctx.depth_renderbuffer(edges) for edges in (size, small)}
+        self.empty = [ctx.framebuffer((), depth) for depth in self.depths.values()]
+        # From pixels to texels: both viewports are the whole target, and begin at (0, 0).
+        self.scale = (small[0] / size[0], small[1] / size[1], 0.0, 0.0)
         self.framebuffers: dict[tuple[int, ...], moderngl.Framebuffer] = {}
         self.over_screen: set[tuple[Path, str]] = set()
 
@@ -54,9 +59,9 @@ class Canvas:
         if forgets:
             self._clear(previous)
         self._clear(current)
-        framebuffer = self.framebuffer(self.color)
-        framebuffer.depth_mask = True  # A pass may have left it off, and then nothing is cleared.
-        framebuffer.clear(0.0, 0.0, 0.0, 0.0, depth=1.0)
+        for framebuffer in self.empty:
+            framebuffer.clear(depth=1.0)
+        self.framebuffer(self.color, depth=False).clear(0.0, 0.0, 0.0, 0.0)
 
     def holds(self, folder: Path, item: Mapping[str, Any]) -> bool:
         """Has this frame a pass over the screen already, since another object has drawn it?"""
@@ -81,10 +86,10 @@ class Canvas:
                 self.framebuffer(texture, depth=False).clear(*layer["clear"])
 
     def framebuffer(self, *textures: moderngl.Texture, depth: bool = True) -> moderngl.Framebuffer:
-        """One with these textures, and the depth."""
+        """One with these textures, and the depth of their size."""
         key = (depth, *(texture.glo for texture in textures))
         if key not in self.framebuffers:
-            made = self.ctx.framebuffer(textures, self.depth if depth else None)
+            made = self.ctx.framebuffer(textures, self.depths[textures[0].size] if depth else None)
             self.framebuffers[key] = made
         return self.framebuffers[key]
 

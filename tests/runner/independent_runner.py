@@ -53,7 +53,7 @@ class IndependentRunner:
         full_screen = self.manifest["draw"]["geometry"] == "full-screen triangle"
         self.vertices = self.manifest["draw"]["vertices"] if full_screen else -1
         self.index = None if full_screen else ctx.buffer(index.astype("u4").tobytes())
-        self.canvas = canvas or Canvas(ctx, size, self.manifest["cache"], cache_format)
+        self.canvas = canvas or Canvas(ctx, size, self.manifest, cache_format)
         self.number = number
         self.is_cached = algorithm != "original"
         if self.is_cached:
@@ -99,7 +99,7 @@ class IndependentRunner:
         uniforms = self.manifest["uniforms"]
         numbers = {item["role"]: item["default"] for item in uniforms}
         numbers |= {"clock": frame % period, "period": period, "block": block}
-        numbers["object"] = self.number
+        numbers |= {"object": self.number, "scale": self.canvas.scale}
         if on_reset:
             numbers |= {i["role"]: i["on_reset"] for i in uniforms if "on_reset" in i}
         previous, current = self.canvas.caches

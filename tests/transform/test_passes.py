@@ -17,6 +17,7 @@ from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.walk import walk
 from shadercache.emit.printer import print_module, print_node
+from shadercache.emit.runtime import whole_picture
 from shadercache.front.parse import parse
 from shadercache.sema.facts import Facts, Stage
 from shadercache.source import Source
@@ -33,6 +34,7 @@ from shadercache.transform.proof.rewrite_do_loops import rewrite_do_loops
 from shadercache.transform.proof.write_out_matrices import write_out_matrices
 from shadercache.transform.remove_dead import remove_dead
 from shadercache.transform.rename import rename
+from shadercache.transform.scale_coordinates import scale_coordinates
 from shadercache.transform.specialise import Cut, CutKind, insert_clones, specialise
 from shadercache.transform.spell_lists import spell_lists
 from shadercache.transform.split import split_declarations
@@ -121,6 +123,7 @@ PASSES: dict[str, Pass] = {
     "remove_dead": lambda m, facts, about: remove_dead(m, _words(about, "color")),
     "rename": lambda m, facts, about: rename(m, dict(about)),
     "rewrite_do_loops": lambda m, facts, about: rewrite_do_loops(m, "sc_"),
+    "scale_coordinates": lambda m, facts, about: scale_coordinates(m, whole_picture("sc_")[1]),
     "specialise": _specialised,
     "spell_lists": lambda m, facts, about: spell_lists(m, facts),
     "split_declarations": lambda m, facts, about: split_declarations(m),

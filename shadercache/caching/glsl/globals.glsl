@@ -12,6 +12,7 @@ uniform int sc_object;           // number of the object that is drawn
 uniform int sc_mask;             // 1: the draw reuses nothing; 2: and nobody reuses it
 uniform ivec4 sc_viewport;       // left, bottom, width and height of what is drawn into, in pixels
 uniform ivec4 sc_previous_viewport;  // the same of the previous frame
+uniform vec4 sc_scale;           // from pixels to texels of a smaller cache: times .xy, plus .zw
 uniform float sc_limit;          // the largest value that is reused
 uniform float sc_least;          // the smallest one above zero that it surely holds
 uniform int sc_reset;            // 1 in a frame that follows a reset, else 0

@@ -21,6 +21,10 @@ float sc_CLIP_UNIT() {
     return 16.0 / sc_previous.w;
 }
 
+float sc_CURRENT_UNIT() {
+    return 16.0 / sc_current.w;
+}
+
 float sc_PIXEL_UNIT() {
     return 16.0 * gl_FragCoord.w;
 }

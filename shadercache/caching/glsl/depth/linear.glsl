@@ -20,6 +20,10 @@ float sc_CLIP_UNIT() {
     return sc_previous.w;
 }
 
+float sc_CURRENT_UNIT() {
+    return sc_current.w;
+}
+
 float sc_PIXEL_UNIT() {
     return 1.0 / gl_FragCoord.w;
 }

@@ -20,6 +20,10 @@ float sc_CLIP_UNIT() {
     return sc_unit / sc_previous.w;
 }
 
+float sc_CURRENT_UNIT() {
+    return sc_unit / sc_current.w;
+}
+
 float sc_PIXEL_UNIT() {
     return sc_unit * gl_FragCoord.w;
 }

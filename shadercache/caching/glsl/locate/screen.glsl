@@ -17,3 +17,11 @@ float sc_UNIT() {
 float sc_ROUNDING() {
     return sc_PIXEL_ROUNDING();
 }
+
+float sc_SEEN_DEPTH() {
+    return sc_PIXEL_DEPTH();
+}
+
+float sc_SEEN_UNIT() {
+    return sc_PIXEL_UNIT();
+}

@@ -25,3 +25,11 @@ float sc_UNIT() {
 float sc_ROUNDING() {
     return sc_CLIP_ROUNDING();
 }
+
+float sc_SEEN_DEPTH() {
+    return sc_PIXEL_DEPTH();
+}
+
+float sc_SEEN_UNIT() {
+    return sc_PIXEL_UNIT();
+}

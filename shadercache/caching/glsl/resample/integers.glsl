@@ -7,8 +7,3 @@ int sc_RESAMPLE(ivec2 last, vec2 part, ivec2 near,
         return sc_miss_depth;
     }
 }
-
-// Do four texels hold the same integers and booleans?
-bool sc_same(uvec4 a, uvec4 b, uvec4 c, uvec4 d, uvec4 discrete) {
-    return (((a ^ b) | (a ^ c) | (a ^ d)) & discrete) == uvec4(0u);
-}

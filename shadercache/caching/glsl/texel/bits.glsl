@@ -32,6 +32,12 @@ uvec4 sc_IN_RANGE(uvec4 texel, uvec4 discrete) {
 void sc_HOLD() {
 }
 
+void sc_AGREE() {
+    if (sc_IF_INTEGERS(!sc_same(a, b, c, d, sc_discrete))) {
+        return false;
+    }
+}
+
 // What four texels hold at a place between them: floats are blended, integers and booleans are those
 // of one of the texels.
 uvec4 sc_blend(uvec4 a, uvec4 b, uvec4 c, uvec4 d, vec2 part, uvec4 discrete) {
@@ -44,4 +50,9 @@ uvec4 sc_blend(uvec4 a, uvec4 b, uvec4 c, uvec4 d, vec2 part, uvec4 discrete) {
 // Floats as near as the range that is reused has them; the rest as it is.
 uvec4 sc_in_range(uvec4 texel, uvec4 discrete) {
     return (texel & discrete) | (floatBitsToUint(sc_near(uintBitsToFloat(texel))) & ~discrete);
+}
+
+// Do four texels hold the same integers and booleans?
+bool sc_same(uvec4 a, uvec4 b, uvec4 c, uvec4 d, uvec4 discrete) {
+    return (((a ^ b) | (a ^ c) | (a ^ d)) & discrete) == uvec4(0u);
 }

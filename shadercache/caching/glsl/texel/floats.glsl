@@ -32,6 +32,9 @@ void sc_HOLD() {
     sc_hold();
 }
 
+void sc_AGREE() {
+}
+
 // Numbers as near as half floats can hold them. Infinity and NaN stay.
 vec4 sc_held(vec4 values) {
     uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;

@@ -1,0 +1,31 @@
+"""Targets that are a fraction of the picture: their sizes, viewports and coordinates."""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+Viewport: TypeAlias = tuple[int, int, int, int]
+"""Left, bottom, width and height, in pixels."""
+
+
+def divided_size(size: tuple[int, int], divisor: int) -> tuple[int, int]:
+    """Width and height of targets that are so many times smaller in each direction: rounded up, so
+    that they cover every pixel."""
+    return -(-size[0] // divisor), -(-size[1] // divisor)
+
+
+def divided(viewport: Viewport, divisor: int) -> Viewport:
+    """The viewport in such targets. (It lies inside of them, wherever it lies in the picture.)"""
+    left, bottom, width, height = viewport
+    return left // divisor, bottom // divisor, *divided_size((width, height), divisor)
+
+
+def scale_of(viewport: Viewport, divisor: int) -> NDArray[np.float64]:
+    """What leads from pixels to texels of such targets: a factor for each direction, and what is
+    added."""
+    whole, small = np.array(viewport, np.float64), np.array(divided(viewport, divisor), np.float64)
+    factor = small[2:] / whole[2:]
+    return np.concatenate([factor, small[:2] - factor * whole[:2]])

@@ -1,0 +1,135 @@
+"""Payloads at a fraction of the rate: what holds of pixels that take them from texels around them.
+
+The payload is the object-space position, the normal or the body's number (:mod:`ground_truth`), and
+the colour is the payload: so the picture says from which surface point each pixel's payload is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+
+import numpy as np
+import pytest
+from laws.ground_truth import (
+    FOOTPRINT,
+    Mask,
+    TrueFrame,
+    body_mesh,
+    body_scene,
+    bundle_of,
+    true_frames,
+)
+from laws.look_ups import MOST_FOREIGN, MOST_STALE, OPPOSED
+from numpy.typing import NDArray
+
+from shadercache.caching.configuration import DIVISORS, PayloadRate
+from shadercache.gpu.context import Gpu
+from shadercache.render.bundle import Bundle
+from shadercache.render.render_scene import RenderScene
+from tests.configured import DEFAULT, variant
+
+pytestmark = pytest.mark.xdist_group("law5")
+
+SIZE = (256, 256)
+ODD = (251, 157)
+FRAMES = range(4)
+BODIES = {
+    "dragon": ("dragon", False),
+    "trashcan": ("trashcan", False),
+    "dragon and a sphere before it": ("dragon", True),
+}
+MOST_COMPUTED = {"half": 0.06, "quarter": 0.2}
+"""Share of pixels that no texel fits, in pictures as small as these; larger ones have fewer."""
+
+
+@contextmanager
+def on_stage(gpu: Gpu, name: str, sphere: bool, size: tuple[int, int]) -> Iterator[RenderScene]:
+    with RenderScene(gpu, body_scene(name, 5.0), size, "rgba32f", body_mesh(name, sphere)) as world:
+        yield world
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """A frame: its picture, and the pixels that took their payloads from texels around them."""
+
+    values: NDArray[np.float32]
+    taken: Mask
+
+
+def drawn(world: RenderScene, truth: list[TrueFrame], bundle: Bundle, period: int) -> list[Drawn]:
+    found = []
+    with variant(world, bundle, "3-pass", period=period) as runner:
+        for frame, true in enumerate(truth):
+            computed = runner.computed(frame)
+            values = runner.image(frame)[..., :3].copy()
+            found.append(Drawn(values, true.covered & ~computed))
+    return found
+
+
+def bundle_at(rate: PayloadRate, what: str) -> Bundle:
+    return bundle_of(what, "rgba32f", replace(DEFAULT, payload_rate=rate))
+
+
+@pytest.mark.parametrize("size", [SIZE, ODD], ids=["even", "odd"])
+@pytest.mark.parametrize("rate", ["half", "quarter"])
+@pytest.mark.parametrize("body", list(BODIES))
+def test_what_is_taken_is_of_the_same_place(
+    gpu: Gpu, body: str, rate: PayloadRate, size: tuple[int, int]
+) -> None:
+    """Nothing is from another body or another side, nor farther away than a texel reaches."""
+    with on_stage(gpu, *BODIES[body], size) as world:
+        truth = true_frames(world, FRAMES)
+        places = drawn(world, truth, bundle_at(rate, "v_position"), 1)
+        normals = drawn(world, truth, bundle_at(rate, "v_normal"), 1)
+        bodies = drawn(world, truth, bundle_at(rate, "v_body"), 1)
+    reach, taken, far, opposed, foreign, covered = FOOTPRINT * DIVISORS[rate], 0, 0, 0, 0, 0
+    for true, place, normal, number in zip(truth, places, normals, bodies, strict=True):
+        away = np.linalg.norm(place.values - true.position, axis=-1)
+        far += np.count_nonzero(place.taken & (away > reach * true.footprint))
+        lengths = np.linalg.norm(normal.values, axis=-1) * np.linalg.norm(true.normal, axis=-1)
+        cosine = (normal.values * true.normal).sum(-1) / np.maximum(lengths, 1e-9)
+        # At the tip of a spike both sides lie within a texel.
+        beside = away > DIVISORS[rate] * true.footprint
+        opposed += np.count_nonzero(normal.taken & (cosine < OPPOSED) & beside)
+        foreign += np.count_nonzero(
+            number.taken & (np.abs(number.values[..., 0] - true.body) > MOST_FOREIGN)
+        )
+        taken += np.count_nonzero(place.taken)
+        covered += np.count_nonzero(true.covered)
+        own = true.covered & ~place.taken
+        assert np.array_equal(place.values[own], true.position[own].astype(np.float32))
+    assert (foreign, opposed) == (0, 0)
+    assert far <= MOST_STALE * taken
+    assert 1.0 - taken / covered <= MOST_COMPUTED[rate]
+
+
+@pytest.mark.parametrize("rate", ["half", "quarter"])
+def test_positions_are_interpolated_and_not_shifted(gpu: Gpu, rate: PayloadRate) -> None:
+    """On flat ground blending positions gives the position: a pixel that took the texel's own
+    would be up to a texel off, and one with the wrong weights as much."""
+    with on_stage(gpu, "trashcan", False, SIZE) as world:
+        truth = true_frames(world, FRAMES)
+        places = drawn(world, truth, bundle_at(rate, "v_position"), 1)
+    off = np.concatenate(
+        [
+            (np.linalg.norm(place.values - true.position, axis=-1) / true.footprint)[place.taken]
+            for true, place in zip(truth, places, strict=True)
+        ]
+    )
+    assert np.median(off) < 0.02 * DIVISORS[rate]
+
+
+@pytest.mark.parametrize("period", [4, 65535])
+def test_nothing_taken_is_stored(gpu: Gpu, period: int) -> None:
+    """Errors do not add up: however long texels are reused, each is of its own place."""
+    frames = range(13)
+    with on_stage(gpu, "trashcan", False, SIZE) as world:
+        truth = true_frames(world, frames)
+        places = drawn(world, truth, bundle_at("half", "v_position"), period)
+    for true, place in zip(truth, places, strict=True):
+        away = np.linalg.norm(place.values - true.position, axis=-1)
+        # One footprint of a texel for the look-up in the last frame's cache, one for this frame's.
+        far = place.taken & (away > 2.0 * FOOTPRINT * 2.0 * true.footprint + 1e-3 * true.w)
+        assert np.count_nonzero(far) <= MOST_STALE * np.count_nonzero(place.taken)
