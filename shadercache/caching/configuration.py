@@ -62,13 +62,21 @@ class Refresh:
     of it, always), in squares of which edge (``block``, in pixels, even).
 
     With ``age`` the payload's age is kept beside it, and what is older than the period is
-    recomputed as well.
+    recomputed as well. With ``adaptive`` above 0 the period is the longest one: it is halved where
+    a refresh changes a payload by more than that, and doubled again where it does not (Scherzer et
+    al. 2010, 3.2.4).
     """
 
     schedule: RefreshSchedule = "stratified"
     period: int = 32
     block: int = 4
     age: bool = False
+    adaptive: float = 0.0
+
+    @property
+    def judged(self) -> bool:
+        """Does what a look-up finds decide whether it is refreshed?"""
+        return self.age or self.adaptive > 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,8 +155,11 @@ class Configuration:
     @property
     def compiled(self) -> Configuration:
         """The configuration with what is a uniform or a texture's format at its default."""
+        plain = self.with_refresh(Refresh().period, Refresh().block)
+        adaptive = 1.0 if self.refresh.adaptive else 0.0
         return replace(
-            self.with_refresh(Refresh().period, Refresh().block),
+            plain,
+            refresh=replace(plain.refresh, adaptive=adaptive),
             hit_test=replace(self.hit_test, epsilon=DEFAULT_EPSILON),
             storage=replace(self.storage, format=Storage().format),
         )

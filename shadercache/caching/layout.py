@@ -102,6 +102,8 @@ def empty_depth(layout: Layout, configuration: Configuration) -> float:
 
 
 ID, AGE = Extra("id", INT, "object"), Extra("age", FLOAT, "age")
+HALVINGS = Extra("halvings", FLOAT, "halvings")
+"""How often the period is halved there, a fraction on its way to the next number."""
 
 MOST_IN_HALF = 2**11
 """Integers up to this are exact in half floats; in floats those up to 2^24."""
@@ -109,7 +111,12 @@ MOST_IN_HALF = 2**11
 
 def extras_of(configuration: Configuration) -> tuple[Extra, ...]:
     """What is kept in each texel beside the payloads, in the order in which it lies there."""
-    kept = ((configuration.hit_test.ids, ID), (configuration.refresh.age, AGE))
+    refresh = configuration.refresh
+    kept = (
+        (configuration.hit_test.ids, ID),
+        (refresh.age, AGE),
+        (refresh.adaptive > 0.0, HALVINGS),
+    )
     return tuple(extra for chosen, extra in kept if chosen)
 
 

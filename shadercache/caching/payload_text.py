@@ -6,11 +6,11 @@ Names in capitals are filled in where they stand (:mod:`shadercache.caching.fill
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import groupby
 
 from shadercache.analysis.refusals import FIRST_TEXEL
-from shadercache.caching.layout import TEXELS, XYZW, Layout, Leaf, place
+from shadercache.caching.layout import HALVINGS, TEXELS, XYZW, Layout, Leaf, place
 from shadercache.lang.types import Type
 
 
@@ -35,8 +35,30 @@ def payload_text(layout: Layout, prefix: str, whole: bool, numbers: tuple[str, s
         f"void {p}SET_VALID(bool value) {{ {set_valid} }}",
         *text.packing(),
         *text.extras(),
+        *text.changes(),
     ]
     return "\n".join(lines)
+
+
+_HUGE = "3.0e38"
+"""More than any bound of a change."""
+
+
+def _as_float(text: str, base: str | None, bits: bool) -> str:
+    """A channel of a payload's type as a float."""
+    if not bits:
+        return text
+    if base == "float":
+        return f"uintBitsToFloat({text})"
+    return f"float(int({text}))" if base == "int" else f"float({text})"
+
+
+def _largest(texts: Sequence[str]) -> str:
+    """An expression of the largest of some."""
+    largest, *rest = texts
+    for text in rest:
+        largest = f"max({largest}, {text})"
+    return largest
 
 
 class _Text:
@@ -117,6 +139,37 @@ class _Text:
                 text = f"uintBitsToFloat({text})"
             params = f"{self.vector} first, {self.vector} second"
             yield (f"{extra.type} {self.prefix}{extra.name.upper()}({params}) {{ return {text}; }}")
+
+    def changes(self) -> Iterator[str]:
+        """What keeps a payload that was found, and tells how far the new one is from it."""
+        if HALVINGS not in self.layout.extras:
+            return
+        p, old = self.prefix, f"{self.prefix}old_"
+        channels = range(self.layout.used)
+        kinds = [leaf.type.base for leaf in self.layout.leaves(p) for _ in leaf.channels]
+        yield from (f"float {old}{at};" for at in channels)
+        kept = (
+            f"{old}{at} = {_as_float(self._channel(at), base, self.layout.bits)};"
+            for at, base in enumerate(kinds)
+        )
+        yield f"void {p}REMEMBER() {{ {' '.join(kept)} }}"
+        now = [
+            f"{leaf.path}{f'.{XYZW[i]}' if len(leaf.channels) > 1 else ''}"
+            for leaf in self.layout.leaves(p)
+            for i in range(len(leaf.channels))
+        ]
+        # An integer or a boolean that is another has changed, however much.
+        apart = [
+            f"abs({text} - {old}{at})"
+            if base == "float"
+            else f"(float({text}) == {old}{at} ? 0.0 : {_HUGE})"
+            for at, (text, base) in enumerate(zip(now, kinds, strict=True))
+        ]
+        yield f"float {p}change_of() {{ return {_largest(apart)}; }}"
+
+    def _channel(self, at: int) -> str:
+        texel, channel = place(at)
+        return f"{self.texels[texel]}.{channel}"
 
     def packing(self) -> Iterator[str]:
         """Functions that make the texels to store, and words for them without the depth."""

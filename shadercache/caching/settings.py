@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import get_args, get_type_hints
@@ -12,6 +13,7 @@ from shadercache.diagnostics import usage_error
 _FIELDS = {
     "refresh": ("refresh", "schedule"),
     "age": ("refresh", "age"),
+    "adaptive": ("refresh", "adaptive"),
     "filter": ("filter", "kind"),
     "fallback": ("filter", "fallback"),
     "magnification": ("hit_test", "magnification"),
@@ -25,13 +27,18 @@ _FIELDS = {
 """Word -> slot of a configuration, and field of the slot."""
 
 
+NUMBER = "a number above 0"
+"""What stands among choices for any."""
+
+
 def cache_choices() -> dict[str, tuple[str, ...]]:
     """What can be chosen of each, the default first."""
     plain = written_settings(Configuration())
     hints = get_type_hints(Configuration)
     choices: dict[str, tuple[str, ...]] = {}
     for key, (slot, name) in _FIELDS.items():
-        words = get_args(get_type_hints(hints[slot])[name]) or ("off", "on")
+        kind = get_type_hints(hints[slot])[name]
+        words = get_args(kind) or ("off", NUMBER if kind is float else "on")
         choices[key] = (plain[key], *(word for word in words if word != plain[key]))
     return choices
 
@@ -41,7 +48,7 @@ def with_settings(configuration: Configuration, settings: Sequence[str]) -> Conf
     ``ids=on``.
 
     Raises:
-        UsageError: SC028, a key or a value that is not known.
+        UsageError: SC028, a key or a value that is not known, or two that do not go together.
     """
     known = cache_choices()
     for setting in (part.strip() for text in settings for part in text.split(",")):
@@ -50,15 +57,32 @@ def with_settings(configuration: Configuration, settings: Sequence[str]) -> Conf
         if key not in known:
             hint = f"one of {', '.join(known)}"
             raise usage_error("SC028", f"the cache has no option {key!r}", hint)
-        if word not in known[key]:
-            hint = f"one of {', '.join(known[key])}"
-            raise usage_error("SC028", f"the cache's {key} cannot be {word!r}", hint)
         slot, name = _FIELDS[key]
-        value = {name: word == "on" if "on" in known[key] else word}
+        value = {name: _value(key, word, known[key])}
         configuration = replace(
             configuration, **{slot: replace(getattr(configuration, slot), **value)}
         )
+    refresh = configuration.refresh
+    if refresh.adaptive and (refresh.age or refresh.schedule == "none"):
+        other = "age=on" if refresh.age else "refresh=none"
+        hint = "it decides itself, within the turns of a schedule, when a payload is too old"
+        raise usage_error("SC028", f"the cache's adaptive does not go with {other}", hint)
     return configuration
+
+
+def _value(key: str, word: str, known: Sequence[str]) -> str | bool | float:
+    """What a word means. Raises :class:`UsageError` SC028."""
+    if NUMBER in known and word != "off":
+        try:
+            number = float(word)
+        except ValueError:
+            number = math.nan
+        if 0.0 < number < math.inf:
+            return number
+    elif word in known:
+        return 0.0 if NUMBER in known else word == "on" if "on" in known else word
+    hint = f"one of {', '.join(known)}"
+    raise usage_error("SC028", f"the cache's {key} cannot be {word!r}", hint)
 
 
 def written_settings(configuration: Configuration) -> dict[str, str]:
@@ -66,5 +90,14 @@ def written_settings(configuration: Configuration) -> dict[str, str]:
     words = {}
     for key, (slot, name) in _FIELDS.items():
         value = getattr(getattr(configuration, slot), name)
-        words[key] = value if isinstance(value, str) else ("on" if value else "off")
+        words[key] = _word(value)
     return words
+
+
+def _word(value: str | float) -> str:
+    """A value as :func:`with_settings` reads it."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, bool) or not value:
+        return "on" if value else "off"
+    return f"{value:g}"

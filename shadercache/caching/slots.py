@@ -117,7 +117,8 @@ class Choice:
         how = _PIXEL if screen else self._resampling
         tests = {
             # With ages a young payload skips its turn, and only the filter tells how old it is.
-            "test/turn": chosen.refresh.schedule != "none" and not chosen.refresh.age,
+            # So do the halvings of its period.
+            "test/turn": chosen.refresh.schedule != "none" and not chosen.refresh.judged,
             "test/opt_out": chosen.hit_test.mask,
             # The pixel of a screen is its own texel: it is inside, and as large as it was.
             "test/inside": not screen,
@@ -133,7 +134,7 @@ class Choice:
             *(*how.part, *between, *how.more),
             "ids/kept" if chosen.hit_test.ids else "ids/none",
             "mark/moved" if self._marks else "mark/none",
-            "found/marked_and_judged" if how.part and chosen.refresh.age else f"found/{marked}",
+            "found/marked_and_judged" if how.part and chosen.refresh.judged else f"found/{marked}",
         )
 
     def _rate(self) -> tuple[str, ...]:
@@ -146,12 +147,17 @@ class Choice:
 
     def _storage(self) -> tuple[str, ...]:
         chosen = self.configuration
-        judged = "age/alone" if chosen.refresh.schedule == "none" else "age/in_turn"
+        refresh = chosen.refresh
+        age: tuple[str, ...] = ("age/none",)
+        if refresh.age:
+            age = "age/kept", "age/alone" if refresh.schedule == "none" else "age/in_turn"
+        elif refresh.adaptive:
+            age = ("age/adaptive",)
         return (
             "store/texels",
             f"store/{chosen.storage.guard}",
             "opt_out/asked" if chosen.hit_test.mask else "opt_out/never",
-            *(("age/kept", judged) if chosen.refresh.age else ("age/none",)),
+            *age,
         )
 
     def marking(self, looks: bool) -> str:

@@ -201,10 +201,17 @@ class _ProgramWriter:
             record,
             file,
             self._with_second(record.targets, fragment.outputs, {algorithms.CACHE: "store"}),
-            self._with_second(record.reads, uniforms, caches),
+            self._with_second(self._reads(record, uniforms), uniforms, caches),
             uniforms,
             vertex.inputs,
         )
+
+    def _reads(self, record: AlgorithmPass, uniforms: tuple[str, ...]) -> tuple[str, ...]:
+        """What a pass reads: with adaptive periods one that computes compares with what was."""
+        looks = (
+            f"{self.programs.prefix}cache" in uniforms and algorithms.PREVIOUS not in record.reads
+        )
+        return (algorithms.PREVIOUS, *record.reads) if looks else record.reads
 
     def _with_second(
         self, listed: tuple[str, ...], declared: tuple[str, ...], names: dict[str, str]

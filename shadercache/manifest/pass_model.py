@@ -26,6 +26,7 @@ Role: TypeAlias = Literal[
     "mask",
     "unit",
     "magnification",
+    "change",
     "resolution",
     "limit",
     "least",

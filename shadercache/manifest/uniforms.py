@@ -110,6 +110,12 @@ _UNIFORMS = (
         values=">= 1",
         default=DEFAULT_MAGNIFICATION,
     ),
+    _uniform(
+        "float change",
+        "how much a refresh may change a payload and leave the period as it is there: the largest "
+        "difference of a number in it",
+        values="> 0",
+    ),
     _uniform("float resolution", f"how much of itself a depth is rounded by{_OF_FORMAT}"),
     _uniform("float limit", f"the largest payload that is reused{_OF_FORMAT}"),
     _uniform("float least", f"the smallest above zero that it surely holds{_OF_FORMAT}"),
@@ -123,6 +129,7 @@ def added_uniforms(prefix: str, layout: Layout, configuration: Configuration) ->
     exact = f"[0, {2**31})" if layout.bits else f"[0, {MOST_IN_HALF}], with rgba32f [0, {2**24}]"
     chosen: dict[str, dict[str, Any]] = {
         "epsilon": {"default": configuration.hit_test.epsilon},
+        "change": {"default": configuration.refresh.adaptive or None},
         "object": {"range": exact},
         "resolution": {"default": held.resolution},
         "limit": {"default": held.limit},

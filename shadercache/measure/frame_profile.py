@@ -125,7 +125,8 @@ def profile(
     """
     chosen = replace(configuration, algorithm=PROFILED)
     longest = OLDEST_IN_HALF if chosen.refresh.age else NEVER
-    without_turns = replace(chosen, refresh=replace(chosen.refresh, schedule="none"))
+    # A period that adapts is a matter of turns as well.
+    without_turns = replace(chosen, refresh=replace(chosen.refresh, schedule="none", adaptive=0.0))
 
     def objects(which: Configuration, left_out: LeftOut | None = None) -> tuple[LinkedObject, ...]:
         return linker.link(linker.assign(which), left_out=left_out)

@@ -130,6 +130,7 @@ class RunInputs:
             "period": refresh.period,
             "block": refresh.block,
             "epsilon": chosen.hit_test.epsilon,
+            "change": chosen.refresh.adaptive,
             "reset": 0,
             **(role.naming.on_reset if role.before is None else {}),
         }

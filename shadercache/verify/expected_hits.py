@@ -96,10 +96,13 @@ def at_rest(masks: HitMasks, has: Mask, unfit: Mask, configuration: Configuratio
     Some of these are ``unfit`` for reuse. Each has one turn in a period, or none where nothing is
     refreshed on purpose.
     """
-    frames, age = len(masks.frames), configuration.refresh.age
+    frames, refresh = len(masks.frames), configuration.refresh
+    if refresh.adaptive:
+        return _at_rest_adaptive(masks, has, unfit)
+    age = refresh.age
     hit, due = masks.times("hit"), masks.times(*_DUE)
     exempt = np.where(unfit, masks.times("poison"), 0)
-    turns = 1 if configuration.refresh.schedule != "none" else 0
+    turns = 1 if refresh.schedule != "none" else 0
     # With ages a payload that was computed out of turn misses it, and one that is too old is
     # computed again: once more, or not at all.
     in_turn = due <= 1 + turns if age else due == turns
@@ -108,6 +111,25 @@ def at_rest(masks: HitMasks, has: Mask, unfit: Mask, configuration: Configuratio
     return Hits(
         pixels=frames * count(has),
         expected=int(np.maximum(expected, 0)[has].sum()),
+        hit=int(hit[has].sum()),
+        exact=True,
+        amiss=count(has & ~right),
+        misses=masks.misses([has] * frames),
+        where=f" in {frames} frames",
+    )
+
+
+def _at_rest_adaptive(masks: HitMasks, has: Mask, unfit: Mask) -> Hits:
+    """Where periods adapt: how often a pixel is due is up to them, but each is at least once, and
+    hits whenever it is not."""
+    frames = len(masks.frames)
+    hit, due = masks.times("hit"), masks.times(*_DUE)
+    exempt = np.where(unfit, masks.times("poison"), 0)
+    right = (due >= 1) & (hit + due + exempt == frames)
+    expected = int((frames - exempt - due)[has].sum())
+    return Hits(
+        pixels=frames * count(has),
+        expected=expected,
         hit=int(hit[has].sum()),
         exact=True,
         amiss=count(has & ~right),

@@ -14,7 +14,7 @@ from shadercache.caching.layout import Layout, extras_of
 from shadercache.caching.outcomes import OUTCOMES
 from shadercache.caching.program_parts import program_part
 from shadercache.caching.read_template import FOLDER, read_template
-from shadercache.caching.settings import cache_choices, with_settings
+from shadercache.caching.settings import NUMBER, cache_choices, with_settings
 from shadercache.caching.slots import LOCATE, Choice
 from shadercache.emit.printer import print_node
 from shadercache.emit.runtime import FOLDER as PASSES
@@ -33,6 +33,7 @@ TYPES = {
 
 PAIRS = (
     "refresh=none,age",
+    "adaptive=0.1",
     "filter=lanczos2,fallback",
     "filter=lanczos2,ids",
     "guard=off,mask,age",
@@ -41,7 +42,8 @@ PAIRS = (
 
 def choices(types: tuple[Type, ...]) -> list[Choice]:
     """Every value of every option; every mapping; payloads that may be lacking."""
-    single = [f"{name}={word}" for name, words in cache_choices().items() for word in words]
+    known = cache_choices().items()
+    single = [f"{name}={word}" for name, words in known for word in words if word != NUMBER]
     configurations = [with_settings(Configuration(), [text]) for text in (*single, *PAIRS)]
     plain = [
         Choice(Layout(types, extras=extras_of(one)), "sc_", configuration=one)

@@ -37,6 +37,8 @@ OPTIONS = (
     "ids",
     "ids,filter=bilinear",
     "magnification,mask",
+    "adaptive=0.02",
+    "adaptive=1e-3,ids,filter=lanczos2,refresh=random",
     "age,filter=lanczos2,fallback",
     "age,ids",
     "age,ids,mask,magnification,fallback,filter=lanczos2,depth=linear,guard=miss",

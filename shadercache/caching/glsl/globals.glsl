@@ -15,6 +15,7 @@ uniform ivec4 sc_previous_viewport;  // the same of the previous frame
 uniform vec4 sc_scale;           // from pixels to texels of a smaller cache: times .xy, plus .zw
 uniform float sc_limit;          // the largest value that is reused
 uniform float sc_least;          // the smallest one above zero that it surely holds
+uniform float sc_change;         // how much a refresh may change a payload and leave the period as it is
 uniform int sc_reset;            // 1 in a frame that follows a reset, else 0
 uniform sc_SAMPLERS sc_payloads;  // what this frame has stored so far
 
@@ -24,6 +25,7 @@ bool sc_reuse = false;  // are the payloads those of the cache?
 bool sc_lacks = false;  // was a payload needed, and none there?
 bool sc_moved = false;  // is the payload not just that of this place?
 float sc_age = 0.0;     // frames since the payload was computed
+float sc_halvings = -1.0;  // how often its period is halved; below 0 nobody knows yet
 
 // What a look-up says. All but a hit are misses; the hit mask shows which.
 const int sc_hit = 1;

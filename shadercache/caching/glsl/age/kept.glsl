@@ -5,6 +5,9 @@ int sc_VERDICT() {
     return sc_judge(sc_AGE(sc_texel, sc_texel_2));
 }
 
+void sc_RECALL() {
+}
+
 void sc_AGING() {
     sc_stagger();
 }

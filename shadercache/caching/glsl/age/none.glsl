@@ -4,5 +4,8 @@ int sc_VERDICT() {
     return sc_hit;
 }
 
+void sc_RECALL() {
+}
+
 void sc_AGING() {
 }
