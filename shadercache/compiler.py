@@ -60,7 +60,7 @@ from shadercache.ast.large import allow_deep_trees
 from shadercache.ast.walk import walk
 from shadercache.caching.algorithms import LeftOut
 from shadercache.caching.configuration import Configuration, Mode
-from shadercache.caching.layout import Layout, extras_of
+from shadercache.caching.layout import layout_of
 from shadercache.diagnostics import Diagnostic, InputError, input_error
 from shadercache.emit import program_set
 from shadercache.emit.builder import FragmentProgram
@@ -226,7 +226,7 @@ def rewrite(
         UsageError: SC010 to SC012 for an id that is not that of one node.
         InputError: the refusal's code for a node, SC415 to SC417 for a set; SC402 without a vertex
             shader; SC407 where no algorithm fits; SC408 for names that become keywords; SC419,
-            SC430, SC432, SC440 for choices that do not go with the shader.
+            SC430, SC432, SC440, SC443 for choices that do not go with the shader.
     """
     wanted = (
         (configurations,) if isinstance(configurations, Configuration) else tuple(configurations)
@@ -236,6 +236,7 @@ def rewrite(
     analysis.require_all(nodes, unprofitable)
     _check_names(analysis, chosen.mode, chosen.fetches == "level")
     _check_schedule(analysis, chosen)
+    _check_filter(analysis, chosen)
     _check_room(analysis, nodes, chosen)
     program, vertex = analysis.program, analysis.vertex_emitter
     programs = program_set.emit_programs(program, vertex, nodes, wanted, left_out)
@@ -325,6 +326,13 @@ def _check_schedule(analysis: Analysis, configuration: Configuration) -> None:
     raise input_error("SC440", message, "take --cache refresh=stratified")
 
 
+def _check_filter(analysis: Analysis, configuration: Configuration) -> None:
+    """SC443: does anything move that samples could be carried along?"""
+    if configuration.filter.carries and analysis.mapping == "screen":
+        message = "filter=carried keeps where samples lie, and with mapping=screen nothing moves"
+        raise input_error("SC443", message, "leave the filter out")
+
+
 def _check_room(
     analysis: Analysis, nodes: Sequence[Candidate], configuration: Configuration
 ) -> None:
@@ -334,7 +342,7 @@ def _check_room(
             "the filter marks texels by the sign of their depth, which depths from -1 to 1 use"
         )
         raise input_error("SC432", message, "take filter=bilinear or another depth")
-    layout = Layout(tuple(node.type for node in nodes), extras=extras_of(configuration))
+    layout = layout_of(tuple(node.type for node in nodes), configuration)
     if layout.fits:
         return
     kept = " and ".join(extra.name for extra in layout.extras)

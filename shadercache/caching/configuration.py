@@ -24,8 +24,11 @@ RefreshSchedule: TypeAlias = Literal["stratified", "random", "tiled", "surface",
 group of neighbours has one due in every frame; blocks by a hash; as many tiles as the period has
 frames, one after another; triangles by a hash of their number; none (docs/why/refresh.md)."""
 
-FilterKind: TypeAlias = Literal["bilateral", "bilinear", "nearest", "lanczos2", "mitchell"]
-"""How payloads are resampled between texels."""
+FilterKind: TypeAlias = Literal[
+    "bilateral", "bilinear", "nearest", "lanczos2", "mitchell", "carried"
+]
+"""How payloads are resampled between texels; ``carried``: what is stored never is, and each texel
+keeps a raw sample and where that truly lies."""
 
 DepthKind: TypeAlias = Literal["inverse-w", "ndc", "linear"]
 """What is kept of the depth, of the clip-space position: 1/w (times 16), z/w or w."""
@@ -91,7 +94,13 @@ class Filter:
         """Does the sign of a cached depth tell that the payload comes from a part of a filter?"""
         # Such a payload lies up to a pixel beside its place. What is made of it is marked as well,
         # and never again of a part: so no payload slides along an edge from frame to frame.
-        return self.kind == "bilateral" or (self.fallback and self.kind != "nearest")
+        alone = self.kind in ("nearest", "carried")
+        return self.kind == "bilateral" or (self.fallback and not alone)
+
+    @property
+    def carries(self) -> bool:
+        """Does a texel keep a raw sample with its place, apart from what is shown?"""
+        return self.kind == "carried"
 
 
 @dataclass(frozen=True, slots=True)
@@ -157,11 +166,13 @@ class Configuration:
         """The configuration with what is a uniform or a texture's format at its default."""
         plain = self.with_refresh(Refresh().period, Refresh().block)
         adaptive = 1.0 if self.refresh.adaptive else 0.0
+        # Only carried samples are packed by the format (caching/layout.py).
+        kept = self.storage.format if self.filter.carries else Storage().format
         return replace(
             plain,
             refresh=replace(plain.refresh, adaptive=adaptive),
             hit_test=replace(self.hit_test, epsilon=DEFAULT_EPSILON),
-            storage=replace(self.storage, format=Storage().format),
+            storage=replace(self.storage, format=kept),
         )
 
     @property

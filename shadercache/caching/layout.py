@@ -14,7 +14,7 @@ What is kept beside the payloads (:class:`Extra`: an object's id) lies behind th
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from shadercache.analysis.refusals import FIRST_TEXEL, SECOND_TEXEL
@@ -105,6 +105,9 @@ ID, AGE = Extra("id", INT, "object"), Extra("age", FLOAT, "age")
 HALVINGS = Extra("halvings", FLOAT, "halvings")
 """How often the period is halved there, a fraction on its way to the next number."""
 
+OFFSETS = (Extra("offset_x", FLOAT, "offset.x"), Extra("offset_y", FLOAT, "offset.y"))
+"""Where a carried sample lies, in pixels from the middle of its texel."""
+
 MOST_IN_HALF = 2**11
 """Integers up to this are exact in half floats; in floats those up to 2^24."""
 
@@ -117,7 +120,8 @@ def extras_of(configuration: Configuration) -> tuple[Extra, ...]:
         (refresh.age, AGE),
         (refresh.adaptive > 0.0, HALVINGS),
     )
-    return tuple(extra for chosen, extra in kept if chosen)
+    offsets = OFFSETS if configuration.filter.carries else ()
+    return (*(extra for chosen, extra in kept if chosen), *offsets)
 
 
 # Without slots: a cached property is kept in the dictionary of the object.
@@ -127,12 +131,14 @@ class Layout:
 
     ``es``: is it for GLSL ES, where integers may have 16 bits until they are made ``highp``?
     ``precisions`` of the payloads' variables, where they have any. ``extras`` lie behind them.
+    ``tucked``: do offsets lie in the lowest bits of the first two channels?
     """
 
     types: tuple[Type, ...]
     es: bool = False
     precisions: tuple[str | None, ...] = ()
     extras: tuple[Extra, ...] = ()
+    tucked: bool = False
 
     @property
     def bits(self) -> bool:
@@ -217,6 +223,7 @@ class Layout:
         """The format of each texture; ``cache_format`` decides the precision of floats."""
         # Floats beside integers lie there by their bits, of which they keep all.
         kind = "32ui" if self.bits else cache_format.removeprefix("rgba")
+        kind = "32f" if self.tucked else kind
         # The first texel ends in the depth, so it is never narrower.
         return (f"rgba{kind}", *(_NARROWEST[n] + kind for n in self.channels[1:]))
 
@@ -243,6 +250,23 @@ class Layout:
             for channel, extra in enumerate(self.extras, start=self.used)
         )
         return [*self.leaves(prefix, masked), *extras]
+
+
+def layout_of(
+    types: tuple[Type, ...],
+    configuration: Configuration,
+    es: bool = False,
+    precisions: tuple[str | None, ...] = (),
+) -> Layout:
+    """How payloads of these types lie in the cache of a configuration."""
+    layout = Layout(types, es, precisions, extras_of(configuration))
+    others = tuple(extra for extra in layout.extras if extra not in OFFSETS)
+    one = replace(layout, extras=others, tucked=True)
+    # A second texture costs more than wider texels: of a float that need not be more precise than
+    # half of one, the lowest 12 bits are free. With 32 bits asked for, nothing is rounded.
+    halves = configuration.storage.format == "rgba16f" and not layout.bits
+    crowded = layout.second and not one.second
+    return one if configuration.filter.carries and halves and crowded else layout
 
 
 def place(channel: int) -> tuple[int, str]:

@@ -37,6 +37,14 @@ taken for a pixel beside it: the surface may bend between the two (docs/why/rate
 STEEPEST = 0.024
 """How much the depth of such a texel may differ from the pixel's, by the same measure."""
 
+REACHES = {"REACH": 1.0, "REACH_ROUGH": 0.6, "REACH_ALONE": 0.25}
+"""How far from its pixel's centre, in pixels and each direction, a carried sample may lie: where
+all four texels show one plane, where they show one surface, and where only some of them do
+(docs/lab/reuse.md)."""
+
+LEAST_AREA = 0.5
+"""What a pixel of a carried sample must have covered in the previous frame, in pixels."""
+
 
 def outcomes(configuration: Configuration) -> dict[str, int]:
     """What a look-up can say."""

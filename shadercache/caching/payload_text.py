@@ -130,6 +130,10 @@ class _Text:
 
     def extras(self) -> Iterator[str]:
         """Functions that read each extra again from two texels: ``sc_ID(first, second)``."""
+        p, params = self.prefix, f"{self.vector} first, {self.vector} second"
+        for channel in "xy" * self.layout.tucked:
+            name = f"{p}OFFSET_{channel.upper()}"
+            yield f"float {name}({params}) {{ return {p}TUCKED_IN(first.{channel}); }}"
         for extra in self.layout.extras:
             target, channel = self.layout.extra_places[extra.name]
             text = f"{('first', 'second')[target]}.{channel}"
@@ -137,8 +141,7 @@ class _Text:
                 text = f"int({text})"
             elif self.layout.bits:
                 text = f"uintBitsToFloat({text})"
-            params = f"{self.vector} first, {self.vector} second"
-            yield (f"{extra.type} {self.prefix}{extra.name.upper()}({params}) {{ return {text}; }}")
+            yield f"{extra.type} {p}{extra.name.upper()}({params}) {{ return {text}; }}"
 
     def changes(self) -> Iterator[str]:
         """What keeps a payload that was found, and tells how far the new one is from it."""
@@ -183,7 +186,9 @@ class _Text:
         fails = f"if (!({self.valid})) {{ return {vector}(%s); }} "
         one, two = ("", "") if self.masked or not self.whole else (fails % empty, fails % zero)
         yield f"// What is stored of the payloads{', if there are any' if self.whole else ''}."
-        yield f"{vector} {p}pack() {{ {one}return {vector}({first}, {depth}); }}"
+        texel = f"{vector}({first}, {depth})"
+        texel = f"{p}tucked({texel})" if self.layout.tucked else texel
+        yield f"{vector} {p}pack() {{ {one}return {texel}; }}"
         yield f"{vector} {p}pack_2() {{ {two}return {vector}({second}); }}"
         yield f"{vector} {p}PACKED() {{ return {vector}({first}, 0); }}"
         yield f"{vector} {p}PACKED_2() {{ return {vector}({second}); }}"

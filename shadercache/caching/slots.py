@@ -12,7 +12,15 @@ from typing import Literal, TypeAlias
 from shadercache.analysis.mapping import MappingKind
 from shadercache.caching.configuration import DEFAULT_EPSILON, Configuration
 from shadercache.caching.layout import MOST_OF_HALF, Layout, empty_depth
-from shadercache.caching.outcomes import INTERPOLATION, LEAST_WEIGHT, NEARBY, SPREAD, STEEPEST
+from shadercache.caching.outcomes import (
+    INTERPOLATION,
+    LEAST_AREA,
+    LEAST_WEIGHT,
+    NEARBY,
+    REACHES,
+    SPREAD,
+    STEEPEST,
+)
 
 NUMBERS = {
     "SPREAD": str(SPREAD),
@@ -21,6 +29,8 @@ NUMBERS = {
     "LEAST_WEIGHT": str(LEAST_WEIGHT),
     "NEARBY": str(NEARBY),
     "STEEPEST": str(STEEPEST),
+    "LEAST_AREA": str(LEAST_AREA),
+    **{name: str(reach) for name, reach in REACHES.items()},
     "MOST_OF_HALF": str(MOST_OF_HALF),
 }
 """What words in capitals mean that stand for numbers."""
@@ -53,6 +63,7 @@ RESAMPLE = {
     "nearest": Resampling("fetch/nearest", "test/nearest"),
     "lanczos2": Resampling(more=("resample/lanczos2", "resample/cubic")),
     "mitchell": Resampling(more=("resample/mitchell", "resample/cubic")),
+    "carried": Resampling("fetch/around", "test/carried", more=("resample/carried",)),
 }
 
 _PIXEL = Resampling("fetch/pixel", "test/pixel")
@@ -126,7 +137,11 @@ class Choice:
             how.test: True,
         }
         between = ("resample/integers",) if self.layout.bits and how.fetch == "fetch/four" else ()
-        marked = "marked" if how.part else "unmarked"
+        found = "found/marked" if how.part else "found/unmarked"
+        if chosen.refresh.judged and chosen.filter.carries:
+            found = "found/raw"
+        elif chosen.refresh.judged and how.part:
+            found = "found/marked_and_judged"
         return (
             "look_up",
             how.fetch,
@@ -134,7 +149,7 @@ class Choice:
             *(*how.part, *between, *how.more),
             "ids/kept" if chosen.hit_test.ids else "ids/none",
             "mark/moved" if self._marks else "mark/none",
-            "found/marked_and_judged" if how.part and chosen.refresh.judged else f"found/{marked}",
+            found,
         )
 
     def _rate(self) -> tuple[str, ...]:
@@ -155,6 +170,8 @@ class Choice:
             age = ("age/adaptive",)
         return (
             "store/texels",
+            "carry/raw" if chosen.filter.carries else "carry/none",
+            "tuck/offsets" if self.layout.tucked else "tuck/nothing",
             f"store/{chosen.storage.guard}",
             "opt_out/asked" if chosen.hit_test.mask else "opt_out/never",
             *age,

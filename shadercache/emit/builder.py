@@ -20,7 +20,7 @@ from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.caching.algorithms import Algorithm
 from shadercache.caching.configuration import Configuration
-from shadercache.caching.layout import Layout, extras_of
+from shadercache.caching.layout import layout_of
 from shadercache.caching.program_parts import program_part
 from shadercache.caching.slots import Choice, LocateKind
 from shadercache.emit.assemble import Shader, interface, merge, with_locations, without_main
@@ -93,11 +93,11 @@ class PassBuilder:
         # It is a key: what does not change the runtime's text must not tell two of them apart.
         self._configuration = chosen.look_up
         self.precisions = PrecisionTable(program.module, program.facts)
-        self._layout = Layout(
+        self._layout = layout_of(
             tuple(node.type for node in nodes),
+            chosen,
             program.module.profile == "es",
             tuple(self.precisions.of(node.expr) for node in nodes),
-            extras_of(chosen),
         )
         self.payloads = self._layout.variables(self.own("payload"))
         self.stores = [self.own("store"), *[self.own("store_2")] * self._layout.second]
@@ -114,6 +114,11 @@ class PassBuilder:
             (use, self.own(f"fetch_{i}"), form_of(use.place.expr, chosen.fetches, types))
             for i, use in enumerate(_fetches(program.candidates, self.nodes))
         ]
+
+    @property
+    def carries(self) -> bool:
+        """Does what is stored of a hit differ from what is shown?"""
+        return self._configuration.filter.carries
 
     def made(self, maker: Maker) -> Shader:
         """What a maker builds, built once."""
@@ -163,7 +168,7 @@ class PassBuilder:
         """A file of ``glsl/passes`` with what its ``main`` needs for the ``outputs``."""
         # What lies beside the payload in the cache is no part of what the payload alone costs.
         alone = template in ("payload_alone", "needed")
-        layout = replace(self._layout, extras=()) if alone else self._layout
+        layout = replace(self._layout, extras=(), tucked=False) if alone else self._layout
         program = self.program
         choice = Choice(layout, program.prefix, self.whole, program.located, self._configuration)
         part = program_part(FOLDER / f"passes/{template}.glsl", choice)

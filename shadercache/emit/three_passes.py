@@ -29,6 +29,11 @@ def shade(builder: PassBuilder) -> Shader:
 
 def unfit(builder: PassBuilder) -> str | None:
     """Why the nodes cannot be cached in three passes, if so."""
+    if builder.carries:
+        return (
+            "with filter=carried the first of three passes would have to store what is shown "
+            "beside what is kept"
+        )
     if not builder.decides_loops:
         return None
     return (

@@ -13,7 +13,7 @@ from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.costs.payload_sets import is_skipped
 from shadercache.analysis.refusals import FIRST_TEXEL
 from shadercache.caching.configuration import Configuration, Mode
-from shadercache.caching.layout import XYZW, Layout, empty_depth, extras_of
+from shadercache.caching.layout import XYZW, Layout, empty_depth, layout_of
 from shadercache.caching.outcomes import outcomes
 from shadercache.caching.settings import written_settings
 from shadercache.emit.program_set import Pass, ProgramSet
@@ -65,7 +65,7 @@ def build_manifest(
     nodes: Sequence[Candidate], configuration: Configuration, programs: ProgramSet, setting: Setting
 ) -> model.Manifest:
     """The manifest of a program set."""
-    layout = Layout(tuple(node.type for node in nodes), extras=extras_of(configuration))
+    layout = layout_of(tuple(node.type for node in nodes), configuration)
     uniforms = {name for emitted in programs.passes for name in emitted.uniforms}
     cache = _cache(layout, configuration)
     assert programs.debug is not None

@@ -10,7 +10,7 @@ import pytest
 
 from shadercache.ast import nodes as n
 from shadercache.caching.configuration import Configuration
-from shadercache.caching.layout import Layout, extras_of
+from shadercache.caching.layout import Layout, layout_of
 from shadercache.caching.outcomes import OUTCOMES
 from shadercache.caching.program_parts import program_part
 from shadercache.caching.read_template import FOLDER, read_template
@@ -25,6 +25,7 @@ MAINS = [PASSES / "passes" / f"{name}.glsl" for name in ("one", "reuse", "needed
 AT_FRACTION = PASSES / "passes" / "neighbours.glsl"
 TYPES = {
     "float": (FLOAT,),
+    "vec3": (vector("float", 3),),
     "vec4": (vector("float", 4),),
     "int": (INT,),
     "bvec4": (vector("bool", 4),),
@@ -37,6 +38,8 @@ PAIRS = (
     "filter=lanczos2,fallback",
     "filter=lanczos2,ids",
     "guard=off,mask,age",
+    "filter=carried,age",
+    "filter=carried,adaptive=0.1",
 )
 
 
@@ -45,10 +48,7 @@ def choices(types: tuple[Type, ...]) -> list[Choice]:
     known = cache_choices().items()
     single = [f"{name}={word}" for name, words in known for word in words if word != NUMBER]
     configurations = [with_settings(Configuration(), [text]) for text in (*single, *PAIRS)]
-    plain = [
-        Choice(Layout(types, extras=extras_of(one)), "sc_", configuration=one)
-        for one in configurations
-    ]
+    plain = [Choice(layout_of(types, one), "sc_", configuration=one) for one in configurations]
     filters = [plain[0], *(one for one in plain if one.configuration.filter.kind == "nearest")]
     slower = [replace(one.configuration, payload_rate="half") for one in filters]
     plain += [replace(plain[0], configuration=one) for one in slower]
@@ -83,6 +83,8 @@ def heads(name: str) -> dict[str, str]:
         "mark",
         "opt_out",
         "payload",
+        "carry",
+        "tuck",
     ],
 )
 def test_all_files_of_a_slot_have_one_signature(slot: str) -> None:

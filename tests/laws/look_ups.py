@@ -21,12 +21,13 @@ from numpy.typing import NDArray
 
 from shadercache.caching.configuration import CacheFormat, Configuration
 from shadercache.render.render_scene import RenderScene
+from shadercache.render.variant_runner import VariantRunner
 from tests.configured import DEFAULT, variant
 
 MOST_STALE = 1e-5
 """Share of hits that may lie farther away than the filter's footprint plus epsilon (law 5)."""
 
-MOST_MISSED = 0.02
+MOST_MISSED = {False: 0.02, True: 0.03}
 """Margin of the hit rate: share of the pixels that must hit and may miss all the same.
 
 A point must hit if its whole neighbourhood was seen: all four texels of the filter hold points of
@@ -36,6 +37,9 @@ by 2 that is half a pixel's length off, which here is 1e-3 of the depth, or epsi
 texel's own depth must agree roughly, to within 16 epsilon or 8 pixels' length, so what is seen
 under less than 7 degrees misses. Measured at 256 x 256: 0.1 to 1.0 % on the dragon, 1.6 % on the
 trash can, whose smooth flanks are seen edge on; a quarter of that at 512 x 512.
+
+True: of carried samples, which also miss where none lies near the pixel; 2.6 % at most, on the
+trash can at 5 degrees a frame without any refresh.
 """
 
 OPPOSED = -0.5
@@ -84,6 +88,7 @@ class Findings:
     opposed: int = 0
     foreign: int = 0
     untimely: int = 0
+    most_missed: float = MOST_MISSED[False]
     stale: list[Stale] = field(default_factory=list)
 
     @property
@@ -100,7 +105,7 @@ class Findings:
             found.append(f"{self.opposed} of {hits} hits come from the other side of a surface")
         if self.foreign:
             found.append(f"{self.foreign} of {hits} hits come from another body")
-        if self.missed > MOST_MISSED * self.whole:
+        if self.missed > self.most_missed * self.whole:
             found.append(f"hit rate: {self.missed} of {self.whole} sound values are not reused")
         if self.untimely:
             found.append(f"{self.untimely} pixels are renewed out of turn, or not in their turn")
@@ -136,7 +141,7 @@ class LawFive:
 
     def findings(self) -> Findings:
         """Judge positions, then sides, then bodies where there are several."""
-        found = Findings()
+        found = Findings(most_missed=MOST_MISSED[self.cached.filter.carries])
         for frame, mask, values in self._run("v_position"):
             self._judge_positions(found, frame, mask, values)
         for frame, mask, values in self._run("v_normal"):
@@ -149,16 +154,28 @@ class LawFive:
         return found
 
     def _run(self, what: str) -> Iterator[tuple[int, NDArray[np.uint8], NDArray[np.float32]]]:
-        """Frame, hit mask and the payloads (h, w, 3) that the frame stores."""
+        """Frame, hit mask and the payloads (h, w, 3) that the frame stores; where a filter keeps
+        other ones than it shows, those that it shows."""
         bundle = mutated(bundle_of(what, self.form, self.cached), self.mutation)
         with variant(self.world, bundle, "2-pass", **self._options()) as runner:
             runner.draw(0)
             for frame in range(1, len(self.truth)):
                 if not self.carried:
-                    runner.restore(self.truth[frame - 1].texels(what), frame - 1)
+                    runner.restore(self._true_cache(runner, what, frame - 1), frame - 1)
                 mask = runner.hit_mask(frame)
-                runner.draw(frame)
-                yield frame, mask, runner.cache()[..., :3]
+                image = runner.image(frame)
+                shown = image if self.cached.filter.carries else runner.cache()
+                yield frame, mask, shown[..., :3]
+
+    def _true_cache(self, runner: VariantRunner, what: str, frame: int) -> NDArray[np.float32]:
+        """A frame's truth as a cache: each sample in the middle of its texel."""
+        texels = self.truth[frame].texels(what)
+        beside = runner.cache().shape[-1] - texels.shape[-1]
+        if self.cached.filter.carries and not beside:
+            # Offsets lie in the lowest 12 bits of x and y (caching/glsl/tuck/offsets.glsl).
+            bits = np.ascontiguousarray(texels[..., :2]).view(np.uint32) & 0xFFFFF000 | 0x800
+            texels[..., :2] = bits.view(np.float32)
+        return np.pad(texels, ((0, 0), (0, 0), (0, beside)))
 
     def _options(self) -> dict[str, int]:
         return {"period": self.period, "block": BLOCK}

@@ -25,7 +25,7 @@ from shadercache.caching.configuration import CacheFormat
 from shadercache.gpu.context import Gpu
 from shadercache.render.render_scene import RenderScene
 from shadercache.render.variant_runner import NEVER
-from tests.configured import variant
+from tests.configured import configured, variant
 
 pytestmark = pytest.mark.xdist_group("law5")
 
@@ -74,6 +74,18 @@ def test_every_look_up_is_sound(
 def test_errors_do_not_add_up(body: tuple[RenderScene, list[TrueFrame]], period: int) -> None:
     """With floats of 32 bits, so that the rounding of payloads does not add up either."""
     found = LawFive(*body, period=period, carried=True).findings()
+    assert not found.broken, "\n".join([str(found), *found.broken])
+
+
+@pytest.mark.parametrize(
+    ("form", "period", "carried"), [("rgba16f", 32, False), ("rgba32f", NEVER, True)]
+)
+def test_what_is_shown_of_carried_samples_is_sound(
+    body: tuple[RenderScene, list[TrueFrame]], form: CacheFormat, period: int, carried: bool
+) -> None:
+    """Each look-up by itself, in texels with offsets in their lowest bits; and runs."""
+    cached = configured(filter="carried")
+    found = LawFive(*body, form, period, carried, cached=cached).findings()
     assert not found.broken, "\n".join([str(found), *found.broken])
 
 

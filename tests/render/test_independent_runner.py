@@ -123,9 +123,17 @@ def test_same_bits_for_what_the_compiler_writes(gpu: Gpu, tmp_path: Path, name: 
 
 
 @pytest.mark.parametrize(
-    "settings", ["age=on", "refresh=tiled,age=on", "refresh=surface", "refresh=none,age=on"]
+    "settings",
+    [
+        "age=on",
+        "refresh=tiled,age=on",
+        "refresh=surface",
+        "refresh=none,age=on",
+        "filter=carried",
+        "filter=carried,age=on",
+    ],
 )
-def test_same_bits_for_other_ways_to_refresh(gpu: Gpu, tmp_path: Path, settings: str) -> None:
+def test_same_bits_for_other_options(gpu: Gpu, tmp_path: Path, settings: str) -> None:
     scene, analysis = open_scene(data_path("corpus", "trashcan", "scene.toml"))
     node = next(node for node in analysis.nodes if node.offered)
     write(rewritten(analysis, node, with_settings(DEFAULT, [settings])), tmp_path)

@@ -88,7 +88,9 @@ def test_nearest_keeps_all_of_it_and_does_not_move(gpu: Gpu) -> None:
     assert image[START[1], START[0]] == image.max() == 1.0
 
 
-@pytest.mark.parametrize("kind", ["bilinear", "nearest", "bilateral", "lanczos2", "mitchell"])
+@pytest.mark.parametrize(
+    "kind", ["bilinear", "nearest", "bilateral", "lanczos2", "mitchell", "carried"]
+)
 def test_whole_pixels_are_not_blurred(gpu: Gpu, kind: FilterKind) -> None:
     for count, image in zip(FRAMES, impulses(gpu, kind, (1.0, 0.0)), strict=True):
         assert image[START[1], START[0] + count] == pytest.approx(1.0, abs=1e-4)

@@ -86,13 +86,18 @@ def test_none_is_reusable_and_the_pixel_is_right(
     stress.none(f"values of {len(POISONS)} kinds to be reused that the cache cannot hold", bad)
 
 
-@pytest.mark.parametrize("kind", ["bilinear", "bilateral", "lanczos2", "mitchell", "nearest"])
+@pytest.mark.parametrize(
+    "kind", ["bilinear", "bilateral", "lanczos2", "mitchell", "nearest", "carried"]
+)
 @pytest.mark.parametrize("algorithm", ["1-pass", "2-pass", "3-pass"])
 def test_it_is_gone_one_frame_later(gpu: Gpu, algorithm: str, kind: FilterKind) -> None:
     """Although every filter reads across the spot."""
+    if kind == "carried" and algorithm == "3-pass":
+        pytest.skip("refused: test_s21_carried.py")
     cached = configured(guard="miss", filter=kind, refresh="none")
     made = plane(gpu, cached, "rgba16f", algorithm)
-    for poison in (np.nan, np.inf, 65505.0):
+    # Three carried floats lie in 32 bits, which hold the last one.
+    for poison in (np.nan, np.inf, *[65505.0] * (kind != "carried")):
         made.runner.reset()
         made.draw(0, u_value=CLEAN, u_spot=SPOT, u_spike=(poison, poison, poison), u_pan=(0, 0))
         image = made.draw(1, u_spot=(1e3, 1e3), u_pan=(0.4, 0.3))

@@ -13,7 +13,7 @@ from .plane import SIZE, Plane, plane
 
 pytestmark = pytest.mark.xdist_group("gl")
 
-FILTERS = ["bilinear", "nearest", "bilateral", "lanczos2", "mitchell"]
+FILTERS = ["bilinear", "nearest", "bilateral", "lanczos2", "mitchell", "carried"]
 OLD, NEW = (1.0, 1.0, 1.0), (0.0, 0.0, 0.0)
 
 

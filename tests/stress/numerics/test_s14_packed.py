@@ -45,7 +45,9 @@ def worst(gpu: Gpu, kind: FilterKind, packed: tuple[str, str], use: str) -> floa
     return apart
 
 
-@pytest.mark.parametrize("kind", ["bilinear", "nearest", "bilateral", "lanczos2", "mitchell"])
+@pytest.mark.parametrize(
+    "kind", ["bilinear", "nearest", "bilateral", "lanczos2", "mitchell", "carried"]
+)
 def test_integers_are_never_blended(gpu: Gpu, stress: Criteria, kind: FilterKind) -> None:
     stress.at_most("from any value that is there", worst(gpu, kind, BITS, BITS_USE) / 8.0, 1e-5)
 

@@ -5,6 +5,10 @@ int sc_VERDICT() {
     return sc_verdict(sc_texel);
 }
 
+int sc_RAW_VERDICT() {
+    return sc_verdict(sc_texel);
+}
+
 void sc_AGING() {
     sc_adapt();
 }

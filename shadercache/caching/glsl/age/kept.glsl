@@ -5,6 +5,10 @@ int sc_VERDICT() {
     return sc_judge(sc_AGE(sc_texel, sc_texel_2));
 }
 
+int sc_RAW_VERDICT() {
+    return sc_judge(sc_AGE(sc_raw, sc_raw_2));
+}
+
 void sc_RECALL() {
 }
 

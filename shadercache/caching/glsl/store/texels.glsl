@@ -2,6 +2,7 @@
 
 // What was reused. It has been guarded, and filters keep to its range.
 void sc_STORE_REUSED() {
+    sc_CARRY();
     sc_store = sc_pack();
 }
 
@@ -15,6 +16,7 @@ void sc_STORE_COMPUTED() {
 // Either.
 void sc_STORE(bool reused) {
     sc_AGING();
+    sc_CARRY_IF(reused);
     sc_store = sc_pack();
     if (!reused) {
         sc_GUARD();

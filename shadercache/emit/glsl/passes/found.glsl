@@ -3,6 +3,7 @@
 void main() {
     sc_HERE();
     sc_TEXELS sc_texel = sc_OF_FLOATS(vec4(sc_epsilon));
+    sc_FIND_RAW();
     sc_FIND();
     sc_COMBINE();
     sc_shade();
