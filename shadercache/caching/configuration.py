@@ -81,6 +81,11 @@ class Refresh:
         """Does what a look-up finds decide whether it is refreshed?"""
         return self.age or self.adaptive > 0.0
 
+    @property
+    def renews(self) -> bool:
+        """Is everything recomputed in every frame, so that no look-up finds anything?"""
+        return self.period == 1 and (self.schedule != "none" or self.age)
+
 
 @dataclass(frozen=True, slots=True)
 class Filter:

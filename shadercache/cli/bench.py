@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from shadercache.caching.configuration import DIVISORS
 from shadercache.cli import options
 from shadercache.cli.measuring import TrialOptions, measured, result_table, summary
 from shadercache.cli.profiling import profile_table, profiled
@@ -40,6 +41,9 @@ def command(
         str, typer.Option(metavar=",".join(options.PASSES[:-1]), help="Algorithms.")
     ] = "all",
     period: Annotated[str, typer.Option(metavar="N,...", help="Refresh periods, frames.")] = "32",
+    rate: Annotated[
+        str, typer.Option(metavar=",".join(DIVISORS), help="Payload rates (see rewrite).")
+    ] = "full",
     block: Annotated[str, typer.Option(metavar="K,...", help="Block edges, pixels.")] = "4",
     trial: TrialOptions = TRIAL,
     draw: options.DrawOptions = SMALL,
@@ -65,6 +69,7 @@ def command(
 
     algorithms = options.parse_passes(passes)
     periods, blocks = options.parse_periods(period), options.parse_blocks(block)
+    rates = options.parse_rates(rate)
     scene, analysis = source.open()
     if nodes:
         wanted = [part for text in nodes for part in text.split(",") if part]
@@ -74,10 +79,11 @@ def command(
         payloads = one_by_one(analysis, offered, every_node)
     base = draw.configured(scene)
     kinds = [
-        replace(base, algorithm=name).with_refresh(every, edge)
+        replace(base, algorithm=name, payload_rate=slower).with_refresh(every, edge)
         for every in periods
         for edge in blocks
         for name in algorithms
+        for slower in rates
     ]
     linker, subjects = Linker(scene, analysis), []
     for payload in payloads:

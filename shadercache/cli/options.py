@@ -171,14 +171,13 @@ class CacheOptions:
             "it; its level (needs isotropic filtering, GLSL 4.00)."
         ),
     ] = "whole"
-    rate: RateOption = "full"
     cache: SettingsOption = None
 
     @property
     def base(self) -> cached.Configuration:
         """The configuration without what ``--cache`` sets."""
         storage = cached.Storage(self.cache_format)
-        return cached.Configuration(storage=storage, fetches=self.fetches, payload_rate=self.rate)
+        return cached.Configuration(storage=storage, fetches=self.fetches)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -286,6 +285,16 @@ def parse_passes(text: str) -> tuple[str, ...]:
         return tuple(known[word] for word in words)
     hint = f"give 'all', or some of {', '.join(known)}, separated by commas"
     raise usage_error("SC008", f"'{text}' is no value for --passes", hint)
+
+
+def parse_rates(text: str) -> list[cached.PayloadRate]:
+    """Payload rates, from ``full,half``. Raises :class:`UsageError` SC008."""
+    parts = _parts(text)
+    rates = [rate for part in parts for rate in cached.DIVISORS if rate == part]
+    if parts and len(rates) == len(parts):
+        return rates
+    hint = f"give some of {', '.join(cached.DIVISORS)}, separated by commas"
+    raise usage_error("SC008", f"'{text}' is no value for --rate", hint)
 
 
 def parse_periods(text: str) -> list[int]:

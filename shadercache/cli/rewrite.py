@@ -41,6 +41,7 @@ def command(
         Mode, typer.Option(help="proof pins the arithmetic down (#version 400, 320 es).")
     ] = "plain",
     unprofitable: options.UnprofitableOption = False,
+    rate: options.RateOption = "full",
     carry: Annotated[
         bool, typer.Option("--carry", help="Also cache what payload and shading both compute.")
     ] = False,
@@ -66,7 +67,7 @@ def command(
     analysis.require_all(nodes, unprofitable)
     overlaps = () if carry else overlap_notes(analysis, nodes)
     payload = tuple(node.id for node in (carrying(analysis, nodes) if carry else nodes))
-    chosen = replace(caching.base, nodes=payload, mode=mode)
+    chosen = replace(caching.base, nodes=payload, mode=mode, payload_rate=rate)
     chosen = with_settings(chosen, caching.cache or ())
     wanted = [replace(chosen, algorithm=name) for name in options.parse_passes(passes)]
     emission = rewrite(analysis, wanted, unprofitable=unprofitable)

@@ -35,6 +35,7 @@ def command(
     ] = 63,
     period: Annotated[int, typer.Option(min=1, max=65_535, help="Refresh period.")] = 32,
     block: Annotated[int, typer.Option(min=2, help="Block edge, pixels, even.")] = 4,
+    rate: options.RateOption = "full",
     draw: options.DrawOptions = DRAWN,
     unprofitable: options.UnprofitableOption = False,
     view: Annotated[
@@ -62,7 +63,7 @@ def command(
     [by] = options.parse_passes(passes)
     [payload] = choose_nodes(scene, analysis, ["+".join(node)])
     analysis.require_all(payload.nodes, unprofitable)
-    cached = replace(draw.configured(scene), nodes=payload.ids, algorithm=by)
+    cached = replace(draw.configured(scene), nodes=payload.ids, algorithm=by, payload_rate=rate)
     cached = cached.with_refresh(period, edge)
     context.obj.show(depth_warnings(cached, scene.view.camera.near, scene.view.camera.far))
     linker = Linker(scene, analysis)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from shadercache.caching.configuration import DIVISORS
 from shadercache.cli import options
 from shadercache.cli.measuring import TrialOptions
 from shadercache.cli.progress import progress
@@ -50,6 +51,9 @@ class ChoiceOptions:
     ] = "all"
     period: Annotated[str, typer.Option(metavar="N,...", help="Refresh periods, frames.")] = "32"
     block: Annotated[str, typer.Option(metavar="K,...", help="Block edges, pixels.")] = "4"
+    rate: Annotated[
+        str, typer.Option(metavar=",".join(DIVISORS), help="Payload rates (see rewrite).")
+    ] = "full"
     cache_format: Annotated[
         str, typer.Option("--format", metavar="FORMAT,...", help="Texel formats.")
     ] = "rgba16f"
@@ -90,6 +94,7 @@ class ChoiceOptions:
             "passes": [name.partition("-")[0] for name in options.parse_passes(self.passes)],
             "periods": options.parse_periods(self.period),
             "blocks": options.parse_blocks(self.block),
+            "rates": options.parse_rates(self.rate),
             "formats": [part for part in self.cache_format.split(",") if part],
             "cache": self.cache or [""],
             "size": options.parse_size(self.size),

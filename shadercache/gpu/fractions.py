@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,3 +29,12 @@ def scale_of(viewport: Viewport, divisor: int) -> NDArray[np.float64]:
     whole, small = np.array(viewport, np.float64), np.array(divided(viewport, divisor), np.float64)
     factor = small[2:] / whole[2:]
     return np.concatenate([factor, small[:2] - factor * whole[:2]])
+
+
+def spread(texels: NDArray[Any], size: tuple[int, int]) -> NDArray[Any]:
+    """What such targets hold, for every pixel of a picture: (h, w), of the texel it lies in."""
+    rows, columns = (
+        ((np.arange(pixels) + 0.5) * (held / pixels)).astype(np.intp)
+        for pixels, held in zip(size[::-1], texels.shape, strict=False)
+    )
+    return texels[np.ix_(rows, columns)]

@@ -10,7 +10,7 @@ from typing import Any
 from shadercache.caching.algorithms import NAMES, LeftOut
 from shadercache.caching.configuration import Assignment, Configuration, Mode, by_every_algorithm
 from shadercache.compiler import Analysis, Emission, emit_original, rewrite
-from shadercache.diagnostics import input_error
+from shadercache.diagnostics import InputError, input_error
 from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.render.bundle import Bundle, LinkedObject
 from shadercache.scene.description import Scene, SceneObject
@@ -81,6 +81,9 @@ class Linker:
             if chosen is None:
                 linked.append(LinkedObject(given or self._original(part, mode)))
                 continue
+            if part.own_shader and chosen.divisor > 1 and not self.fitting(chosen, part):
+                linked.append(LinkedObject(self._original(part, mode)))
+                continue
             cached = LinkedObject(given or self._variants(part, chosen, left_out), chosen)
             linked.append(cached.by(chosen.algorithm) if part.own_shader else cached)
         return tuple(linked)
@@ -88,6 +91,18 @@ class Linker:
     def algorithms(self, configuration: Configuration) -> tuple[str, ...]:
         """Those that fit the configuration's nodes. Raises as :meth:`link`."""
         return self._variants(None, configuration).algorithms
+
+    def fitting(
+        self, configuration: Configuration, part: SceneObject | None = None
+    ) -> tuple[str, ...]:
+        """The same, also where none does: not every payload can be computed at a fraction of the
+        rate."""
+        try:
+            return self._variants(part, configuration).algorithms
+        except InputError as error:
+            if configuration.payload_rate == "full" or error.diagnostics[0].code != "SC407":
+                raise
+            return ()
 
     def refused(self, configuration: Configuration) -> Mapping[str, str]:
         """Those that do not, and why. Raises as :meth:`link`."""

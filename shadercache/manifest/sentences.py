@@ -82,7 +82,8 @@ FRAME_OF_FRACTION = (
     "their own, cleared with the other one, and a viewport that is as much smaller: its place "
     "rounded down, its extent up. What 'uniforms' tells of a viewport is told of the pass's own.",
     "Pixels for which no texel fits are left open by the pass that reads this frame's cache, and "
-    "drawn by the next one, which is the unchanged shader.",
+    "drawn by the next one, which is the unchanged shader. With a period of 1, unless nothing is "
+    "refreshed, passes with on_reset false draw nothing, and may be left out.",
 )
 
 NOT_FINITE = (

@@ -328,6 +328,7 @@ def outcome_curves(
     chosen = {
         (subject.configuration.refresh.period, subject.configuration.refresh.block): subject
         for subject in subjects
+        if subject.configuration.payload_rate == subjects[0].configuration.payload_rate
     }
     for (period, block), subject in chosen.items():
         hit: list[float] = []

@@ -327,5 +327,6 @@ class Measurement:
         """What tells variants of one node apart: the algorithm; with several periods and blocks
         these too."""
         period, block = configuration.refresh.period, configuration.refresh.block
-        name = configuration.algorithm
+        name, rate = configuration.algorithm, configuration.payload_rate
+        name += "" if rate == "full" else f" {rate}"
         return f"{name} n{period} k{block}" if len(self.refreshes) > 1 else name

@@ -89,8 +89,8 @@ class Watched:
         self.timed = timed
         self._world = world
         self._variant = timed.variant if isinstance(timed, TimedVariant) else None
-        refresh = None if self._variant is None else self._variant.configuration.refresh
-        self.sum = PerceivedSum(None if refresh is None else refresh.block)
+        chosen = None if self._variant is None else self._variant.configuration
+        self.sum = PerceivedSum(None if chosen is None else chosen.refresh.block * chosen.divisor)
         self._error: Floats | None = None
         self._ages: Ages | None = None
 
@@ -99,7 +99,7 @@ class Watched:
         if seen.frame == 0:
             self.timed.forget()
         # In every frame, though few images are looked at: ages follow from the last frame's.
-        mask = None if self._variant is None else self._variant.runner.hit_mask(seen.frame)
+        mask = None if self._variant is None else self._variant.runner.outcomes(seen.frame)
         self.timed.subject.draw(seen.frame)
         image = self._world.targets.pixels() if seen.measured or seen.kept else None
         if mask is not None:

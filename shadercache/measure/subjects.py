@@ -157,12 +157,12 @@ def subjects_of(
     Raises as :meth:`Linker.link` and :meth:`Linker.require_cached`.
     """
     linker.require_cached()
-    fitting = linker.algorithms(configurations[0])
     nodes = linker.analysis.nodes_of("+".join(configurations[0].nodes))
     facts = PayloadFacts(equal, linker.analysis.static_ratio(nodes))
     subjects = []
     for configuration in configurations:
-        if configuration.algorithm in fitting:
+        # Of the slots the payload rate alone decides what fits.
+        if configuration.algorithm in linker.fitting(configuration):
             assignment = linker.assign(configuration)
             objects = linker.link(assignment)
             subjects.append(VariantSubject(label, configuration, objects, assignment, facts))

@@ -193,7 +193,7 @@ class TimedVariant(TimedSubject):
 
     def look(self, frame: int) -> None:
         """Take the hit mask of the frame that is about to be drawn."""
-        self.mask = self.runner.hit_mask(frame)
+        self.mask = self.runner.outcomes(frame)
 
     def probe(self, frame: int) -> None:
         """Count outcomes and work of the frame that is about to be drawn."""

@@ -32,7 +32,8 @@ class DrawItem:
     ``caches`` is None for an object that its original draws: it is not to be cached, or its texels
     are not like those of the others. ``debug_spec`` tells what becomes of its pixels. ``before``:
     the frame that was shown when it was last drawn; None if the last frame did not show it. A None
-    among the passes ``on_reset`` is one that a reset leaves out.
+    among the passes ``on_reset`` is one that a reset leaves out. ``renewed``: is all computed in
+    every frame, so that those passes are enough?
     """
 
     drawable: Drawable
@@ -44,6 +45,7 @@ class DrawItem:
     caches: CachePair | None
     before: int | None = None
     debug: BoundPass | None = None
+    renewed: bool = False
 
     @property
     def bundle(self) -> Bundle:
@@ -53,7 +55,7 @@ class DrawItem:
     @property
     def due(self) -> tuple[BoundPass | None, ...]:
         """The passes of the coming frame, each at its place in the order."""
-        return self.on_reset if self.before is None else self.passes
+        return self.on_reset if self.before is None or self.renewed else self.passes
 
 
 def uncached_item(
@@ -88,7 +90,9 @@ def cached_item(
     # Two passes have the pass themselves, and keep it at its place in their order.
     if whole is not None and whole.fragment.name not in {spec.fragment.name for spec in specs}:
         on_reset = (run.bind(drawable, whole, naming),)
-    return DrawItem(drawable, linked, naming, passes, on_reset, bundle.debug, caches)
+    item = DrawItem(drawable, linked, naming, passes, on_reset, bundle.debug, caches)
+    item.renewed = short_reset and bundle.apart and linked.configuration.refresh.renews
+    return item
 
 
 def _check_period(cache: CacheSpec, period: int) -> None:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from shadercache.caching.configuration import Configuration
 from shadercache.diagnostics import DiagnosticError
+from shadercache.gpu.fractions import spread
 from shadercache.render.bound_pass import BoundPass
 from shadercache.render.bundle import Bundle, LinkedObject
 from shadercache.render.cut_detector import CutDetector, ResetReason
@@ -154,8 +155,8 @@ class VariantRunner(Runner):
         return counts
 
     def hit_mask(self, frame: int) -> NDArray[np.uint8]:
-        """What becomes of each pixel in this frame, (h, w): 0 uncovered, else ``mask_values``; of
-        each texel, where the cache is a fraction of the picture.
+        """What becomes of each texel in this frame, (h, w): 0 uncovered, else ``mask_values``. At
+        the full rate there is one for each pixel.
 
         Objects that are not cached hide what is behind them and count as uncovered.
         """
@@ -169,6 +170,10 @@ class VariantRunner(Runner):
                 role.debug = self.bind(role.drawable, role.debug_spec, role.naming)
             role.debug.draw(self.inputs.of(role, frame), role.caches)
         return targets.mask_values(self.divisor)
+
+    def outcomes(self, frame: int) -> NDArray[np.uint8]:
+        """The same of each pixel: what became of the texel that it lies in."""
+        return spread(self.hit_mask(frame), self.world.size)
 
     def computed(self, frame: int) -> NDArray[np.bool_]:
         """Which pixels of cached objects compute a payload of their own in this frame, (h, w): with
@@ -202,9 +207,10 @@ class VariantRunner(Runner):
         return self._caches.read_previous()
 
     def ages(self) -> NDArray[np.float32] | None:
-        """How old what the last drawn frame stored is, in frames (h, w), where the cache says."""
+        """How old what the last drawn frame stored is, in frames (h, w), where the cache says; of
+        each pixel that of the texel it lies in."""
         channel = self.bundle.cache.age_channel
-        return None if channel is None else self.cache()[..., channel]
+        return None if channel is None else spread(self.cache()[..., channel], self.world.size)
 
     def restore(self, cache: NDArray[np.float32], frame: int) -> None:
         """Go on as if ``frame`` had been the last one drawn and had stored ``cache``."""

@@ -16,7 +16,13 @@ import msgspec
 
 from shadercache import foreign_files as foreign
 from shadercache.caching.algorithms import ALGORITHMS
-from shadercache.caching.configuration import CacheFormat, Configuration, HitTest, Storage
+from shadercache.caching.configuration import (
+    CacheFormat,
+    Configuration,
+    HitTest,
+    PayloadRate,
+    Storage,
+)
 from shadercache.caching.settings import with_settings
 from shadercache.diagnostics import input_error, usage_error
 
@@ -47,6 +53,7 @@ class Choices(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     passes: tuple[str, ...] = tuple(algorithm.word for algorithm in ALGORITHMS)
     periods: tuple[Period, ...] = (32,)
     blocks: tuple[Block, ...] = (4,)
+    rates: tuple[PayloadRate, ...] = ("full",)
     formats: tuple[CacheFormat, ...] = ("rgba16f",)
     cache: tuple[str, ...] = ("",)
     size: tuple[Pixels, Pixels] = (512, 512)
@@ -66,9 +73,13 @@ class Choices(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         Raises :class:`UsageError` SC028.
         """
         names = {algorithm.word: algorithm.name for algorithm in ALGORITHMS}
-        combined = product(self.formats, self.cache, self.periods, self.blocks, self.passes)
-        for texels, settings, period, block, word in combined:
-            base = Configuration(tuple(ids), names[word], storage=Storage(texels))
+        combined = product(
+            self.formats, self.cache, self.periods, self.blocks, self.rates, self.passes
+        )
+        for texels, settings, period, block, rate, word in combined:
+            base = Configuration(
+                tuple(ids), names[word], storage=Storage(texels), payload_rate=rate
+            )
             base = replace(base.with_refresh(period, block), hit_test=HitTest(ids=several))
             yield with_settings(base, [settings] if settings else [])
 
@@ -93,7 +104,7 @@ def check_choices(choices: Choices) -> Choices:
         if word not in known:
             hint = f"give some of {', '.join(known)}"
             raise usage_error("SC008", f"'{word}' is no algorithm", hint)
-    for name in ("scenes", "passes", "periods", "blocks", "formats", "cache"):
+    for name in ("scenes", "passes", "periods", "blocks", "rates", "formats", "cache"):
         values = getattr(choices, name)
         if not values and name != "scenes":  # they may be given apart
             raise usage_error("SC008", f"the sweep has no {name}")

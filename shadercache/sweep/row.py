@@ -212,5 +212,6 @@ def words(scene: str, label: str, configuration: Mapping[str, Any] | None) -> di
             "refresh": refresh["schedule"],
             "filter": configuration["filter"]["kind"],
             "depth": storage["depth"],
+            "rate": configuration.get("payload_rate", "full"),
         }
     return chosen

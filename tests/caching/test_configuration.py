@@ -49,6 +49,13 @@ def test_a_mistake_is_told_at_its_path(data: Any, path: str) -> None:
     assert caught.value.diagnostics[0].code == "SC029"
 
 
+def test_when_everything_is_renewed() -> None:
+    assert configured(period=1).refresh.renews
+    assert configured(period=1, refresh="none", age=True).refresh.renews
+    assert not configured(period=1, refresh="none").refresh.renews
+    assert not configured(period=2).refresh.renews
+
+
 def test_uniforms_never_recompile() -> None:
     for same in ({"period": 8}, {"block": 2}, {"epsilon": 0.25}, {"form": "rgba32f"}):
         other = configured(CHOSEN, **same)

@@ -57,6 +57,16 @@ def test_what_is_no_size_is_said_before_anything_is_compiled() -> None:
         options.PictureOptions(size="wide")
 
 
+def test_a_list_of_rates() -> None:
+    assert options.parse_rates("half,full") == ["half", "full"]
+
+
+@pytest.mark.parametrize("text", ["", "third", "full,third", "half quarter"])
+def test_what_is_no_rate(text: str) -> None:
+    with pytest.raises(UsageError, match="--rate"):
+        options.parse_rates(text)
+
+
 @pytest.mark.parametrize("name", COMMANDS)
 def test_no_command_has_more_than_twelve_parameters_of_its_own(name: str) -> None:
     command = import_module(f"shadercache.cli.{COMMANDS[name]}").command

@@ -28,7 +28,7 @@ from shadercache.caching.configuration import DIVISORS, PayloadRate
 from shadercache.gpu.context import Gpu
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
-from tests.configured import DEFAULT, variant
+from tests.configured import configured, variant
 
 pytestmark = pytest.mark.xdist_group("law5")
 
@@ -68,8 +68,8 @@ def drawn(world: RenderScene, truth: list[TrueFrame], bundle: Bundle, period: in
     return found
 
 
-def bundle_at(rate: PayloadRate, what: str) -> Bundle:
-    return bundle_of(what, "rgba32f", replace(DEFAULT, payload_rate=rate))
+def bundle_at(rate: PayloadRate, what: str, **settings: str) -> Bundle:
+    return bundle_of(what, "rgba32f", replace(configured(**settings), payload_rate=rate))
 
 
 @pytest.mark.parametrize("size", [SIZE, ODD], ids=["even", "odd"])
@@ -133,3 +133,19 @@ def test_nothing_taken_is_stored(gpu: Gpu, period: int) -> None:
         # One footprint of a texel for the look-up in the last frame's cache, one for this frame's.
         far = place.taken & (away > 2.0 * FOOTPRINT * 2.0 * true.footprint + 1e-3 * true.w)
         assert np.count_nonzero(far) <= MOST_STALE * np.count_nonzero(place.taken)
+
+
+@pytest.mark.parametrize(("settings", "renewed"), [({}, True), ({"refresh": "none"}, False)])
+def test_a_period_of_one_needs_no_pass_that_reuses(
+    gpu: Gpu, settings: dict[str, str], renewed: bool
+) -> None:
+    bundle = bundle_at("half", "v_position", **settings)
+    with on_stage(gpu, "trashcan", False, SIZE) as world:
+        seen: list[list[NDArray[np.float32]]] = []
+        for short in (False, True):
+            with variant(world, bundle, "3-pass", period=1, short_reset=short) as runner:
+                seen.append([runner.image(frame).copy() for frame in FRAMES])
+                due = {bound.name for role in runner.roles for bound in role.due if bound}
+                assert due == set(runner.pass_names) - ({"reuse"} if short and renewed else set())
+    for every, fewer in zip(*seen, strict=True):
+        assert every.tobytes() == fewer.tobytes()

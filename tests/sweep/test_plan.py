@@ -50,6 +50,15 @@ def test_every_combination_is_planned_once(rings: SceneFile) -> None:
     assert [each.algorithm for each in one.configurations[:3]] == ["1-pass", "2-pass", "3-pass"]
 
 
+def test_rates_are_planned(rings: SceneFile) -> None:
+    trials = planned(rings, rates=("full", "half"), passes=("3",))
+    found = [one.payload_rate for trial in trials for one in trial.configurations]
+    assert set(found) == {"full", "half"} and found.count("full") == found.count("half")
+    assert len(set(keys(trials))) == len(found)
+    with pytest.raises(UsageError, match="no rates"):
+        check_choices(structs.replace(SMALL, rates=()))
+
+
 def test_one_node_of_each_value(rings: SceneFile) -> None:
     some, every = planned(rings), planned(rings, every_node=True)
     assert len(every) > len(some)

@@ -65,6 +65,8 @@ def settings_in_words(chosen: Configuration) -> Iterator[str]:
     """What of a cache differs from the default, as the command line has it."""
     if chosen.storage.format != Configuration().storage.format:
         yield f"format={chosen.storage.format}"
+    if chosen.payload_rate != Configuration().payload_rate:
+        yield f"rate={chosen.payload_rate}"
     for word, value in written_settings(chosen).items():
         if value != _PLAIN[word]:
             yield f"{word}={value}"
@@ -89,7 +91,9 @@ def repeat_command(row: Row, store: str) -> str:
     words += ["--passes", algorithm(chosen.algorithm).word]
     words += ["--period", str(refresh.period), "--block", str(refresh.block)]
     words += ["--format", chosen.storage.format]
-    settings = [word for word in settings_in_words(chosen) if not word.startswith("format=")]
+    words += ["--rate", chosen.payload_rate] if chosen.divisor > 1 else []
+    own = ("format=", "rate=")
+    settings = [word for word in settings_in_words(chosen) if not word.startswith(own)]
     words += ["--cache", ",".join(settings)] if settings else []
     words += ["--size", f"{width}x{height}", "--frames", str(row.scene.frames)]
     if row.result is not None:

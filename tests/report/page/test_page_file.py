@@ -171,6 +171,9 @@ def test_how_to_repeat_a_row(sourced: Sourced, made_rows: list[Row]) -> None:
         "--period 4 --block 4 --format rgba16f --cache age=on --size 64x64 --frames 24 "
         "--perceptual --force"
     )
+    chosen = row.configuration | {"payload_rate": "half"}
+    slower = structs.replace(row, configuration=chosen)
+    assert "--format rgba16f --rate half --cache age=on " in repeat_command(slower, "made.db")
     profiled = next(one for one in made_rows if one.result and one.result.times.profile)
     assert "--perceptual --profile --force" in repeat_command(profiled, "made.db")
     [shown] = rows_of(page_data(sourced([profiled]), page_groups([profiled])))
