@@ -12,7 +12,7 @@ from msgspec import UNSET, structs
 from numpy.typing import NDArray
 
 from shadercache.analysis.candidates import Candidate
-from shadercache.caching.algorithms import NAMES
+from shadercache.caching.algorithms import USUAL
 from shadercache.caching.configuration import CacheFormat, Configuration
 from shadercache.caching.layout import precision_of
 from shadercache.caching.settings import with_settings
@@ -46,7 +46,7 @@ def rewritten(
     analysis: Analysis,
     nodes: Candidate | Sequence[Candidate],
     configuration: Configuration | None = None,
-    algorithms: Sequence[str] = NAMES,
+    algorithms: Sequence[str] = USUAL,
     **more: bool,
 ) -> Emission:
     """The programs of some nodes by these algorithms; ``more`` as ``rewrite`` takes it."""

@@ -17,7 +17,7 @@ from bench.papers.experiment import Experiment, Options
 from bench.papers.rules import is_more, written
 from bench.papers.turns import Turns, Variant, take_turns, until_known
 from bench.papers.two_octaves import label, two_octaves
-from shadercache.caching.algorithms import NAMES
+from shadercache.caching.algorithms import USUAL
 from shadercache.cli.tables import format_table
 from shadercache.gpu.context import Gpu
 from shadercache.measure.statistics import Ratio, paired_ratio
@@ -87,14 +87,14 @@ def gather(gpu: Gpu, options: Options, tell: Callable[[int, int], None]) -> Alig
 
 def judge(data: Alignment) -> list[Verdict]:
     """T15: with blocks of 2 x 2, shifting them surely costs time in most algorithms."""
-    ratios = {name: data.slower(name, 2) for name in NAMES}
+    ratios = {name: data.slower(name, 2) for name in USUAL}
     slower = [is_more(ratio, KNOWN) for ratio in ratios.values()]
-    if slower.count(True) > len(NAMES) / 2:
+    if slower.count(True) > len(USUAL) / 2:
         holds: bool | None = True
     else:
         holds = None if None in slower else False
     words = [f"{name} {written(ratio)}" for name, ratio in ratios.items()]
-    wide = [f"{name} {written(data.slower(name, 4))}" for name in NAMES]
+    wide = [f"{name} {written(data.slower(name, 4))}" for name in USUAL]
     numbers = f"time shifted over aligned, k = 2: {', '.join(words)}; k = 4: {', '.join(wide)}"
     return [Verdict("T15", holds, numbers)]
 
@@ -103,7 +103,7 @@ def table(data: Alignment) -> str:
     """A row for each algorithm and block."""
     rows = [
         (name, str(block), written(data.slower(name, block)))
-        for name in NAMES
+        for name in USUAL
         for block in data.blocks
     ]
     return format_table(("algorithm", "block", "time shifted over aligned"), rows)
@@ -114,7 +114,7 @@ def draw(data: Alignment) -> dict[str, bytes]:
     figure, every = panels(1, len(data.blocks), (9.0, 4.4), share="y")
     original = 1e3 * float(np.median(data.turns.original))
     for axes, block in zip(every, data.blocks, strict=True):
-        names = [(name, period) for period in data.periods for name in NAMES]
+        names = [(name, period) for period in data.periods for name in USUAL]
         for at, (name, period) in enumerate(names):
             one = label(name, period, block)
             color = COLORS[name]

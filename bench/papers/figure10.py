@@ -17,7 +17,7 @@ from bench.papers.experiment import Experiment, Options
 from bench.papers.rules import ALMOST_EVERY, LITTLE, all_of, is_above, is_at_most, is_more, written
 from bench.papers.turns import AllHits, Turns, Variant, take_turns, until_known
 from bench.papers.two_octaves import by_period, label, two_octaves
-from shadercache.caching.algorithms import NAMES
+from shadercache.caching.algorithms import USUAL
 from shadercache.cli.tables import format_table
 from shadercache.gpu.context import Gpu
 from shadercache.measure.measure import outcome_curves
@@ -123,7 +123,7 @@ def _model(data: Figure10) -> Verdict:
     """T13: within the tolerance at almost every period; nothing is fitted. It cannot be told
     where the times themselves are known less well."""
     off = {}
-    for name in NAMES:
+    for name in USUAL:
         pairs = zip(data.periods, data.shares(name, MODELLED), strict=True)
         # At period 1 the model is the measurement.
         off[name] = [data.predicted(name, n) / share - 1.0 for n, share in pairs if n > 1]
@@ -148,7 +148,7 @@ def table(data: Figure10) -> str:
 
 
 def _rows(data: Figure10) -> Iterator[tuple[str, ...]]:
-    for name in NAMES:
+    for name in USUAL:
         for block in data.blocks:
             labels = by_period(name, data.periods, block)
             speeds = (data.turns.speedup(one).median for one in labels)
@@ -163,7 +163,7 @@ def draw(data: Figure10) -> dict[str, bytes]:
     original = 1e3 * float(np.median(data.turns.original))
     smooth = np.linspace(data.periods[0], data.periods[-1], 200)
     for axes, block in zip(every, data.blocks, strict=True):
-        for name in NAMES:
+        for name in USUAL:
             look: dict[str, Any] = {
                 "color": COLORS[name],
                 "marker": SHAPES[name],

@@ -17,7 +17,7 @@ from bench.papers.experiment import Experiment, Options
 from bench.papers.rules import reaches, written
 from bench.papers.turns import Turns, Variant, as_in_the_papers, take_turns, until_known
 from bench.papers.two_octaves import by_period, label
-from shadercache.caching.algorithms import NAMES
+from shadercache.caching.algorithms import USUAL
 from shadercache.caching.configuration import by_every_algorithm
 from shadercache.cli.scenes import configured
 from shadercache.cli.tables import format_table
@@ -141,7 +141,7 @@ def _is_allowed(example: Example, turns: Turns, name: str) -> bool:
 
 def _series(example: Example, turns: Turns) -> list[str]:
     """The labels of what was drawn."""
-    labels = [one for name in NAMES for one in by_period(name, example.periods, BLOCK)]
+    labels = [one for name in USUAL for one in by_period(name, example.periods, BLOCK)]
     return [one for one in labels if turns.has(one)]
 
 
@@ -171,14 +171,14 @@ def draw(data: Figure12) -> dict[str, bytes]:
 
 def _panel(axes: Axes, example: Example, turns: Turns) -> None:
     original = 1e3 * float(np.median(turns.original))
-    for name in NAMES:
+    for name in USUAL:
         periods = [n for n in example.periods if turns.has(label(name, n, BLOCK))]
         labels = by_period(name, periods, BLOCK)
         times = [original * turns.share(one) for one in labels]
         errors = [turns.of(one).rmse for one in labels]
         axes.plot(times, errors, color=COLORS[name], marker=SHAPES[name], ms=4, label=name)
         # The curves show the same periods at the same errors, so one of them is labelled.
-        if name == NAMES[-1] and periods:
+        if name == USUAL[-1] and periods:
             for at, below in ((0, -12), (-1, 6)):
                 axes.annotate(
                     f"n = {periods[at]}",

@@ -38,7 +38,7 @@ from bench.papers.turns import (
     take_turns,
     until_known,
 )
-from shadercache.caching.algorithms import NAMES
+from shadercache.caching.algorithms import USUAL
 from shadercache.caching.configuration import by_every_algorithm
 from shadercache.cli.tables import format_table
 from shadercache.gpu.context import Gpu
@@ -192,10 +192,10 @@ def _applied(rule: Rule, scene: SceneTimes) -> Finding:
 
 def three_fastest(nodes: Sequence[Point], _: float) -> Finding:
     """T1: surely slower than another for few nodes, surely the fastest for most."""
-    all_three = [node for node in nodes if node.has(*NAMES)]
+    all_three = [node for node in nodes if node.has(*USUAL)]
     if not all_three:
         return None, "no node has all three variants"
-    against = [[node.beats("3-pass", name) for name in NAMES[:2]] for node in all_three]
+    against = [[node.beats("3-pass", name) for name in USUAL[:2]] for node in all_three]
     wins, losses = (sum(map(test, against)) for test in (_all_above, _any_below))
     count = len(all_three)
     holds = losses <= (1.0 - ALMOST_EVERY) * count and wins > 0.5 * count
@@ -233,7 +233,7 @@ def worse_with_the_rest(nodes: Sequence[Point], _: float) -> Finding:
 
 
 def _least(node: Point) -> float:
-    return min(node.share(name) for name in NAMES if node.has(name))
+    return min(node.share(name) for name in USUAL if node.has(name))
 
 
 def targets_cost_more(nodes: Sequence[Point], _: float) -> Finding:
@@ -291,7 +291,7 @@ def outliers_overlap(nodes: Sequence[Point], _: float) -> Finding:
 
 def table(data: Figure8) -> str:
     """A row for each node."""
-    header = ("scene", "node", "paths", "P/T", "twice", *NAMES, "widest", "expression")
+    header = ("scene", "node", "paths", "P/T", "twice", *USUAL, "widest", "expression")
     rows = format_table(header, (row for scene in data.scenes for row in _rows(scene)))
     widest = max(batch.turns.widest for scene in data.scenes for batch in scene.batches)
     return f"{rows}\nwidest interval {widest:.1%}"
@@ -301,7 +301,7 @@ def _rows(scene: SceneTimes) -> Iterator[tuple[str, ...]]:
     for node in points(scene):
         shown = (
             f"{node.turns.speedup(node.label(name)).median:.2f}x" if node.has(name) else "-"
-            for name in NAMES
+            for name in USUAL
         )
         facts = node.facts
         yield (

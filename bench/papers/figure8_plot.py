@@ -9,7 +9,7 @@ import numpy as np
 
 from bench.papers.drawing import BARE, COLORS, ORIGINAL, SHAPES, panels, png
 from bench.papers.rules import OVERLAP
-from shadercache.caching.algorithms import NAMES
+from shadercache.caching.algorithms import USUAL
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -39,7 +39,7 @@ def plot(scene: str, nodes: Sequence[Point]) -> bytes:
 
 
 def _times(axes: Axes, nodes: Sequence[Point], original: float) -> None:
-    for name in NAMES:
+    for name in USUAL:
         drawn = [(at, node) for at, node in enumerate(nodes, start=1) if node.has(name)]
         x, y = [at for at, _ in drawn], [original * node.share(name) for _, node in drawn]
         speeds = [node.turns.speedup(node.label(name)) for _, node in drawn]

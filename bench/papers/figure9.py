@@ -28,7 +28,7 @@ from bench.papers.rules import (
 )
 from bench.papers.turns import Turns, Variant, take_turns, until_known
 from bench.papers.two_octaves import by_period, label, two_octaves
-from shadercache.caching.algorithms import NAMES
+from shadercache.caching.algorithms import USUAL
 from shadercache.cli.tables import format_table
 from shadercache.gpu.context import Gpu
 from shadercache.measure.statistics import Ratio, paired_ratio, widest
@@ -99,7 +99,7 @@ def _drops(data: Figure9) -> Verdict:
     half of the steps brings more than the second."""
     found: list[bool | None] = []
     words = []
-    for name in NAMES:
+    for name in USUAL:
         labels = by_period(name, data.periods, FITTED)
         steps = [data.turns.ratio(*pair) for pair in pairwise(labels)]
         whole = data.turns.ratio(labels[0], labels[-1])
@@ -127,7 +127,7 @@ def _decays(data: Figure9) -> Verdict:
     intervals of the times do, they cannot be told apart."""
     holds: list[bool | None] = []
     words = []
-    for name in NAMES:
+    for name in USUAL:
         labels = by_period(name, data.periods, FITTED)
         if not is_above(data.turns.ratio(labels[0], labels[-1])):
             continue
@@ -150,7 +150,7 @@ def _decays(data: Figure9) -> Verdict:
 
 def _from_one_to_two(data: Figure9) -> Verdict:
     """T9: surely less for each algorithm."""
-    ratios = {name: data.over_periods(name, 1, 2) for name in NAMES}
+    ratios = {name: data.over_periods(name, 1, 2) for name in USUAL}
     words = ", ".join(f"{name} {written(ratio)}" for name, ratio in ratios.items())
     return Verdict(
         "T9", all_of(map(is_more, ratios.values())), f"time with k = 1 over k = 2: {words}"
@@ -162,7 +162,7 @@ def _from_two_to_four(data: Figure9) -> Verdict:
     found: list[bool | None] = []
     words = []
     for small, large in ((2, 4), (4, 8)):
-        ratios = {name: data.over_periods(name, small, large) for name in NAMES}
+        ratios = {name: data.over_periods(name, small, large) for name in USUAL}
         found += map(is_unchanged, ratios.values())
         each = ", ".join(f"{name} {written(ratio)}" for name, ratio in ratios.items())
         words.append(f"time with k = {small} over k = {large}: {each}")
@@ -174,7 +174,7 @@ def table(data: Figure9) -> str:
     header = ("algorithm", "block", *(f"n {period}" for period in data.periods))
     rows = format_table(header, _rows(data))
     lines = []
-    for name in NAMES:
+    for name in USUAL:
         hyperbola, exponential = fits(data, name)
         lines += [
             f"{name}, k = {FITTED}: hyperbola {hyperbola.words}",
@@ -184,7 +184,7 @@ def table(data: Figure9) -> str:
 
 
 def _rows(data: Figure9) -> Iterator[tuple[str, ...]]:
-    for name in NAMES:
+    for name in USUAL:
         for block in data.blocks:
             speeds = [
                 data.turns.speedup(one).median for one in by_period(name, data.periods, block)
@@ -194,9 +194,9 @@ def _rows(data: Figure9) -> Iterator[tuple[str, ...]]:
 
 def draw(data: Figure9) -> dict[str, bytes]:
     """A panel for each algorithm, a curve for each block."""
-    figure, every = panels(1, len(NAMES), (12.0, 4.6), share="xy")
+    figure, every = panels(1, len(USUAL), (12.0, 4.6), share="xy")
     original = 1e3 * float(np.median(data.turns.original))
-    for axes, name in zip(every, NAMES, strict=True):
+    for axes, name in zip(every, USUAL, strict=True):
         for block, color in zip(data.blocks, PALETTE, strict=False):
             times = [original * share for share in data.shares(name, block)]
             axes.plot(

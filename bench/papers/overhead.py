@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from bench.papers.rules import LITTLE, slope
 from bench.papers.turns import as_in_the_papers
-from shadercache.caching.algorithms import NAMES
+from shadercache.caching.algorithms import USUAL
 from shadercache.linking.linker import Linker
 from shadercache.measure.measure import outcome_curves
 from shadercache.measure.subjects import subjects_of
@@ -43,11 +43,11 @@ def insensitive(nodes: Sequence[Point], hits: float) -> Finding:
     """Three passes' overhead rises by less than a tenth of the original's time from a hit that
     saves nothing to one that saves all, and by less than the others'."""
     steep = {}
-    for name in NAMES:
+    for name in USUAL:
         have = [node for node in nodes if node.has(name)]
         steep[name] = slope([saved(n) for n in have], [overhead(n, name, hits) for n in have])
     three = steep["3-pass"].value
     flat = abs(three) < LITTLE
-    least = all(abs(three) < abs(steep[name].value) for name in NAMES[:2])
+    least = all(abs(three) < abs(steep[name].value) for name in USUAL[:2])
     parts = ", ".join(f"{name} {interval}" for name, interval in steep.items())
     return flat and least, f"overhead over what a hit saves, both as shares of the shader: {parts}"

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 
 from bench.papers.turns import as_in_the_papers
-from shadercache.caching.algorithms import NAMES
+from shadercache.caching.algorithms import USUAL
 from shadercache.caching.configuration import Refresh
 from shadercache.gpu.context import Gpu
 from shadercache.linking.linker import Linker
@@ -32,7 +32,7 @@ class Bench:
         """One of each algorithm; programs are shared over periods and blocks."""
         kinds = [
             replace(as_in_the_papers([self.node], name), refresh=Refresh("random", period, block))
-            for name in NAMES
+            for name in USUAL
         ]
         return subjects_of(self.linker, NODE, kinds)
 

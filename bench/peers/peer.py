@@ -209,7 +209,7 @@ class ScreenPass(Resource):
         for name, texture in shader.textures.items():
             drawable.give(name, texture)
         vertex = read_shader("screen.vert")
-        spec = PassSpec("peer", vertex, shader.fragment, shader.targets, over_screen=True)
+        spec = PassSpec("peer", vertex, shader.fragment, shader.targets, draws="screen")
         self._bound = BoundPass(view, drawable, spec, shader.naming({}))
 
     def draw(self, frame: int, numbers: Numbers) -> None:

@@ -33,6 +33,7 @@ from shadercache.linking.made_scene import made_scene
 from shadercache.manifest.reflection import inputs_of
 from shadercache.processes import spread
 from shadercache.render.bundle import PassSpec
+from shadercache.render.depth_spec import DepthSpec
 from shadercache.render.pass_runners import PassRunner
 from shadercache.render.render_scene import RenderScene
 from shadercache.sema.facts import Facts
@@ -125,7 +126,7 @@ def _draw(original: Source, printed: Source) -> Iterator[NDArray[np.float32]]:
     inputs = inputs_of([(module, facts, "fragment")])
     with RenderScene(_gpu(), scene, (32, 32), "rgba32f") as world:
         for text in (original, printed):
-            spec = PassSpec(text.name, vertex, text, ("color",), "<=", True, True, inputs=inputs)
+            spec = PassSpec(text.name, vertex, text, depth=DepthSpec("<="), inputs=inputs)
             yield PassRunner(world, spec).image(0)
 
 

@@ -94,6 +94,7 @@ class Candidates:
     instances: tuple[Instance, ...]
     slices: SliceTable
     derivatives: SharedUses
+    cubes: SharedUses
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,7 +152,9 @@ def find_candidates(
                 )
             )
     nodes.extend(_initialisers(module, facts, origin.source, ids))
-    return Candidates(_told_apart(nodes, ids), ids, instances, slices, evidence.derivatives)
+    return Candidates(
+        _told_apart(nodes, ids), ids, instances, slices, evidence.derivatives, evidence.cubes
+    )
 
 
 def _evidence(

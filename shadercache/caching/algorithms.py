@@ -9,10 +9,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Literal, TypeAlias
 
-COLOR, CACHE, MASK = "color", "cache", "mask"
+COLOR, CACHE, MASK, PARKED = "color", "cache", "mask", "parked"
 PREVIOUS, CURRENT = "previous-cache", "current-cache"
 
-Drawn: TypeAlias = Literal["objects", "screen"]
+Drawn: TypeAlias = Literal["objects", "screen", "groups"]
+DepthTest: TypeAlias = Literal["less", "lequal", "always", "equal"]
+DepthBuffer: TypeAlias = Literal["shared", "marks"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,8 +22,10 @@ class AlgorithmPass:
     """One pass: all objects, or a triangle over the screen, drawn by what ``maker`` builds.
 
     ``targets`` stand at their index; those that are neither colour nor cache live for a frame.
-    ``reads``: what earlier frames or passes have stored. ``on_reset``: is it drawn where nothing is
-    to be reused?
+    ``parked`` are as many as are needed. ``reads``: what earlier frames or passes have stored.
+    ``on_reset``: is it drawn where nothing is to be reused? ``draws``: of the screen there is a
+    triangle for all objects, or (``groups``) one for all that have the same uniforms.
+    ``depth_buffer``: the one that objects share, or one of marks, which lives for a frame.
     """
 
     name: str
@@ -30,8 +34,9 @@ class AlgorithmPass:
     reads: tuple[str, ...] = ()
     on_reset: bool = True
     draws: Drawn = "objects"
-    depth_test: Literal["less", "lequal"] = "less"
+    depth_test: DepthTest = "less"
     depth_write: bool = True
+    depth_buffer: DepthBuffer = "shared"
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +45,7 @@ class Algorithm:
 
     ``unfit``: the function of ``emit/`` that says why it cannot be used for a payload, if so.
     ``fraction``: its passes where payloads are computed at a fraction of the rate, if it can that.
+    ``usual``: is it taken where all are asked for, or only by name?
     """
 
     name: str
@@ -47,6 +53,7 @@ class Algorithm:
     passes: tuple[AlgorithmPass, ...]
     unfit: str | None = None
     fraction: tuple[AlgorithmPass, ...] = ()
+    usual: bool = True
 
     @property
     def branches(self) -> bool:
@@ -56,7 +63,8 @@ class Algorithm:
     @property
     def reads_back(self) -> bool:
         """Is the payload of a frame read from the cache in that frame?"""
-        return any(CURRENT in record.reads for record in self.passes)
+        # What only marks pixels reads which of them have no payload yet.
+        return any(CURRENT in record.reads and COLOR in record.targets for record in self.passes)
 
     @property
     def resets_at_once(self) -> bool:
@@ -73,7 +81,7 @@ class Algorithm:
         return self.name if len(self.passes) == 1 else f"{self.name}.{record.name}"
 
 
-# The three of Sitthi-amorn et al. 2008.
+# The first three are those of Sitthi-amorn et al. 2008.
 ALGORITHMS = (
     Algorithm(
         "1-pass",
@@ -109,13 +117,46 @@ ALGORITHMS = (
             AlgorithmPass("rest", "upsampling:rest", (COLOR,)),
         ),
     ),
+    Algorithm(
+        "parked",
+        "parked",
+        (
+            AlgorithmPass("find", "parked:find", (COLOR, CACHE, PARKED), (PREVIOUS,)),
+            # A depth for each pixel that waits, so that what comes next fails the early depth test
+            # at all others. It is another buffer: that of the objects must stay as it is.
+            AlgorithmPass(
+                "mark",
+                "parked:mark",
+                (),
+                (CURRENT,),
+                draws="screen",
+                depth_test="always",
+                depth_buffer="marks",
+            ),
+            AlgorithmPass(
+                "fix-up",
+                "parked:fix_up",
+                (COLOR, CACHE),
+                (PARKED,),
+                draws="groups",
+                depth_test="equal",
+                depth_write=False,
+                depth_buffer="marks",
+            ),
+        ),
+        unfit="parked:unfit",
+        usual=False,
+    ),
 )
-"""In the order of their passes; where one has to be chosen without reason, the last that fits."""
+"""In the order of their passes; where one of the usual ones has to be chosen without reason, the
+last that fits."""
 
 DEFAULT = "2-pass"
 """What a configuration takes where nothing is said."""
 
 NAMES = tuple(record.name for record in ALGORITHMS)
+USUAL = tuple(record.name for record in ALGORITHMS if record.usual)
+"""Those that are meant by all."""
 
 PROFILED, FIRST = "2-pass", "hit"
 """The algorithm of which a profile is taken, and its pass that looks up."""

@@ -12,7 +12,7 @@ from dataclasses import asdict, dataclass, field, fields, is_dataclass, replace
 from hashlib import sha256
 from typing import Any, Literal, TypeAlias, get_args, get_origin, get_type_hints
 
-from shadercache.caching.algorithms import DEFAULT, NAMES
+from shadercache.caching.algorithms import DEFAULT, NAMES, USUAL
 from shadercache.diagnostics import input_error
 from shadercache.transform.hoist_fetches import FetchForm
 
@@ -245,8 +245,9 @@ class Assignment:
 
 
 def by_every_algorithm(configuration: Configuration) -> tuple[Configuration, ...]:
-    """The same by each algorithm of the table."""
-    return tuple(replace(configuration, algorithm=name) for name in NAMES)
+    """The same by each of the usual algorithms, and by its own."""
+    names = dict.fromkeys((*USUAL, configuration.algorithm))
+    return tuple(replace(configuration, algorithm=name) for name in names)
 
 
 def _read(kind: Any, data: Any, path: str) -> Any:

@@ -44,6 +44,14 @@ _HUGE = "3.0e38"
 """More than any bound of a change."""
 
 
+def recalled(layout: Layout, prefix: str) -> dict[str, str]:
+    """The variables, with their types, in which a look-up leaves what adapting periods need."""
+    if HALVINGS not in layout.extras:
+        return {}
+    old = {f"{prefix}old_{at}": "float" for at in range(layout.used)}
+    return {f"{prefix}halvings": "float", f"{prefix}refreshed": "bool", **old}
+
+
 def _as_float(text: str, base: str | None, bits: bool) -> str:
     """A channel of a payload's type as a float."""
     if not bits:

@@ -22,6 +22,14 @@ from shadercache.caching.outcomes import (
     STEEPEST,
 )
 
+FIRST_MARK, MARKS = 0.75, 8192.0
+"""Depths that mark misses, in clip space: the first, and how many steps there are to one. Their
+window depths are exact in floats, and in 24 bits none lies near half a step, where what draws and
+what a shader writes may be rounded apart."""
+
+MOST_GROUPS = 2047
+"""Below the farthest depth; half floats are exact up to there."""
+
 NUMBERS = {
     "SPREAD": str(SPREAD),
     "EPSILON": str(DEFAULT_EPSILON),
@@ -32,6 +40,8 @@ NUMBERS = {
     "LEAST_AREA": str(LEAST_AREA),
     **{name: str(reach) for name, reach in REACHES.items()},
     "MOST_OF_HALF": str(MOST_OF_HALF),
+    "FIRST_MARK": str(FIRST_MARK),
+    "MARKS": str(MARKS),
 }
 """What words in capitals mean that stand for numbers."""
 

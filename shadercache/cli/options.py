@@ -18,7 +18,7 @@ import typer
 
 from shadercache.analysis.mapping import MappingKind
 from shadercache.caching import configuration as cached
-from shadercache.caching.algorithms import ALGORITHMS
+from shadercache.caching.algorithms import ALGORITHMS, USUAL
 from shadercache.caching.settings import cache_choices
 from shadercache.cli.io import folder
 from shadercache.cli.scenes import configured, find_scene
@@ -275,14 +275,15 @@ def parse_size(text: str) -> tuple[int, int]:
 
 
 def parse_passes(text: str) -> tuple[str, ...]:
-    """The names of algorithms, from ``all`` or their words, such as ``1,2``.
+    """The names of algorithms, from their words, such as ``1,2``, and ``all`` for the usual ones.
 
     Raises :class:`UsageError` SC008.
     """
     known = {algorithm.word: algorithm.name for algorithm in ALGORITHMS}
-    words = list(known) if text == "all" else _parts(text)
-    if words and all(word in known for word in words):
-        return tuple(known[word] for word in words)
+    named = {"all": USUAL, **{word: (name,) for word, name in known.items()}}
+    words = _parts(text)
+    if words and all(word in named for word in words):
+        return tuple(dict.fromkeys(name for word in words for name in named[word]))
     hint = f"give 'all', or some of {', '.join(known)}, separated by commas"
     raise usage_error("SC008", f"'{text}' is no value for --passes", hint)
 

@@ -13,7 +13,14 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from shadercache.caching.configuration import Configuration
-from shadercache.cli.options import ClusterOption, RateOption, SettingsOption, ShaderOptions
+from shadercache.cli.options import (
+    PASSES,
+    ClusterOption,
+    RateOption,
+    SettingsOption,
+    ShaderOptions,
+    parse_passes,
+)
 from shadercache.cli.progress import progress
 from shadercache.cli.scenes import choose_nodes, configured, find_scene, one_by_one
 from shadercache.cli.tables import format_table, shorten, terminal_width
@@ -24,6 +31,20 @@ if TYPE_CHECKING:
 
 HEADER = ("node", "path", "laws", "plain: largest", "p99.9", "changed", "text")
 READ = ShaderOptions()
+
+
+@dataclass(frozen=True, kw_only=True)
+class VariantOptions:
+    """Which variants of a node are verified."""
+
+    passes: Annotated[
+        str, typer.Option(metavar=",".join(PASSES), help="Algorithms; all: the first three.")
+    ] = "all"
+    cache: SettingsOption = None
+    rate: RateOption = "full"
+
+
+VARIANTS = VariantOptions()
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,8 +81,7 @@ def command(
         bool, typer.Option("--plain/--proof-only", help="Also measure what plain mode changes.")
     ] = True,
     reading: ShaderOptions = READ,
-    cache: SettingsOption = None,
-    rate: RateOption = "full",
+    variants: VariantOptions = VARIANTS,
     jobs: Annotated[
         int, typer.Option("-j", "--jobs", min=0, help="Processes; 0 takes one per core.")
     ] = 0,
@@ -87,9 +107,10 @@ def command(
     from shadercache.verify.parallel import VerifiedScene, verify_in_parallel, verify_on
     from shadercache.verify.verifier import Verifier
 
+    algorithms = parse_passes(variants.passes)
     path, read_options = find_scene(target), reading.read_options()
     scene, analysis = open_scene(path, read_options, reading.mapping)
-    configuration = configured(scene, Configuration(payload_rate=rate), cache)
+    configuration = configured(scene, Configuration(payload_rate=variants.rate), variants.cache)
     if node:
         payloads = choose_nodes(scene, analysis, node)
     else:
@@ -103,7 +124,7 @@ def command(
         about = environment(gpu)
         whole = WholeScene(verifier.round_trip(), verifier.references.ties, equal)
     with progress(f"verifying {scene.name}", len(payloads)) as advance:
-        verified = VerifiedScene(path, read_options, reading.mapping, configuration)
+        verified = VerifiedScene(path, read_options, reading.mapping, configuration, algorithms)
         ids = ["+".join(payload.ids) for payload in payloads]
         if cluster is None:
             count = min(jobs or os.cpu_count() or 1, max(1, len(ids)))

@@ -36,8 +36,8 @@ from shadercache.transform.remove_dead import remove_dead
 from shadercache.transform.scale_coordinates import scale_coordinates
 from shadercache.transform.specialise import Clones, Cut, CutKind, insert_clones, specialise
 
-_LATE = ("here_late", "hit_late")
-"""Passes that fragments without a payload go through, up to a discard at the end."""
+_LATE = ("here_late", "hit_late", "find", "find_here")
+"""Passes that fragments without a payload go through, up to the end."""
 
 _INTO_CACHE = ("reuse", "reuse_late", "payload", "miss", "hit_mask", "needed")
 """Passes that are drawn as large as the cache, of those there are at a fraction of the rate."""
@@ -93,14 +93,14 @@ class PassBuilder:
         # It is a key: what does not change the runtime's text must not tell two of them apart.
         self._configuration = chosen.look_up
         self.precisions = PrecisionTable(program.module, program.facts)
-        self._layout = layout_of(
+        self.layout = layout_of(
             tuple(node.type for node in nodes),
             chosen,
             program.module.profile == "es",
             tuple(self.precisions.of(node.expr) for node in nodes),
         )
-        self.payloads = self._layout.variables(self.own("payload"))
-        self.stores = [self.own("store"), *[self.own("store_2")] * self._layout.second]
+        self.payloads = self.layout.variables(self.own("payload"))
+        self.stores = [self.own("store"), *[self.own("store_2")] * self.layout.second]
         self.color_and_stores = [program.color, *self.stores]
         # A pass writes no pixel that the original discards, so it must get as far as the discard.
         discards = EffectTable(program.module, program.memo).summary("main").does & Does.DISCARD
@@ -109,6 +109,7 @@ class PassBuilder:
         self._cut: dict[CutKind, Clones] = {}
         self._made: dict[Maker, Shader] = {}
         types = program.facts.types
+        self.fetch_form = chosen.fetches
         # In order of evaluation: a later one may need an earlier one.
         self.fetches = [
             (use, self.own(f"fetch_{i}"), form_of(use.place.expr, chosen.fetches, types))
@@ -133,7 +134,9 @@ class PassBuilder:
     def names(self) -> FreshNames:
         """Names that are still free in a pass."""
         # None of the user's: the prefix is one that nothing in their text begins with.
-        fetched = {name for _, name, _ in self.fetches}
+        fetched = {
+            self.own(f"fetch_{i}") for i in range(len(self.program.candidates.derivatives.all))
+        }
         return FreshNames(runtime_names(self.program.prefix) | fetched | set(self.payloads))
 
     def clone(self, names: FreshNames, entry: str, cuts: tuple[Cut, ...]) -> Clones:
@@ -151,7 +154,7 @@ class PassBuilder:
 
     def node_cuts(self, kind: CutKind) -> tuple[Cut, ...]:
         """Where the nodes are cut out."""
-        flags = self._layout.variables(self.own("valid"))
+        flags = self.layout.variables(self.own("valid"))
         return tuple(
             Cut(node.instance.path, node.expr, payload, kind, flag)
             for node, payload, flag in zip(self.nodes, self.payloads, flags, strict=True)
@@ -168,7 +171,7 @@ class PassBuilder:
         """A file of ``glsl/passes`` with what its ``main`` needs for the ``outputs``."""
         # What lies beside the payload in the cache is no part of what the payload alone costs.
         alone = template in ("payload_alone", "needed")
-        layout = replace(self._layout, extras=(), tucked=False) if alone else self._layout
+        layout = replace(self.layout, extras=(), tucked=False) if alone else self.layout
         program = self.program
         choice = Choice(layout, program.prefix, self.whole, program.located, self._configuration)
         part = program_part(FOLDER / f"passes/{template}.glsl", choice)

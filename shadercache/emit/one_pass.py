@@ -11,24 +11,19 @@ The payload's code runs before the shader proper, which must find every global a
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from shadercache.analysis.call_paths import Use
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.effects import Does
 from shadercache.ast import nodes as n
+from shadercache.emit.ahead import LEVELS_SINCE, caller, left_changed, movable, variable
 from shadercache.emit.assemble import Shader
 from shadercache.emit.builder import PassBuilder
 from shadercache.sema.facts import Symbol
-from shadercache.source import NOWHERE
 from shadercache.transform.hoist_fetches import type_ahead
 from shadercache.transform.reachable import names_in
 from shadercache.transform.rename import rename
 from shadercache.transform.specialise import Clones, Cut
-
-_QUERIES = 400
-"""The version of GLSL that has ``textureQueryLod``."""
 
 _SHARED = Does.DERIVATIVE | Does.IMPLICIT_LOD
 """What neighbouring fragments have to do together."""
@@ -41,7 +36,7 @@ def shade_or_reuse(builder: PassBuilder) -> Shader:
     shader = _keeping(builder, ())
     # Only the finished pass shows what has to be kept: most of what the payload's code would change
     # has been removed as dead by then.
-    changed = _left_changed(builder, shader)
+    changed = left_changed(builder, shader, ("fetch_ahead", "compute"))
     return _keeping(builder, changed) if changed else shader
 
 
@@ -56,7 +51,7 @@ def _keeping(builder: PassBuilder, kept: tuple[Symbol, ...]) -> Shader:
         # A later fetch may need an earlier one: it finds that in the variable.
         cuts.append(replace(goal, kind="use"))
     entries = [group.entry for group in clones]
-    extra: list[n.Decl] = [_caller(builder, "fetch_ahead", entries, kept if entries else ())]
+    extra: list[n.Decl] = [caller(builder, "fetch_ahead", entries, kept if entries else ())]
     compute = "compute_only" if kept else "compute"
     # Its fetches have been made ahead of the branch, where whole quads make them together.
     clones.append(builder.clone(names, compute, (*cuts, *builder.node_cuts("goal"))))
@@ -64,18 +59,18 @@ def _keeping(builder: PassBuilder, kept: tuple[Symbol, ...]) -> Shader:
     # colour goes from the payload's code.
     if _only_main_colors(builder):
         precision = "highp" if builder.program.module.profile == "es" else None
-        extra.append(_variable("vec4", builder.own("color"), precision))
+        extra.append(variable("vec4", builder.own("color"), precision))
         clones = [_with_own_color(builder, group) for group in clones]
     if kept:
-        extra.append(_caller(builder, "compute", [builder.own(compute)], kept))
+        extra.append(caller(builder, "compute", [builder.own(compute)], kept))
     clones.append(builder.clone(names, "shade", builder.node_cuts("use")))
     for use, name, form in builder.fetches:
         fetch = use.place.expr
         kind = type_ahead(fetch, form, builder.program.facts.types)
-        extra.append(_variable(kind, name, builder.precisions.of(fetch)))
+        extra.append(variable(kind, name, builder.precisions.of(fetch)))
     shader = builder.build("one", clones, builder.color_and_stores, extra)
     if any(form == "level" for *_, form in builder.fetches):
-        version = max(shader.module.version, _QUERIES)
+        version = max(shader.module.version, LEVELS_SINCE)
         return replace(shader, module=replace(shader.module, version=version))
     return shader
 
@@ -91,16 +86,6 @@ def _with_own_color(builder: PassBuilder, group: Clones) -> Clones:
     """The payload's code with a variable for the colour."""
     names = {builder.program.color: builder.own("color")}
     return replace(group, pairs=tuple((old, rename(new, names)) for old, new in group.pairs))
-
-
-def _left_changed(builder: PassBuilder, shader: Shader) -> tuple[Symbol, ...]:
-    """The user's globals that the payload's code of a one-pass shader changes."""
-    table = EffectTable(shader.module, builder.program.memo)
-    ahead = ("fetch_ahead", "compute")
-    entries = [name for name in map(builder.own, ahead) if name in table.functions]
-    written = frozenset[str]().union(*(table.summary(name).writes for name in entries))
-    declared = builder.program.facts.declared.values()
-    return tuple(s for s in declared if s.kind == "global" and s.name in written)
 
 
 def unfit(builder: PassBuilder) -> str | None:
@@ -128,15 +113,11 @@ def _unfit_ahead(builder: PassBuilder) -> str | None:
             "the shader has a global variable of a struct without a name, which cannot be "
             "kept while the payload is computed"
         )
-    for use, *_ in builder.fetches:
-        plain = use.instance.use is Use.PLAIN and use.place.use is Use.PLAIN
-        moves = use.instance.order_matters or use.place.order_matters
-        left = use.instance.after_exit or use.place.step.after_exit
-        if not plain or moves or left:
-            return (
-                "the payload fetches a texture with implicit level of detail at a place "
-                "from which the fetch cannot be moved before the branch"
-            )
+    if not all(movable(use) for use, *_ in builder.fetches):
+        return (
+            "the payload fetches a texture with implicit level of detail at a place "
+            "from which the fetch cannot be moved before the branch"
+        )
     return None
 
 
@@ -150,30 +131,3 @@ def _unfit_as_made(builder: PassBuilder) -> str | None:
         "the payload's code takes derivatives that it does not need and that cannot be told apart "
         "from it"
     )
-
-
-def _variable(kind: str, name: str, precision: str | None) -> n.VarDecl:
-    """A plain global variable."""
-    words = n.Qualifiers(NOWHERE, (precision,)) if precision else n.NO_QUALIFIERS
-    return n.VarDecl(NOWHERE, words, n.TypeSpec(NOWHERE, kind), (n.Declarator(NOWHERE, name),))
-
-
-def _caller(
-    builder: PassBuilder, name: str, callees: Iterable[str], kept: Sequence[Symbol]
-) -> n.FunctionDef:
-    """A function that calls others and then gives the ``kept`` variables their old values."""
-    before: list[n.Stmt] = []
-    after: list[n.Stmt] = []
-    for number, symbol in enumerate(kept, start=1):
-        local, own = builder.own(f"kept_{number}"), n.Name(NOWHERE, symbol.name)
-        dims = tuple(n.Literal(NOWHERE, str(size)) for size in symbol.type.dims)
-        kind = n.TypeSpec(NOWHERE, symbol.type.name)
-        copy = n.Declarator(NOWHERE, local, dims, own)
-        before.append(n.DeclStmt(NOWHERE, n.VarDecl(NOWHERE, n.NO_QUALIFIERS, kind, (copy,))))
-        restored = n.Assign(NOWHERE, "=", own, n.Name(NOWHERE, local))
-        after.append(n.ExprStmt(NOWHERE, restored))
-    calls = (n.ExprStmt(NOWHERE, n.Call(NOWHERE, callee, ())) for callee in callees)
-    body = n.Block(NOWHERE, (*before, *calls, *after))
-    void = n.TypeSpec(NOWHERE, "void")
-    proto = n.FunctionProto(NOWHERE, n.NO_QUALIFIERS, void, builder.own(name), ())
-    return n.FunctionDef(NOWHERE, proto, body)

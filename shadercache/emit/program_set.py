@@ -18,8 +18,9 @@ from shadercache.emit.builder import (
     function_named,
     unfit,
 )
+from shadercache.emit.parking import MOST_TARGETS, parked_formats
 from shadercache.emit.printer import print_module
-from shadercache.emit.runtime import full_screen_vertex
+from shadercache.emit.runtime import full_screen_vertex, group_vertex
 from shadercache.emit.vertex import VertexEmitter
 from shadercache.sema.facts import Stage
 from shadercache.transform.proof.make_precise import make_precise
@@ -37,7 +38,8 @@ _SECOND = "-2"
 class Pass:
     """A pass as it was emitted: what its record says, the name of its files, and its interface.
 
-    ``targets`` and ``reads`` are the record's, with the second textures that the shader has.
+    ``targets`` and ``reads`` are the record's, with the second textures that the shader has, and
+    as many for what is parked; ``parked`` are the formats of these, where it writes them.
     """
 
     record: AlgorithmPass
@@ -46,6 +48,7 @@ class Pass:
     reads: tuple[str, ...]
     uniforms: tuple[str, ...]
     attributes: tuple[str, ...]
+    parked: tuple[str, ...] = ()
 
 
 @dataclass(slots=True)
@@ -185,8 +188,11 @@ class _ProgramWriter:
     def add(self, record: AlgorithmPass, builder: PassBuilder, file: str | None = None) -> Pass:
         """Make a pass, with the vertex shader for it, and print both."""
         fragment = builder.made(function_named(record.maker))
+        prefix = self.programs.prefix
         if record.draws == "screen":
-            vertex = interface(full_screen_vertex(fragment.module)[1])
+            vertex = interface(full_screen_vertex(fragment.module, prefix)[1])
+        elif record.draws == "groups":
+            vertex = interface(group_vertex(fragment.module, prefix)[1])
         else:
             vertex = self.vertex.for_fragment(fragment)
         return self._write(record, file or record.name, fragment, vertex)
@@ -196,14 +202,20 @@ class _ProgramWriter:
         self.programs.files[f"{file}.vert"] = self._text(file, vertex, "vertex")
         # Both stages may declare a uniform.
         uniforms = tuple(dict.fromkeys((*vertex.uniforms, *fragment.uniforms)))
-        caches = {algorithms.PREVIOUS: "cache", algorithms.CURRENT: "payloads"}
+        stores = {algorithms.CACHE: "store", algorithms.PARKED: "park"}
+        read = {
+            algorithms.PREVIOUS: "cache",
+            algorithms.CURRENT: "payloads",
+            algorithms.PARKED: algorithms.PARKED,
+        }
         return Pass(
             record,
             file,
-            self._with_second(record.targets, fragment.outputs, {algorithms.CACHE: "store"}),
-            self._with_second(self._reads(record, uniforms), uniforms, caches),
+            self._each(record.targets, fragment.outputs, stores),
+            self._each(self._reads(record, uniforms), uniforms, read),
             uniforms,
             vertex.inputs,
+            parked_formats(fragment.module, f"{self.programs.prefix}park_"),
         )
 
     def _reads(self, record: AlgorithmPass, uniforms: tuple[str, ...]) -> tuple[str, ...]:
@@ -213,13 +225,20 @@ class _ProgramWriter:
         )
         return (algorithms.PREVIOUS, *record.reads) if looks else record.reads
 
-    def _with_second(
+    def _each(
         self, listed: tuple[str, ...], declared: tuple[str, ...], names: dict[str, str]
     ) -> tuple[str, ...]:
-        """What a pass writes or reads, with the second texture where the shader declares it."""
-        prefix = self.programs.prefix
-        more = (w + _SECOND for w in listed if w in names and f"{prefix}{names[w]}_2" in declared)
-        return (*listed, *more)
+        """What a pass writes or reads: second textures where the shader declares them, and of what
+        is parked as many as it declares."""
+        each: list[str] = []
+        for word in listed:
+            stem = f"{self.programs.prefix}{names.get(word, word)}"
+            numbers = [at for at in range(1, MOST_TARGETS) if f"{stem}_{at}" in declared]
+            if word == algorithms.PARKED:
+                each += [f"{word}-{at}" for at in numbers]
+            else:
+                each += [word, *[word + _SECOND] * (word in names and 2 in numbers)]
+        return tuple(each)
 
     def _text(self, file: str, shader: Shader, stage: Stage) -> str:
         memo, prefix = self.vertex.memo, self.vertex.prefix

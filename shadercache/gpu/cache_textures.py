@@ -133,8 +133,16 @@ class CachePair:
             layer.release()
 
 
-def _layer(ctx: moderngl.Context, size: tuple[int, int], form: str) -> _Layer:
+def cache_texture(ctx: moderngl.Context, size: tuple[int, int], form: str) -> moderngl.Texture:
+    """A texture of one of the known formats, whose texels are fetched one by one."""
     components, dtype = _FORMATS[form]
     texture = ctx.texture(size, components, dtype=dtype)
+    # One of integers with a linear filter is incomplete (OpenGL 4.6 section 8.17).
+    texture.filter = (moderngl.NEAREST, moderngl.NEAREST)
     texture.repeat_x = texture.repeat_y = False
-    return _Layer(texture, ctx.framebuffer([texture]), np.dtype(dtype))
+    return texture
+
+
+def _layer(ctx: moderngl.Context, size: tuple[int, int], form: str) -> _Layer:
+    texture = cache_texture(ctx, size, form)
+    return _Layer(texture, ctx.framebuffer([texture]), np.dtype(_FORMATS[form][1]))

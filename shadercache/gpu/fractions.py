@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Any, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 Viewport: TypeAlias = tuple[int, int, int, int]
 """Left, bottom, width and height, in pixels."""
+
+
+WhichDepth: TypeAlias = Literal["shared", "apart", "marks"]
+"""A depth buffer: what objects share, another one for targets of another size, or one of marks."""
 
 
 def divided_size(size: tuple[int, int], divisor: int) -> tuple[int, int]:

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.diagnostics import Diagnostic, GraphicsError, input_error
-from shadercache.gpu.cache_textures import CachePair
-from shadercache.gpu.fractions import divided_size
+from shadercache.gpu.cache_textures import CachePair, cache_texture
+from shadercache.gpu.fractions import WhichDepth, divided_size
 
 COLOR_FORMATS = {"rgba8": "f1", "rgba32f": "f4"}
 """Colour formats: 8 bits for what is shown and timed, 32-bit floats for proofs."""
@@ -51,9 +51,10 @@ class Targets:
         self._idle: list[CachePair] = []
         self._pairs: list[CachePair] = []
         self._masks: dict[int, moderngl.Texture] = {}
-        self._depths: dict[tuple[int, int], moderngl.Renderbuffer] = {}
-        """Of what has another depth than the picture, by size."""
+        self._depths: dict[tuple[WhichDepth, tuple[int, int]], moderngl.Renderbuffer] = {}
+        """Of what has another depth than the picture."""
         self._surface: moderngl.Texture | None = None
+        self._parked: dict[tuple[str, str], moderngl.Texture] = {}
         try:
             self.color = ctx.texture(size, 4, dtype=COLOR_FORMATS[color])
             self.depth = _depth_texture(ctx, size) if sampled else ctx.depth_renderbuffer(size)
@@ -82,6 +83,12 @@ class Targets:
             self._surface = self.ctx.texture(self.size, 4, dtype="f4")
         return self._surface
 
+    def parked(self, name: str, form: str) -> moderngl.Texture:
+        """A texture for what is parked within a frame, with undefined contents."""
+        if (name, form) not in self._parked:
+            self._parked[name, form] = cache_texture(self.ctx, self.size, form)
+        return self._parked[name, form]
+
     @property
     def depth_texture(self) -> moderngl.Texture:
         """The window depths, of targets that are sampled."""
@@ -96,33 +103,36 @@ class Targets:
 
     def clear_depth(self, divisor: int) -> None:
         """Empty the depth of targets that have another one than the picture."""
-        framebuffer = self.framebuffer((self.mask_of(divisor),), True, apart=True)
+        framebuffer = self.framebuffer((self.mask_of(divisor),), True, "apart")
         framebuffer.clear(depth=self._empty_depth)
 
     def framebuffer(
         self,
         textures: tuple[moderngl.Texture, ...],
         depth_write: bool | None,
-        apart: bool = False,
+        buffer: WhichDepth = "shared",
     ) -> moderngl.Framebuffer:
         """The framebuffer with these attachments (in order) and the shared depth; None: without.
 
-        ``apart``: with the other depth, which all share that are of this size.
+        ``buffer``: which depth it is; all share one that are of this size. That of marks has
+        undefined contents at first.
         """
         # GL reuses the names of what is freed; these textures live as long as their framebuffers.
-        key = (*(texture.glo for texture in textures), depth_write, apart)
+        key = (*(texture.glo for texture in textures), depth_write, buffer)
         if key not in self._framebuffers:
-            shared = self._depth_apart(textures[0].size) if apart else self.depth
+            size = textures[0].size if textures else self.size
+            shared = self.depth if buffer == "shared" else self._other_depth(size, buffer)
             depth = None if depth_write is None else shared
             self._framebuffers[key] = self.ctx.framebuffer(textures, depth)
             # moderngl keeps this mask with the framebuffer, hence one for each.
             self._framebuffers[key].depth_mask = bool(depth_write)
         return self._framebuffers[key]
 
-    def _depth_apart(self, size: tuple[int, int]) -> moderngl.Renderbuffer:
-        if size not in self._depths:
-            self._depths[size] = self.ctx.depth_renderbuffer(size)
-        return self._depths[size]
+    def _other_depth(self, size: tuple[int, int], buffer: WhichDepth) -> moderngl.Renderbuffer:
+        key = buffer, size
+        if key not in self._depths:
+            self._depths[key] = self.ctx.depth_renderbuffer(size)
+        return self._depths[key]
 
     def lend_cache(self, formats: tuple[str, ...], divisor: int = 1) -> CachePair:
         """Cache textures with undefined contents, maybe a fraction of the picture in size; hand
@@ -168,7 +178,8 @@ class Targets:
             pair.release()
         for buffer in self._depths.values():
             buffer.release()
-        for texture in (self.color, self.depth, self._surface, *self._masks.values()):
+        parked = self._parked.values()
+        for texture in (self.color, self.depth, self._surface, *self._masks.values(), *parked):
             if texture is not None:
                 texture.release()
 

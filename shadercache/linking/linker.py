@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from shadercache.caching.algorithms import NAMES, LeftOut
+from shadercache.caching.algorithms import NAMES, USUAL, LeftOut
 from shadercache.caching.configuration import Assignment, Configuration, Mode, by_every_algorithm
 from shadercache.compiler import Analysis, Emission, emit_original, rewrite
 from shadercache.diagnostics import InputError, input_error
@@ -132,11 +132,12 @@ class Linker:
     ) -> Bundle:
         """Without a part they are the scene's own shader's."""
         analysis = self.analysis if part is None else self.analysis_of(part)
-        first = replace(configuration.compiled, algorithm=NAMES[0])
+        own = configuration.algorithm
+        first = replace(configuration.compiled, algorithm=NAMES[0] if own in USUAL else own)
         # `compiled` leaves out the format, which no program depends on, but the manifest tells it.
         # An id stands for its analysis, since this linker keeps them all alive.
         key = (id(analysis), first, configuration.storage.format, left_out)
-        # All algorithms, since the parts of P/T and of the floor are measured on their passes.
+        # All that are usual, since the parts of P/T and of the floor are measured on their passes.
         every = by_every_algorithm(configuration) if left_out is None else (configuration,)
         return self._bundle(
             key, lambda: rewrite(analysis, every, unprofitable=True, left_out=left_out)

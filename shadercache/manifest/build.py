@@ -12,6 +12,7 @@ from shadercache import __version__
 from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.costs.payload_sets import is_skipped
 from shadercache.analysis.refusals import FIRST_TEXEL
+from shadercache.caching.algorithms import PARKED
 from shadercache.caching.configuration import Configuration, Mode
 from shadercache.caching.layout import XYZW, Layout, empty_depth, layout_of
 from shadercache.caching.outcomes import outcomes
@@ -77,7 +78,7 @@ def build_manifest(
         ),
         color=model.ColorEntry(output=programs.color, location=0),
         cache=cache,
-        targets=_targets(cache, configuration.divisor),
+        targets=_targets(cache, configuration.divisor, programs),
         uniforms=tuple(
             uniform
             for uniform in added_uniforms(programs.prefix, layout, configuration)
@@ -155,12 +156,15 @@ def _head(programs: ProgramSet, mode: Mode, inputs: Iterable[InputEntry]) -> dic
 
 
 def _targets(
-    cache: cache_model.CacheEntry, divisor: int
+    cache: cache_model.CacheEntry, divisor: int, programs: ProgramSet
 ) -> dict[TargetName, cache_model.TargetEntry]:
     formats: dict[TargetName, Any] = {"color": None, "cache": cache.format}
     if cache.second is not UNSET:
         formats["cache-2"] = cache.second.format
     formats["mask"] = "r32f"
+    for emitted in programs.passes:
+        names: list[Any] = [name for name in emitted.targets if name.startswith(PARKED)]
+        formats |= dict(zip(names, emitted.parked, strict=True))
     whole: TargetName = "color"
     return {
         name: cache_model.TargetEntry(format=form, divisor=1 if name == whole else divisor)  # type: ignore[arg-type]
@@ -235,7 +239,9 @@ def _about(emitted: Pass) -> dict[str, Any]:
         "vertex": f"{emitted.file}.vert",
         "fragment": f"{emitted.file}.frag",
         "targets": emitted.targets,
-        "depth": pass_model.DepthEntry(test=record.depth_test, write=record.depth_write),
+        "depth": pass_model.DepthEntry(
+            test=record.depth_test, write=record.depth_write, buffer=record.depth_buffer
+        ),
         "reads": emitted.reads,
         "uniforms": emitted.uniforms,
         "attributes": emitted.attributes,

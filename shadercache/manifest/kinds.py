@@ -26,9 +26,12 @@ Unsigned: TypeAlias = Annotated[int, Meta(ge=0)]
 Size: TypeAlias = Annotated[int, Meta(ge=1)]
 
 StageName: TypeAlias = Literal["vertex", "fragment"]
-TargetName: TypeAlias = Literal["color", "cache", "cache-2", "mask"]
+ParkedName: TypeAlias = Literal[
+    "parked-1", "parked-2", "parked-3", "parked-4", "parked-5", "parked-6"
+]
+TargetName: TypeAlias = Literal["color", "cache", "cache-2", "mask", ParkedName]
 ReadName: TypeAlias = Literal[
-    "previous-cache", "current-cache", "previous-cache-2", "current-cache-2"
+    "previous-cache", "current-cache", "previous-cache-2", "current-cache-2", ParkedName
 ]
 Channel: TypeAlias = Literal["x", "y", "z", "w"]
 

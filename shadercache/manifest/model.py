@@ -158,9 +158,9 @@ class Manifest(kinds.ManifestPart, frozen=True, kw_only=True):
     draw: Annotated[
         pass_model.ObjectsEntry | pass_model.TriangleEntry, Meta(description="what each pass draws")
     ]
-    original: Annotated[pass_model.PassEntry, Meta(description="the unchanged shader")]
+    original: Annotated[pass_model.DrawingPass, Meta(description="the unchanged shader")]
     geometry: Annotated[
-        pass_model.PassEntry | UnsetType,
+        pass_model.DrawingPass | UnsetType,
         Meta(description="the bare geometry: what no cache can save of the original"),
     ] = UNSET
     variants: Annotated[
@@ -172,7 +172,7 @@ class Manifest(kinds.ManifestPart, frozen=True, kw_only=True):
         Meta(description="algorithms that these values cannot be cached with"),
     ]
     payload: Annotated[
-        pass_model.PassEntry,
+        pass_model.DrawingPass,
         Meta(
             description="draws the payload alone in place of the colour: what computing it costs; "
             "no part of any variant"

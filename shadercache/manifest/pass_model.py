@@ -6,7 +6,7 @@ from typing import Annotated, Literal, TypeAlias
 
 from msgspec import UNSET, Meta, UnsetType
 
-from shadercache.caching.algorithms import NAMES
+from shadercache.caching.algorithms import NAMES, DepthTest, Drawn
 from shadercache.manifest import kinds
 
 Role: TypeAlias = Literal[
@@ -30,6 +30,8 @@ Role: TypeAlias = Literal[
     "resolution",
     "limit",
     "least",
+    "group",
+    kinds.ParkedName,
 ]
 
 Outcomes: TypeAlias = Annotated[
@@ -81,10 +83,18 @@ class DepthEntry(kinds.ManifestPart, frozen=True, kw_only=True):
     """What a pass does with the depth buffer."""
 
     test: Annotated[
-        Literal["less", "lequal"],
+        DepthTest,
         Meta(description="depth function; depth is cleared to 1 once per frame, not per pass"),
     ]
     write: bool
+    buffer: Annotated[
+        Literal["shared", "marks"],
+        Meta(
+            description="shared: the one that all objects are drawn into; marks: another one, as "
+            "large as the target, that is never cleared and lives for a frame, with 'test' as it "
+            "is whatever depth_functions says, and no polygon offset"
+        ),
+    ] = "shared"
 
 
 class PassEntry(kinds.ManifestPart, frozen=True, kw_only=True):
@@ -106,9 +116,8 @@ class PassEntry(kinds.ManifestPart, frozen=True, kw_only=True):
         tuple[kinds.TargetName, ...],
         Meta(
             description="entry i is bound at colour attachment i: the colour target, the cache "
-            "that is written in this frame (cache-2: its second texture), or the debug mask (one "
-            "float channel)",
-            min_length=1,
+            "that is written in this frame (cache-2: its second texture), what is parked for a "
+            "later pass (never cleared), or the debug mask (one float channel)",
             extra_json_schema=kinds.UNIQUE,
         ),
     ]
@@ -116,8 +125,8 @@ class PassEntry(kinds.ManifestPart, frozen=True, kw_only=True):
     reads: Annotated[
         tuple[kinds.ReadName, ...],
         Meta(
-            description="caches that the pass samples: that of the last frame, or the one written "
-            "in this frame",
+            description="what the pass samples: the cache of the last frame, the one written in "
+            "this frame, or what an earlier pass has parked",
             extra_json_schema=kinds.UNIQUE,
         ),
     ]
@@ -138,10 +147,12 @@ class PassEntry(kinds.ManifestPart, frozen=True, kw_only=True):
     ]
     on_reset: Annotated[bool, Meta(description="whether the pass is drawn on a reset frame")]
     draws: Annotated[
-        Literal["objects", "screen"],
+        Drawn,
         Meta(
             description="screen: one triangle over the whole target, of three vertices without "
-            "attributes or index, once for all objects of this manifest"
+            "attributes or index, once for all objects of this manifest (without targets: of all "
+            "manifests that share the cache); groups: the same once for each group of objects (the "
+            "uniform of that role)"
         ),
     ] = "objects"
 
@@ -173,16 +184,25 @@ class NeededEntry(PassEntry, frozen=True, kw_only=True):
     by_some: bool
 
 
+_MARKING = {"required": ["buffer"], "properties": {"buffer": {"const": "marks"}}}
+_IDLE = {"targets": {"maxItems": 0}, "depth": {"not": _MARKING}}
+
+DrawingPass: TypeAlias = Annotated[
+    PassEntry, Meta(extra_json_schema={"not": {"properties": _IDLE}})
+]
+"""One that draws into something."""
+
+
 class VariantEntry(kinds.ManifestPart, frozen=True, kw_only=True):
     """An algorithm; its passes are drawn in order."""
 
     algorithm: Annotated[kinds.Words, Meta(examples=list(NAMES))]
     passes: Annotated[
-        tuple[PassEntry, ...],
+        tuple[DrawingPass, ...],
         Meta(
             min_length=1,
             extra_json_schema={
-                "contains": {"required": ["on_reset"], "properties": {"on_reset": {"const": True}}}
+                "contains": {"required": ["on_reset"], "properties": {"on_reset": {"const": True}}},
             },
         ),
     ]

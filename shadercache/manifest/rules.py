@@ -69,7 +69,9 @@ def _pass(path: str, entry: PassEntry, manifest: Manifest) -> Iterator[Problem]:
         > 1
     ):
         yield f"{path}.targets", "they are of several sizes"
-    if entry.draws == "screen" and entry.attributes:
+    if not entry.targets and entry.depth.buffer != "marks":
+        yield f"{path}.targets", "it draws into nothing"
+    if entry.draws != "objects" and entry.attributes:
         yield f"{path}.attributes", "a pass over the screen has none"
     sampled = {"previous-cache-2", "current-cache-2"}.intersection(entry.reads)
     if sampled and manifest.cache.second is UNSET:

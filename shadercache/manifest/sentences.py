@@ -86,6 +86,16 @@ FRAME_OF_FRACTION = (
     "refreshed, passes with on_reset false draw nothing, and may be left out.",
 )
 
+FRAME_OF_PARKED = (
+    "Passes with draws 'screen' or 'groups' come behind the last pass of all objects, first the "
+    "former and then the latter: one that marks pixels is drawn once for all manifests that share "
+    "the cache, one that fixes them up once for each group. Targets 'parked-...' and the depth "
+    "buffer of marks need neither be cleared nor kept, and objects of several manifests may share "
+    "them.",
+    "The depth buffer of marks has 24 bits or more, with the depth range and the clip control that "
+    "objects have, even if depth is reversed.",
+)
+
 NOT_FINITE = (
     "What is not finite, or too large or too small for cache.format, is read back as it is in the "
     "frame that computes it (half floats make 65504 of larger numbers). Of later frames "
@@ -185,6 +195,7 @@ def frame_sentences(
         *(TWINS_OF_BLOCKS if blocks & programs.previous.keys() else ()),
         *[FRAME_OF_TWO] * two_textures,
         *(FRAME_OF_FRACTION if configuration.divisor > 1 else ()),
+        *(FRAME_OF_PARKED if any(emitted.parked for emitted in programs.passes) else ()),
     ]
 
 

@@ -8,6 +8,7 @@ from msgspec import UNSET, structs
 
 from shadercache.caching.configuration import DEFAULT_MAGNIFICATION, Configuration
 from shadercache.caching.layout import MOST_IN_HALF, Layout, precision_of
+from shadercache.caching.slots import MOST_GROUPS
 from shadercache.manifest.pass_model import AddedUniform
 
 _ROLES = {
@@ -15,6 +16,8 @@ _ROLES = {
     **{"payloads": "current-cache", "payloads_2": "current-cache-2"},
 }
 """Of names that are not their roles."""
+
+_OF_SECOND = ("cache_2", "payloads_2")
 
 # No depth is off by less than nothing: a pass that looks up all the same finds nothing.
 _ON_RESET = {"epsilon": -1, "reset": 1}
@@ -119,6 +122,15 @@ _UNIFORMS = (
     _uniform("float resolution", f"how much of itself a depth is rounded by{_OF_FORMAT}"),
     _uniform("float limit", f"the largest payload that is reused{_OF_FORMAT}"),
     _uniform("float least", f"the smallest above zero that it surely holds{_OF_FORMAT}"),
+    _uniform(
+        "int group",
+        "number of a draw, the same in all of its passes. No two draws of a frame have the same, "
+        "unless all uniforms and textures that passes with draws 'groups' declare are the same for "
+        "them, this one apart: then such passes are drawn once for all of these draws",
+        values=f"[1, {MOST_GROUPS}]",
+        default=1,
+    ),
+    *(_uniform(f"usampler2D parked_{at}", "what misses have parked") for at in range(1, 7)),
 )
 """In the order of manifests. What depends on the configuration is filled in below."""
 
@@ -143,6 +155,6 @@ def added_uniforms(prefix: str, layout: Layout, configuration: Configuration) ->
         about = {"name": prefix + uniform.name} | chosen.get(uniform.name, {})
         if uniform.type == "sampler2D" and layout.bits:
             about["type"] = "usampler2D"
-        if layout.second or not uniform.name.endswith("_2"):
+        if layout.second or uniform.name not in _OF_SECOND:
             uniforms.append(structs.replace(uniform, **about))
     return uniforms

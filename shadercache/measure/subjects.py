@@ -161,7 +161,7 @@ def subjects_of(
     facts = PayloadFacts(equal, linker.analysis.static_ratio(nodes))
     subjects = []
     for configuration in configurations:
-        # Of the slots the payload rate alone decides what fits.
+        # What fits depends on the payload rate, and on the algorithm where it is not usual.
         if configuration.algorithm in linker.fitting(configuration):
             assignment = linker.assign(configuration)
             objects = linker.link(assignment)

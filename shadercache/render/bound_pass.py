@@ -85,7 +85,8 @@ class BoundPass:
                 a texture, SC523 a value of a wrong size, SC525 a role that does not fit, SC602 the
                 driver refuses.
         """
-        self.name, self.over_screen = spec.name, spec.over_screen
+        self.name, self.over_screen = spec.name, spec.draws != "objects"
+        self.in_groups, self.marks = spec.draws == "groups", not spec.targets
         self._world, self._drawable, self._spec = world, drawable, spec
         self._values: list[tuple[Uniform, Literal["now", "before", "numbers"], str]] = []
         self._units: list[tuple[Uniform, GlTexture | str]] = []
@@ -109,17 +110,33 @@ class BoundPass:
             depth_test: a moderngl depth function in place of the manifest's.
         """
         targets = self._targets(caches)
-        framebuffer = self._world.targets.framebuffer(
-            targets, self._spec.depth_write, self._spec.apart
-        )
+        spec, engine = self._spec, self._world.scene.view.engine
+        framebuffer = self._world.targets.framebuffer(targets, spec.depth.write, spec.depth.buffer)
         # Views and frames share framebuffers, and may have viewports of their own.
         framebuffer.viewport = divided(inputs.viewport, self._spec.divisor)
         framebuffer.use()
-        test = depth_test or self._world.scene.view.engine.function(self._spec.depth_test)
-        self._world.gpu.ctx.depth_func = test
+        marks = spec.depth.buffer == "marks"
+        own = spec.depth.test if marks else engine.function(spec.depth.test)
+        context = self._world.gpu.ctx
+        context.depth_func = depth_test or own
         self._world.set_culling(self._drawable)
         self._load(inputs, caches)
+        # An offset would move what is drawn, and not the depths that a shader writes.
+        offset = marks and any(engine.offset)
+        if offset:
+            context.polygon_offset = (0.0, 0.0)
         self._array.render(moderngl.TRIANGLES, 3 if self.over_screen else -1)
+        if offset:
+            context.polygon_offset = engine.offset
+
+    def key(self, inputs: FrameInputs) -> tuple[object, ...]:
+        """What it reads but for the group's number: draws are of one group where that is equal."""
+        values = (
+            np.asarray(getattr(inputs, table)[name]).tobytes()
+            for _, table, name in self._values
+            if name != "group"
+        )
+        return (self._program, inputs.viewport, *values, *(source for _, source in self._units))
 
     def release(self) -> None:
         """Give the program back."""
@@ -132,10 +149,16 @@ class BoundPass:
             uniform.write(uniform.encode(tables[table][name], name))
         for unit, (uniform, source) in enumerate(self._units):
             # Caches swap with each frame, so their textures are found by role in each draw.
-            texture = _cache_texture(source, caches) if isinstance(source, str) else source
+            texture = self._texture(source, caches) if isinstance(source, str) else source
             texture.use(unit)
             uniform.write(self._unit_bytes[unit])
         self._program.bind_blocks()
+
+    def _texture(self, role: str, caches: CachePair | None) -> moderngl.Texture:
+        """What a role stands for in this frame."""
+        if role in self._spec.parked:
+            return self._world.targets.parked(role, self._spec.parked[role])
+        return _cache_texture(role, caches)
 
     def _targets(self, caches: CachePair | None) -> tuple[moderngl.Texture, ...]:
         shared = self._world.targets
@@ -145,6 +168,9 @@ class BoundPass:
             by_name |= dict(zip(CACHE_TARGETS, caches.current, strict=False))
         if "mask" in self._spec.targets:
             by_name["mask"] = shared.mask_of(self._spec.divisor)
+        for name in self._spec.targets:
+            if name in self._spec.parked:
+                by_name[name] = shared.parked(name, self._spec.parked[name])
         return tuple(by_name[name] for name in self._spec.targets)
 
     def _bind(self, naming: Naming) -> None:
@@ -165,8 +191,9 @@ class BoundPass:
             raise InputError(problems)
 
     def _bind_role(self, uniform: Uniform, role: str) -> None:
-        if (role in CACHE_ROLES) != (uniform.sampler is not None):
-            hint = f"samplers have one of the roles {', '.join(CACHE_ROLES)}"
+        sampled = (*CACHE_ROLES, *self._spec.parked)
+        if (role in sampled) != (uniform.sampler is not None):
+            hint = f"samplers have one of the roles {', '.join(sampled)}"
             raise self._problem("SC525", f"has {uniform.name} of the role {role}", hint)
         if uniform.sampler is None:
             self._values.append((uniform, "numbers", role))

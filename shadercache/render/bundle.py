@@ -15,7 +15,7 @@ from typing import Any, Literal, NamedTuple
 from msgspec import UNSET, structs
 
 from shadercache import foreign_files as foreign
-from shadercache.caching.algorithms import NAMES
+from shadercache.caching.algorithms import PARKED, USUAL, Drawn
 from shadercache.caching.configuration import DEFAULT_EPSILON, DIVISORS, Configuration
 from shadercache.caching.settings import with_settings
 from shadercache.diagnostics import input_error, usage_error
@@ -23,37 +23,36 @@ from shadercache.manifest.codec import decode, unusable
 from shadercache.manifest.interface import InputEntry, declared_of
 from shadercache.manifest.model import AnyManifest, Manifest, NeededManifest
 from shadercache.manifest.pass_model import PassEntry
+from shadercache.render.depth_spec import DepthSpec, depth_spec
 from shadercache.scene.object_inputs import root_of
 from shadercache.source import Source
 
 _CONSTANT = Path(__file__).parent / "glsl" / "constant.frag"
 _RATES = {divisor: rate for rate, divisor in DIVISORS.items()}
-_DEPTH_TESTS = {"less": "<", "lequal": "<="}
 _VERSION_LINE = re.compile(r"^\s*#\s*version\b.*$", re.MULTILINE)
 
 
 @dataclass(frozen=True, eq=False)
 class PassSpec:
-    """One draw of all objects, or of one triangle ``over_screen`` for all of them.
+    """One draw of all objects, or of one triangle over the screen for all of them, or for those of
+    a group.
 
-    ``depth_test`` is ``<`` or ``<=``; targets stand at their index. ``looks``: does it look up what
-    the last frame stored? ``inputs``: what it declares of the user's, and the twins. ``divisor``:
-    how many times smaller than the picture the targets are, in each direction; ``apart``: is their
-    depth not the picture's?
+    Targets stand at their index. ``looks``: does it look up what the last frame stored?
+    ``parked``: the formats of what is parked. ``inputs``: what it declares of the user's, and the
+    twins. ``divisor``: how many times smaller than the picture the targets are, in each direction.
     """
 
     name: str
     vertex: Source
     fragment: Source
     targets: tuple[str, ...] = ("color",)
-    depth_test: str = "<"
-    depth_write: bool = True
+    depth: DepthSpec = field(default_factory=DepthSpec)
     on_reset: bool = False
     looks: bool = False
-    over_screen: bool = False
+    draws: Drawn = "objects"
+    parked: Mapping[str, str] = field(default_factory=dict)
     inputs: tuple[InputEntry, ...] = ()
     divisor: int = 1
-    apart: bool = False
 
 
 class NeededPass(NamedTuple):
@@ -308,6 +307,20 @@ class Bundle:
             {uniform.role: uniform.on_reset for uniform in added if uniform.on_reset is not UNSET},
         )
 
+    @cached_property
+    def _parked(self) -> dict[str, str]:
+        """The formats of what is parked."""
+        targets = self.manifest.targets if isinstance(self.manifest, Manifest) else {}
+        return {
+            name: target.format
+            for name, target in targets.items()
+            if name.startswith(PARKED) and target.format is not None
+        }
+
+    def _depth(self, entry: PassEntry, divisor: int) -> DepthSpec:
+        apart = divisor > 1 or (self.enlarged and "color" not in entry.targets)
+        return depth_spec(entry.depth, apart)
+
     def _pass(self, entry: PassEntry) -> PassSpec:
         divisor = self._divisor(entry)
         return PassSpec(
@@ -315,20 +328,19 @@ class Bundle:
             vertex=self._file(entry.vertex),
             fragment=self._file(entry.fragment),
             targets=entry.targets,
-            depth_test=_DEPTH_TESTS[entry.depth.test],
-            depth_write=entry.depth.write,
+            depth=self._depth(entry, divisor),
             on_reset=entry.on_reset,
             looks="previous-cache" in entry.reads,
-            over_screen=entry.draws == "screen",
+            draws=entry.draws,
+            parked=self._parked,
             divisor=divisor,
-            apart=divisor > 1 or (self.enlarged and "color" not in entry.targets),
             inputs=declared_of(self.manifest.inputs, entry.uniforms, entry.attributes),
         )
 
     def _divisor(self, entry: PassEntry) -> int:
         """How many times smaller than the picture the targets of a pass are."""
         targets = self.manifest.targets if isinstance(self.manifest, Manifest) else {}
-        return max(targets[name].divisor for name in entry.targets) if targets else 1
+        return max((targets[name].divisor for name in entry.targets if targets), default=1)
 
     def _file(self, name: str) -> Source:
         if name not in self.files:
@@ -349,7 +361,7 @@ class LinkedObject:
         Without any it is drawn by its original.
         """
         have = self.bundle.algorithms if self.bundle.has_variants else ()
-        fit = [algorithm, *reversed(NAMES)]
+        fit = [algorithm, *reversed(USUAL)]
         chosen = next((name for name in fit if name in have), None)
         if self.configuration is None or chosen is None:
             return LinkedObject(self.bundle)

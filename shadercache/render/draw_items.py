@@ -4,16 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
 from shadercache.caching.configuration import Configuration
+from shadercache.caching.slots import MOST_GROUPS
 from shadercache.diagnostics import usage_error
 from shadercache.gpu.cache_textures import CachePair
 from shadercache.gpu.fractions import scale_of
 from shadercache.render.bound_pass import BoundPass, FrameInputs, object_numbers
-from shadercache.render.bundle import NO_NAMES, Bundle, CacheSpec, LinkedObject, Naming, PassSpec
+from shadercache.render.bundle import (
+    NO_NAMES,
+    Bundle,
+    CacheSpec,
+    LinkedObject,
+    Naming,
+    PassSpec,
+)
+from shadercache.render.depth_spec import DepthSpec
 from shadercache.render.drawable import Drawable
 from shadercache.render.pass_runners import Runner
 from shadercache.render.render_scene import RenderScene
@@ -69,7 +78,7 @@ def uncached_item(
         linked.bundle.coverage,
         targets=("mask",),
         divisor=others.cache.divisor,
-        apart=others.apart,
+        depth=DepthSpec(buffer="apart" if others.apart else "shared"),
     )
     return DrawItem(drawable, linked, NO_NAMES, bound, bound, hides, None)
 
@@ -166,15 +175,60 @@ class Turn(NamedTuple):
 
 
 def turns(items: Sequence[DrawItem], inputs: RunInputs, frame: int) -> Iterator[Turn]:
-    """Every draw of a frame: all objects finish a pass before the next begins."""
-    reads = [inputs.of(role, frame) for role in items]
-    # A pass over the screen is drawn once for all objects of a bundle.
-    over_screen: set[tuple[Bundle, str]] = set()
-    for number in range(max((len(role.due) for role in items), default=0)):
-        for role, read in zip(items, reads, strict=True):
-            bound = role.due[number] if number < len(role.due) else None
-            if bound is None or (role.bundle, bound.name) in over_screen:
+    """Every draw of a frame: all objects finish a pass before the next begins.
+
+    What is drawn over the screen from a pass on comes behind all passes of objects.
+    """
+    reads = _grouped(items, [inputs.of(role, frame) for role in items])
+    for behind in (False, True):
+        parts = [_part(role.due, behind) for role in items]
+        yield from _drawn(items, reads, parts)
+
+
+_Passes: TypeAlias = tuple[BoundPass | None, ...]
+
+
+def _part(due: _Passes, behind: bool) -> _Passes:
+    """The passes up to the last one of objects, or those behind it."""
+    objects = [at for at, bound in enumerate(due, 1) if bound is not None and not bound.over_screen]
+    end = max(objects, default=0)
+    return due[end:] if behind else due[:end]
+
+
+def _drawn(
+    items: Sequence[DrawItem],
+    reads: Sequence[FrameInputs],
+    parts: Sequence[_Passes],
+) -> Iterator[Turn]:
+    # A pass over the screen is drawn once for all objects of a bundle, or for all of a group. One
+    # that only marks pixels reads nothing but the cache, which all bundles share.
+    over_screen: set[tuple[Bundle | None, str, float]] = set()
+    for number in range(max(map(len, parts), default=0)):
+        for role, read, part in zip(items, reads, parts, strict=True):
+            bound = part[number] if number < len(part) else None
+            if bound is None:
+                continue
+            group = float(read.numbers["group"][0]) if bound.in_groups else 0.0
+            key = (None if bound.marks else role.bundle, bound.name, group)
+            if key in over_screen:
                 continue
             if bound.over_screen:
-                over_screen.add((role.bundle, bound.name))
+                over_screen.add(key)
             yield Turn(bound, read, role.caches)
+
+
+def _grouped(items: Sequence[DrawItem], reads: Sequence[FrameInputs]) -> list[FrameInputs]:
+    """What they read, with the number of the group that each object belongs to."""
+    known: dict[tuple[object, ...], int] = {}
+    grouped: list[FrameInputs] = []
+    for role, read in zip(items, reads, strict=True):
+        keys = [bound.key(read) for bound in role.due if bound is not None and bound.in_groups]
+        if keys:
+            number = known.setdefault((role.bundle, *keys), len(known) + 1)
+            if number > MOST_GROUPS:
+                message = f"misses of {MOST_GROUPS} draws can be told apart, and there are more"
+                raise usage_error("SC444", message, "take --passes 2, or give objects one value")
+            group = {"group": np.array([number], np.float64)}
+            read = replace(read, numbers={**read.numbers, **group})
+        grouped.append(read)
+    return grouped

@@ -50,7 +50,7 @@ class Choices(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     scenes: tuple[str, ...] = ()
     nodes: tuple[str, ...] = ()
     every_node: bool = False
-    passes: tuple[str, ...] = tuple(algorithm.word for algorithm in ALGORITHMS)
+    passes: tuple[str, ...] = tuple(record.word for record in ALGORITHMS if record.usual)
     periods: tuple[Period, ...] = (32,)
     blocks: tuple[Block, ...] = (4,)
     rates: tuple[PayloadRate, ...] = ("full",)

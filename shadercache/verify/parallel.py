@@ -15,6 +15,7 @@ from typing import Any
 
 from shadercache import cluster, processes
 from shadercache.analysis.mapping import MappingKind
+from shadercache.caching.algorithms import USUAL
 from shadercache.caching.configuration import Configuration
 from shadercache.diagnostics import Diagnostic, GraphicsError
 from shadercache.front.read_options import ReadOptions
@@ -41,17 +42,21 @@ _verified: VerifiedScene | None = None
 
 @dataclass(frozen=True, slots=True)
 class VerifiedScene:
-    """A scene file, or a full-screen shader; how its shaders are read, and what is verified."""
+    """A scene file, or a full-screen shader; how its shaders are read, and what is verified, by
+    which algorithms."""
 
     path: Path
     reading: ReadOptions | None = None
     mapping: MappingKind | None = None
     configuration: Configuration | None = None
+    algorithms: tuple[str, ...] = USUAL
 
     def open(self) -> Verifier:
         """Raises as :func:`open_scene` and :class:`Verifier`."""
         opened = open_scene(self.path, self.reading, self.mapping)
-        return Verifier(open_context(), opened, configuration=self.configuration)
+        verifier = Verifier(open_context(), opened, configuration=self.configuration)
+        verifier.algorithms = self.algorithms
+        return verifier
 
 
 def verify_in_parallel(

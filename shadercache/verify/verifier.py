@@ -11,8 +11,8 @@ from dataclasses import replace
 import numpy as np
 
 from shadercache.analysis.candidates import Candidate
-from shadercache.caching.algorithms import NAMES
-from shadercache.caching.configuration import Configuration, Mode, by_every_algorithm
+from shadercache.caching.algorithms import USUAL
+from shadercache.caching.configuration import Configuration, Mode
 from shadercache.caching.layout import Layout, precision_of
 from shadercache.compiler import Analysis, rewrite
 from shadercache.diagnostics import InputError, input_error
@@ -32,7 +32,12 @@ _LATER = {"miss": "", "clamp": "; guard=clamp has numbers for them later", "off"
 
 
 class Verifier:
-    """Checks nodes of one scene; the originals are rendered once for all of them."""
+    """Checks nodes of one scene; the originals are rendered once for all of them.
+
+    ``algorithms`` are those that are checked: the usual ones, if no others are set.
+    """
+
+    algorithms = USUAL
 
     def __init__(
         self,
@@ -89,7 +94,7 @@ class Verifier:
                     verdict.plain[name] = refreshed(self.references, shipped, name, "plain")
         except InputError as error:
             if [told.code for told in error.diagnostics] == ["SC407"]:
-                verdict.refused.update(dict.fromkeys(NAMES, str(error)))
+                verdict.refused.update(dict.fromkeys(self.algorithms, str(error)))
             else:
                 verdict.failure = str(error)
         return verdict
@@ -102,7 +107,8 @@ class Verifier:
         by_level = mode == "proof" and chosen.fetches == "level"
         if by_level and not tells_true_levels(self.references.world.gpu):
             chosen = replace(chosen, fetches="whole")
-        emission = rewrite(self.analysis, by_every_algorithm(chosen), unprofitable=True)
+        wanted = [replace(chosen, algorithm=name) for name in self.algorithms]
+        emission = rewrite(self.analysis, wanted, unprofitable=True)
         return Bundle(emission.manifest, emission.files)
 
     def _cause(self, nodes: Sequence[Candidate], bundle: Bundle) -> str:

@@ -2,7 +2,7 @@
 
 What a case (:mod:`tests.pairs`) says of itself: ``node`` is the text of the node, ``path`` the end
 of its call path; ``shows`` names a file and the declarations of it to look at, or none for the
-whole file. The other words are those of :func:`tests.configured.configured`.
+whole file; ``by`` are algorithms. The other words are those of :func:`tests.configured.configured`.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from emit.test_programs import check_programs
 from pairs import Case, anew
 from shaders import VERTEX, find
 
+from shadercache.caching.algorithms import USUAL
 from shadercache.compiler import Analysis, analyse, emit_original
 from shadercache.emit.printer import print_node
 from shadercache.front.parse import parse
@@ -40,10 +41,11 @@ def emitted(case: Case) -> str:
 
 def _files(analysis: Analysis, about: dict[str, str], plain: bool) -> dict[str, str]:
     text, path = about.pop("node", ""), about.pop("path", None)
+    algorithms = about.pop("by", " ".join(USUAL)).split()
     if not text:
         return emit_original(analysis, about["mode"]).files  # type: ignore[arg-type]
     node, options = find(analysis, text, path), configured(**about)
-    emission = rewritten(analysis, node, options, unprofitable=True)
+    emission = rewritten(analysis, node, options, algorithms, unprofitable=True)
     if plain:  # of interface blocks not every member is used
         check_programs(emission)
     for name, text in emission.files.items():

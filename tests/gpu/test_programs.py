@@ -43,7 +43,7 @@ def spec(fragment: str, vertex: str = VERTEX) -> PassSpec:
     # What only the driver turns down has no manifest that tells of it.
     with suppress(InputError):
         inputs = reflected(*sources)
-    return PassSpec("test", *sources, ("color",), "<", True, False, inputs=inputs)
+    return PassSpec("test", *sources, inputs=inputs)
 
 
 def codes(world: RenderScene, fragment: str, vertex: str = VERTEX) -> tuple[list[str], str]:

@@ -12,7 +12,7 @@ from manifests import SCHEMA, plain
 from shaders import analysed, find
 
 from shadercache.analysis.mapping import MappingKind
-from shadercache.caching.algorithms import NAMES
+from shadercache.caching.algorithms import NAMES, PARKED
 from shadercache.compiler import analyse
 from shadercache.source import Source
 from tests.configured import rewritten
@@ -79,6 +79,14 @@ def test_the_short_reset_needs_two_passes_beside_others() -> None:
     assert told(*NAMES)
     assert not told("2-pass")
     assert not told("1-pass", "3-pass")
+
+
+def test_parked_misses_are_told_of_where_there_are_any() -> None:
+    def told(*algorithms: str) -> str:
+        return " ".join(of_objects(algorithms)["frame"])
+
+    assert "once for each group" in told("2-pass", PARKED)
+    assert "marks" not in told("2-pass")
 
 
 def test_a_reset_finds_nothing() -> None:

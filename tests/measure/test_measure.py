@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from shadercache.caching.algorithms import NAMES
+from shadercache.caching.algorithms import USUAL
 from shadercache.diagnostics import InputError, UsageError
 from shadercache.gpu.clock import QueryClock, WallClock, pick_clock
 from shadercache.gpu.context import Gpu
@@ -60,7 +60,7 @@ def subjects(
     world: RenderScene,
     bundle: Bundle,
     label: str,
-    algorithms: Sequence[str] = NAMES,
+    algorithms: Sequence[str] = USUAL,
     periods: Sequence[int] = (4,),
 ) -> list[VariantSubject]:
     """What draws the torus by hand-written programs."""

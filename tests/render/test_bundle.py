@@ -94,7 +94,7 @@ def test_what_a_bundle_says(bundle: Bundle) -> None:
     assert bundle.naming.roles["sc_clock"] == "clock"
     assert bundle.naming.defaults["epsilon"] == 0.002
     assert [item.name for item in bundle.passes("3-pass")] == ["reuse", "payload", "shade"]
-    assert bundle.passes("3-pass")[2].depth_test == "<="
+    assert bundle.passes("3-pass")[2].depth.test == "<="
     assert bundle.geometry.fragment.text.startswith("#version 400 core\n")
     assert isinstance(bundle.manifest, Manifest)
     given = Bundle(replace(bundle.manifest, geometry=bundle.manifest.original), bundle.files)

@@ -14,6 +14,7 @@ from runner import independent_runner
 from runner.canvas import Canvas
 from runner.independent_runner import IndependentRunner, Turn, draw_together
 
+from shadercache.caching.algorithms import NAMES, PARKED, USUAL
 from shadercache.caching.configuration import PayloadRate
 from shadercache.caching.settings import with_settings
 from shadercache.compiler import Emission, analyse
@@ -84,7 +85,7 @@ def test_same_bits_full_screen(gpu: Gpu, tmp_path: Path, name: str) -> None:
         nodes = [node for node in analysis.nodes if node.offered]
         folder = tmp_path / mapping
         folder.mkdir()
-        write(rewritten(analysis, nodes[1]), folder)
+        write(rewritten(analysis, nodes[1], algorithms=NAMES), folder)
         bundle = load_bundle(folder)
         with RenderScene(gpu, scene, (96, 64), "rgba32f") as world:
             for algorithm in bundle.algorithms:
@@ -113,7 +114,7 @@ def test_same_bits_for_what_the_compiler_writes(gpu: Gpu, tmp_path: Path, name: 
     mesh = load_mesh(scene.small.common.mesh)
     with RenderScene(gpu, scene, (96, 96), "rgba32f", mesh) as world:
         for number, node in enumerate(chosen):
-            emission = rewritten(analysis, node)
+            emission = rewritten(analysis, node, algorithms=NAMES)
             folder = tmp_path / str(number)
             folder.mkdir()
             write(emission, folder)
@@ -136,11 +137,21 @@ def test_same_bits_for_what_the_compiler_writes(gpu: Gpu, tmp_path: Path, name: 
 def test_same_bits_for_other_options(gpu: Gpu, tmp_path: Path, settings: str) -> None:
     scene, analysis = open_scene(data_path("corpus", "trashcan", "scene.toml"))
     node = next(node for node in analysis.nodes if node.offered)
-    write(rewritten(analysis, node, with_settings(DEFAULT, [settings])), tmp_path)
+    write(rewritten(analysis, node, with_settings(DEFAULT, [settings]), NAMES), tmp_path)
     bundle = load_bundle(tmp_path)
     with RenderScene(gpu, scene, (64, 64), "rgba32f") as world:
         for algorithm in bundle.algorithms:
             assert agree(world, bundle, tmp_path, algorithm, None), algorithm
+
+
+@pytest.mark.parametrize("settings", ["adaptive=0.02", "age=on,ids=on", "guard=off"])
+def test_same_bits_for_parked_misses(gpu: Gpu, tmp_path: Path, settings: str) -> None:
+    scene, analysis = open_scene(data_path("corpus", "dragon", "scene.toml"))
+    node = analysis.node(scene.nodes["whole noise"])
+    chosen = with_settings(DEFAULT, [settings])
+    write(rewritten(analysis, node, chosen, [PARKED]), tmp_path)
+    with RenderScene(gpu, scene, (64, 64), "rgba32f") as world:
+        assert agree(world, load_bundle(tmp_path), tmp_path, PARKED, None)
 
 
 @pytest.mark.parametrize(
@@ -160,8 +171,7 @@ def test_same_bits_at_a_fraction_of_the_rate(
 
 
 @pytest.mark.parametrize(
-    ("algorithm", "rate"),
-    [("1-pass", "full"), ("2-pass", "full"), ("3-pass", "full"), ("3-pass", "half")],
+    ("algorithm", "rate"), [*((name, "full") for name in NAMES), ("3-pass", "half")]
 )
 def test_same_bits_for_several_objects(
     gpu: Gpu, scene_folder: Path, tmp_path: Path, algorithm: str, rate: PayloadRate
@@ -172,7 +182,8 @@ def test_same_bits_for_several_objects(
     # A number beside the object's own leaves room in one texture, as the other shader's node does.
     node = next(node for node in analysis.nodes if node.legal and str(node.type) == "float")
     options = with_settings(replace(DEFAULT, payload_rate=rate), ["ids=on"])
-    emission = rewritten(analysis, node, options, unprofitable=True)
+    every = NAMES if rate == "full" else USUAL
+    emission = rewritten(analysis, node, options, every, unprofitable=True)
     bundle = Bundle(emission.manifest, emission.files)
     with (
         RenderScene(gpu, scene, (96, 80), "rgba32f") as world,

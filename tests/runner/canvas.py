@@ -37,20 +37,35 @@ class Canvas:
         self.color = ctx.texture(size, 4, dtype="f4")
         self.depths = {edges: ctx.depth_renderbuffer(edges) for edges in (size, small)}
         self.empty = [ctx.framebuffer((), depth) for depth in self.depths.values()]
+        self.marks = ctx.depth_renderbuffer(size)
         # From pixels to texels: both viewports are the whole target, and begin at (0, 0).
         self.scale = (small[0] / size[0], small[1] / size[1], 0.0, 0.0)
-        self.framebuffers: dict[tuple[int, ...], moderngl.Framebuffer] = {}
+        self.parked: dict[str, moderngl.Texture] = {}
+        self.framebuffers: dict[tuple[Any, ...], moderngl.Framebuffer] = {}
         self.over_screen: set[tuple[Path, str]] = set()
 
     def _textures(self, size: tuple[int, int], precision: str | None) -> list[moderngl.Texture]:
         """The textures of one cache; ``precision`` (a format) replaces that of floats."""
         made: list[moderngl.Texture] = []
         for layer in self.layers:
-            channels, kind = re.fullmatch("([rgba]+)(.+)", layer["format"]).groups()
-            if precision and kind.endswith("f"):
-                kind = precision.removeprefix("rgba")
-            made.append(self.ctx.texture(size, CHANNELS[channels], dtype=DTYPES[kind]))
+            made.append(self._texture(size, layer["format"], precision))
         return made
+
+    def _texture(
+        self, size: tuple[int, int], form: str, precision: str | None = None
+    ) -> moderngl.Texture:
+        channels, kind = re.fullmatch("([rgba]+)(.+)", form).groups()
+        if precision and kind.endswith("f"):
+            kind = precision.removeprefix("rgba")
+        return self.ctx.texture(size, CHANNELS[channels], dtype=DTYPES[kind])
+
+    def park(self, targets: Mapping[str, Any]) -> dict[str, moderngl.Texture]:
+        """What a pass parks for a later one, by name; ``targets`` as the manifest has it."""
+        for name, target in targets.items():
+            if name.startswith("parked") and name not in self.parked:
+                self.parked[name] = self._texture(self.color.size, target["format"])
+                self.parked[name].filter = (moderngl.NEAREST, moderngl.NEAREST)
+        return self.parked
 
     def begin(self, forgets: bool) -> None:
         """Clear what a frame begins with, and what the last one stored if it ``forgets`` that."""
@@ -65,9 +80,9 @@ class Canvas:
 
     def holds(self, folder: Path, item: Mapping[str, Any]) -> bool:
         """Has this frame a pass over the screen already, since another object has drawn it?"""
-        key = (folder, item["name"])
-        if not over_screen(item) or key in self.over_screen:
-            return over_screen(item)
+        key = (folder if item["targets"] else Path(), item["name"])
+        if item.get("draws") != "screen" or key in self.over_screen:
+            return item.get("draws") == "screen"
         self.over_screen.add(key)
         return False
 
@@ -85,15 +100,18 @@ class Canvas:
             else:
                 self.framebuffer(texture, depth=False).clear(*layer["clear"])
 
-    def framebuffer(self, *textures: moderngl.Texture, depth: bool = True) -> moderngl.Framebuffer:
-        """One with these textures, and the depth of their size."""
-        key = (depth, *(texture.glo for texture in textures))
+    def framebuffer(
+        self, *textures: moderngl.Texture, depth: bool = True, buffer: str = ""
+    ) -> moderngl.Framebuffer:
+        """One with these textures, and the depth of their size, or that of marks."""
+        key = (depth, buffer, *(texture.glo for texture in textures))
         if key not in self.framebuffers:
-            made = self.ctx.framebuffer(textures, self.depths[textures[0].size] if depth else None)
+            chosen = self.marks if buffer == "marks" else self.depths[textures[0].size]
+            made = self.ctx.framebuffer(textures, chosen if depth else None)
             self.framebuffers[key] = made
         return self.framebuffers[key]
 
 
 def over_screen(item: Mapping[str, Any]) -> bool:
     """Does a pass draw one triangle over the screen in place of the objects?"""
-    return item.get("draws") == "screen"
+    return item.get("draws", "objects") != "objects"

@@ -16,7 +16,7 @@ import numpy as np
 from runner.canvas import Canvas, over_screen
 from runner.inputs import Given, Inputs
 
-DEPTH_TESTS = {"less": "<", "lequal": "<="}
+DEPTH_TESTS = {"less": "<", "lequal": "<=", "equal": "==", "always": "1"}
 
 
 class IndependentRunner:
@@ -99,19 +99,20 @@ class IndependentRunner:
         uniforms = self.manifest["uniforms"]
         numbers = {item["role"]: item["default"] for item in uniforms}
         numbers |= {"clock": frame % period, "period": period, "block": block}
-        numbers |= {"object": self.number, "scale": self.canvas.scale}
+        numbers |= {"object": self.number, "group": self.number, "scale": self.canvas.scale}
         if on_reset:
             numbers |= {i["role"]: i["on_reset"] for i in uniforms if "on_reset" in i}
+        parked = self.canvas.park(self.manifest["targets"])
         previous, current = self.canvas.caches
-        targets = {"color": self.canvas.color, **_named("cache", current)}
-        caches = {**_named("previous-cache", previous), **_named("current-cache", current)}
+        targets = {"color": self.canvas.color, **_named("cache", current), **parked}
+        caches = parked | _named("previous-cache", previous) | _named("current-cache", current)
         self.ctx.enable_only(self.flags)
-        framebuffer = self.canvas.framebuffer(*(targets[name] for name in item["targets"]))
+        used = (targets[name] for name in item["targets"])
+        framebuffer = self.canvas.framebuffer(*used, buffer=item["depth"].get("buffer", ""))
         framebuffer.depth_mask = item["depth"]["write"]
         framebuffer.use()
         self.ctx.depth_func = DEPTH_TESTS[item["depth"]["test"]]
-        last = values if on_reset else self.last_values
-        given = Given(values, last, numbers, caches)
+        given = Given(values, values if on_reset else self.last_values, numbers, caches)
         self.inputs.give(program, item["uniforms"], given)
         array.render(vertices=3 if over_screen(item) else self.vertices)
 
@@ -128,17 +129,16 @@ class Turn(NamedTuple):
 def draw_together(frame: int, turns: Sequence[Turn]) -> np.ndarray:
     """Draw a frame of several objects that share a canvas, and return its colours.
 
-    What is not cached comes first; all finish a pass before the next begins; an object that the
-    last frame did not show draws the passes of a reset.
+    What is not cached comes first; all finish a pass before the next begins, and passes over the
+    screen are last; what the last frame did not show draws the passes of a reset.
     """
     canvas = turns[0].runner.canvas
     canvas.begin(forgets=frame == 0)
     shown = [turn for turn in turns if turn.values is not None]
     shown.sort(key=lambda turn: turn.runner.is_cached)
-    for number in range(max(len(turn.runner.passes) for turn in shown)):
-        for turn in shown:
-            if number < len(turn.runner.passes):
-                turn.runner.draw_pass(number, frame, turn.values, turn.period, turn.block)
+    due = [(turn, *one) for turn in shown for one in enumerate(turn.runner.passes)]
+    for turn, number, _ in sorted(due, key=lambda one: (over_screen(one[2][0]), one[1])):
+        turn.runner.draw_pass(number, frame, turn.values, turn.period, turn.block)
     for turn in turns:
         turn.runner.last_values = None if turn.values is None else dict(turn.values)
     return canvas.end()

@@ -17,6 +17,7 @@ uniform float sc_limit;          // the largest value that is reused
 uniform float sc_least;          // the smallest one above zero that it surely holds
 uniform float sc_change;         // how much a refresh may change a payload and leave the period as it is
 uniform int sc_reset;            // 1 in a frame that follows a reset, else 0
+uniform int sc_group;            // from 1: number of the draw, or of those with the same uniforms
 uniform sc_SAMPLERS sc_payloads;  // what this frame has stored so far
 
 out sc_TEXELS sc_store;  // what the next frame finds in the cache

@@ -169,4 +169,6 @@ def _capital(text: str) -> str:
 
 
 def _in_words(name: str) -> str:
-    return _NUMBERS[len(algorithm(name).passes)]
+    record = algorithm(name)
+    words = _NUMBERS[len(record.passes)]
+    return words if record.usual else f"{words} ({name})"

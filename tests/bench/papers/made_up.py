@@ -8,7 +8,7 @@ import numpy as np
 
 from bench.papers.scene_nodes import NodeFacts
 from bench.papers.turns import Series, Turns
-from shadercache.caching.algorithms import NAMES
+from shadercache.caching.algorithms import USUAL
 
 FRAMES, ORIGINAL = 24, 0.05
 
@@ -44,6 +44,6 @@ def curves(
     """Shares by label, of the algorithms' curves over the period."""
     return {
         f"{name} n{period} k{block}": share
-        for name in NAMES
+        for name in USUAL
         for period, share in zip(periods, times[name], strict=True)
     }

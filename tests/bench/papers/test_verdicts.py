@@ -20,7 +20,7 @@ from bench.papers import (
 )
 from bench.papers.claims import CLAIMS, Verdict
 from bench.papers.suite import EXPERIMENTS
-from shadercache.caching.algorithms import NAMES
+from shadercache.caching.algorithms import USUAL
 
 from .made_up import curves, facts, turns
 
@@ -84,7 +84,7 @@ def test_of_few_nodes_figure_8_says_nothing() -> None:
 
 def test_times_within_the_interval_are_no_win() -> None:
     """All three alike: three passes neither win nor lose anywhere."""
-    data = figure_8(lambda ratio: dict.fromkeys(NAMES, 0.8), 1.3, {})
+    data = figure_8(lambda ratio: dict.fromkeys(USUAL, 0.8), 1.3, {})
     found = by_claim(figure8.judge(data))
     assert found["T1"] is False and found["T2"] is False
 
@@ -100,7 +100,7 @@ def figure_9(
         name: share
         for block, factor in by_block.items()
         for name, share in curves(
-            {name: [factor * one for one in curve] for name in NAMES},
+            {name: [factor * one for one in curve] for name in USUAL},
             figure9.PERIODS,
             block,
         ).items()
@@ -150,7 +150,7 @@ def figure_10(one: float, two: float, three: Callable[[float], float]) -> figure
         times = {"1-pass": [one] * len(periods), "2-pass": [two] * len(periods)}
         times["3-pass"] = [three(rate) for rate in rates]
         shares |= curves(times, periods, block)
-    shares |= {f"all hits {name}": 0.4 for name in NAMES}
+    shares |= {f"all hits {name}": 0.4 for name in USUAL}
     return figure10.Figure10(periods, figure10.BLOCKS, mu, turns(shares))
 
 
@@ -226,7 +226,7 @@ def test_alignment(factor: float, noise: float, slower: bool | None) -> None:
     shares = {}
     for block in alignment.BLOCKS:
         for period in alignment.PERIODS:
-            for name in NAMES:
+            for name in USUAL:
                 label = f"{name} n{period} k{block}"
                 shares |= {label: 0.7, f"{label} shifted": 0.7 * factor}
     data = alignment.Alignment(alignment.PERIODS, alignment.BLOCKS, turns(shares, noise=noise))

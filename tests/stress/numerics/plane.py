@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 from runner.independent_runner import IndependentRunner
 
+from shadercache.caching.algorithms import NAMES
 from shadercache.caching.configuration import CacheFormat, Configuration
 from shadercache.compiler import analyse
 from shadercache.gpu.context import Gpu
@@ -105,7 +106,7 @@ def _runner(
     analysis = analyse(Source("plane.frag", fragment), Source("plane.vert", VERTEX))
     node = next(node for node in analysis.nodes if node.text == payload)
     options = configured(cached, form=form)
-    emission = rewritten(analysis, node, options, unprofitable=True)
+    emission = rewritten(analysis, node, options, NAMES, unprofitable=True)
     corners = np.array([[-3.0, -3.0], [9.0, -3.0], [-3.0, 9.0]])
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from shadercache.caching.algorithms import NAMES
 from shadercache.caching.configuration import CacheFormat, FilterKind
 from shadercache.gpu.context import Gpu
 from tests.configured import configured
@@ -54,7 +55,7 @@ def read_back(poison: float, form: CacheFormat, algorithm: str) -> np.float32:
     return np.float32(np.clip(poison, -65504.0, 65504.0) if rounded else poison)
 
 
-@pytest.mark.parametrize("algorithm", ["1-pass", "2-pass", "3-pass"])
+@pytest.mark.parametrize("algorithm", NAMES)
 @pytest.mark.parametrize("form", ["rgba16f", "rgba32f"])
 def test_none_is_reusable_and_the_pixel_is_right(
     gpu: Gpu, stress: Criteria, form: CacheFormat, algorithm: str
@@ -89,7 +90,7 @@ def test_none_is_reusable_and_the_pixel_is_right(
 @pytest.mark.parametrize(
     "kind", ["bilinear", "bilateral", "lanczos2", "mitchell", "nearest", "carried"]
 )
-@pytest.mark.parametrize("algorithm", ["1-pass", "2-pass", "3-pass"])
+@pytest.mark.parametrize("algorithm", NAMES)
 def test_it_is_gone_one_frame_later(gpu: Gpu, algorithm: str, kind: FilterKind) -> None:
     """Although every filter reads across the spot."""
     if kind == "carried" and algorithm == "3-pass":
@@ -115,7 +116,7 @@ def test_without_a_guard_it_spreads(gpu: Gpu) -> None:
     assert not np.isfinite(image).all()
 
 
-@pytest.mark.parametrize("algorithm", ["1-pass", "2-pass", "3-pass"])
+@pytest.mark.parametrize("algorithm", NAMES)
 @pytest.mark.parametrize("form", ["rgba16f", "rgba32f"])
 def test_a_clamped_cache_is_read_as_finite(gpu: Gpu, form: CacheFormat, algorithm: str) -> None:
     """In the frame itself the pixel is right; the next one reuses what comes nearest."""
@@ -139,7 +140,7 @@ def test_a_clamped_cache_is_read_as_finite(gpu: Gpu, form: CacheFormat, algorith
         assert np.isfinite(made.cached()).all(), name
 
 
-@pytest.mark.parametrize("algorithm", ["1-pass", "2-pass", "3-pass"])
+@pytest.mark.parametrize("algorithm", NAMES)
 def test_what_a_filter_makes_is_kept_alike(gpu: Gpu, algorithm: str) -> None:
     """Between a number above zero and one below a filter finds smaller ones than either: they are
     no poison in any algorithm."""

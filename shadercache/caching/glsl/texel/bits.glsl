@@ -38,6 +38,12 @@ void sc_AGREE() {
     }
 }
 
+const uint sc_missed_depth = 0xFE000000u;  // of a texel that this frame is yet to compute
+
+uvec4 sc_MISSED() {
+    return uvec4(uint(sc_group), 0u, 0u, sc_missed_depth);
+}
+
 // What four texels hold at a place between them: floats are blended, integers and booleans are those
 // of one of the texels.
 uvec4 sc_blend(uvec4 a, uvec4 b, uvec4 c, uvec4 d, vec2 part, uvec4 discrete) {

@@ -35,6 +35,12 @@ void sc_HOLD() {
 void sc_AGREE() {
 }
 
+const float sc_missed_depth = -49152.0;  // of a texel that this frame is yet to compute
+
+vec4 sc_MISSED() {
+    return vec4(float(sc_group), 0.0, 0.0, sc_missed_depth);
+}
+
 // Numbers as near as half floats can hold them. Infinity and NaN stay.
 vec4 sc_held(vec4 values) {
     uvec4 sizes = floatBitsToUint(values) & 0x7FFFFFFFu;
