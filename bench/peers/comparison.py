@@ -16,6 +16,7 @@ from bench.peers.reduced_resolution import BilinearUpsampling, DepthAwareUpsampl
 from bench.peers.scene_programs import ScenePrograms
 from bench.peers.temporal_upscaling import TemporalUpscaling
 from shadercache.caching.configuration import Configuration, Filter, Refresh
+from shadercache.diagnostics import InputError
 from shadercache.gpu.context import Gpu
 from shadercache.linking.linker import Linker
 from shadercache.measure.measure import Progress, measure
@@ -37,7 +38,8 @@ MULTIPLE = 4
 COLOR_PERIODS = (2, 4)
 """Refresh periods of the cached colour, beside the scene's: it ages faster than what is in it."""
 
-ALGORITHMS = ("2-pass", "3-pass")
+LONGER = 4
+"""Times the scene's period: carried samples are tried at both, since they do not blur with age."""
 
 _TURN = 2
 """Frames that are timed as one: a peer may do all of its work in every second frame."""
@@ -84,18 +86,30 @@ def _colors(setting: Setting) -> list[Subject]:
 
 
 def cached_values(setting: Setting) -> list[Subject]:
-    """The nodes that the scene shows, by two and three passes, with two filters."""
+    """The nodes that the scene shows, in each of the ways that might suit one."""
     scene, plain = setting.linker.scene, setting.configuration
     names = scene.nodes if scene.demo is None else scene.demo.nodes
     subjects: list[Subject] = []
     for name in names:
-        chosen = [
-            replace(plain, nodes=(scene.nodes[name],), algorithm=algorithm, filter=kind)
-            for algorithm in ALGORITHMS
-            for kind in (Filter(), Filter("nearest"))
-        ]
-        subjects += subjects_of(setting.linker, name, chosen)
+        for chosen in _ways(replace(plain, nodes=(scene.nodes[name],))):
+            try:
+                subjects += subjects_of(setting.linker, name, [chosen])
+            except InputError as error:
+                # What carried samples keep beside the payload may not fit into the texels.
+                if error.diagnostics[0].code != "SC430":
+                    raise
     return subjects
+
+
+def _ways(plain: Configuration) -> Iterator[Configuration]:
+    """By algorithm, filter, period and payload rate."""
+    period = plain.refresh.period
+    two, three = (replace(plain, algorithm=name) for name in ("2-pass", "3-pass"))
+    carried = replace(two, filter=Filter("carried"))
+    yield from (two, three, replace(plain, algorithm="parked"))
+    yield from (carried, carried.with_refresh(LONGER * period))
+    for shorter in sorted({1, 2, period}):
+        yield replace(three, payload_rate="half").with_refresh(shorter)
 
 
 Maker = Callable[[Setting], Sequence[Subject]]
@@ -147,8 +161,9 @@ def compare(
     with RenderScene(gpu, linker.scene, (size, size)) as world:
         measured = measure(world, linker.originals(), subjects, options, progress)
     [group] = measured.groups
+    period = setting.configuration.refresh.period
     colors = {peer.label for peer in peers if isinstance(peer, VariantSubject)}
-    points = tuple(_points(group, colors))
+    points = tuple(_points(group, colors, period))
     outcome = SceneOutcome(
         schema_version=SCHEMA_VERSION,
         scene=measured.scene,
@@ -165,21 +180,27 @@ def compare(
     return outcome, measured
 
 
-def _points(group: Group, colors: set[str]) -> Iterator[Point]:
+def _points(group: Group, colors: set[str], period: int) -> Iterator[Point]:
     for node in group.nodes:
         for variant in node.variants:
             if node.label in colors:
                 yield _point(group, variant, node.label, "peer")
             else:
-                yield _point(group, variant, _name(node.label, variant.configuration), "cache")
+                words = (node.label, *_words(variant.configuration, period))
+                yield _point(group, variant, ", ".join(words), "cache")
     for other in group.others:
         yield _point(group, other, other.label, "peer")
 
 
-def _name(label: str, configuration: Configuration) -> str:
-    plain = configuration.filter.kind == Filter().kind
-    by_filter = "" if plain else f", {configuration.filter.kind}"
-    return f"{label}, {configuration.algorithm}{by_filter}"
+def _words(configuration: Configuration, period: int) -> Iterator[str]:
+    """The algorithm, and what is not as it is by default in the scene."""
+    yield configuration.algorithm
+    if configuration.filter != Filter():
+        yield configuration.filter.kind
+    if configuration.payload_rate != "full":
+        yield f"{configuration.payload_rate} rate"
+    if configuration.refresh.period != period:
+        yield f"period {configuration.refresh.period}"
 
 
 def _point(group: Group, result: SubjectResult, label: str, kind: str) -> Point:

@@ -51,13 +51,25 @@ def test_all_are_measured_in_one_run(gpu: Gpu, tmp_path: Path) -> None:
     outcome, _ = compare(gpu, setting, 32, [*PEERS, CACHE])
     kinds = {point.label: point.kind for point in outcome.points}
     cached = [label for label, kind in kinds.items() if kind == "cache"]
-    assert cached == ["all, 2-pass", "all, 2-pass, nearest", "all, 3-pass", "all, 3-pass, nearest"]
+    assert cached == [
+        f"all, {way}"
+        for way in (
+            "2-pass",
+            "3-pass",
+            "parked",
+            "2-pass, carried",
+            "2-pass, carried, period 32",
+            "3-pass, half rate, period 1",
+            "3-pass, half rate, period 2",
+            "3-pass, half rate",
+        )
+    ]
     assert [label for label in kinds if label.startswith("cached colour")] == [
         "cached colour, period 2",
         "cached colour, period 4",
         "cached colour, period 8",
     ]
-    assert len(kinds) == len(outcome.points) == 14
+    assert len(kinds) == len(outcome.points) == 18
     for point in outcome.points:
         assert 0.0 < point.low <= point.ratio <= point.high
         assert 0.0 < point.errors["rmse"] < 0.3
@@ -70,7 +82,7 @@ def test_all_are_measured_in_one_run(gpu: Gpu, tmp_path: Path) -> None:
     # The colour is the node here, so both ways to cache it make the same picture.
     same = by_label["all, 2-pass"], by_label["cached colour, period 8"]
     assert same[0].errors["rmse"] == same[1].errors["rmse"]
-    assert outcome_table(outcome).count("\n") == 15
+    assert outcome_table(outcome).count("\n") == 19
     assert set(outcome.winners) == {"rmse", "flip", "flicker"}
 
 
