@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from shadercache.caching.algorithms import NAMES, USUAL
 from shadercache.cli import options
 from shadercache.cli.app import COMMANDS
 from shadercache.cli.options import ShaderOptions, SourceOptions
@@ -65,6 +66,18 @@ def test_a_list_of_rates() -> None:
 def test_what_is_no_rate(text: str) -> None:
     with pytest.raises(UsageError, match="--rate"):
         options.parse_rates(text)
+
+
+def test_a_list_of_algorithms() -> None:
+    assert options.parse_passes("all") == USUAL
+    assert options.parse_passes("2,parked") == ("2-pass", "parked")
+    assert options.parse_passes("all,parked,2") == NAMES
+
+
+@pytest.mark.parametrize("text", ["", "4", "2-pass", "all parked"])
+def test_what_is_no_algorithm(text: str) -> None:
+    with pytest.raises(UsageError, match="--passes"):
+        options.parse_passes(text)
 
 
 @pytest.mark.parametrize("name", COMMANDS)

@@ -77,6 +77,16 @@ def test_one_node_of_each_value_is_checked(shell: Shell, scene: Path, tmp_path: 
     assert texts.count("wave(v_position)") == 1
 
 
+def test_the_algorithms_that_are_named(shell: Shell, scene: Path, tmp_path: Path) -> None:
+    output = tmp_path / "verdicts.json"
+    asked = ("--passes", "2,parked", "--proof-only", "--unprofitable")
+    done = shell("verify", scene, "-j", 1, *asked, "-o", output)
+    assert done.status == 0, done.err
+    nodes = json.loads(output.read_text())["nodes"]
+    assert {name for node in nodes for name in node["always"]} == {"2-pass", "parked"}
+    assert shell("verify", scene, "--passes", "4").status == 2
+
+
 def test_what_was_not_measured_is_not_told(shell: Shell, scene: Path) -> None:
     done = shell("verify", scene, "-j", 1, "--proof-only")
     assert done.status == 0, done.err

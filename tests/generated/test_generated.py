@@ -10,6 +10,7 @@ import os
 import pytest
 from laws.slices import NIGHTLY, VARIABLE, amount, seed
 
+from shadercache.caching.algorithms import NAMES
 from shadercache.gpu.context import Gpu
 
 from .dialects import DIALECTS
@@ -35,7 +36,7 @@ CONSTRUCTS = (
 )
 """Constructs without which a night's shaders would prove too little."""
 
-ALGORITHMS = ("1-pass", "2-pass", "3-pass", "of a set")
+ALGORITHMS = (*NAMES, "of a set")
 CODES = ("offered", *(f"SC{number}" for number in (301, 302, 303, 304, 307, 308)))
 
 
