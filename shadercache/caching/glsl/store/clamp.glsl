@@ -3,7 +3,7 @@
 // computed.
 
 sc_TEXEL sc_READ(sc_SAMPLERS cache, ivec2 place, uvec4 discrete) {
-    return sc_IN_RANGE(texelFetch(cache, place, 0), discrete);
+    return sc_IN_RANGE(textureLod(cache, (vec2(place) + 0.5) / vec2(textureSize(cache, 0)), 0.0), discrete);
 }
 
 // Values as near as the range that is reused has them; nothing is near to NaN.

@@ -135,14 +135,14 @@ int sc_look_up(out uvec4 sc_texel, out uvec4 sc_texel_2) {
     vec2 part = place - whole;
     ivec2 near = clamp(ivec2(whole), ivec2(0), last);
     ivec2 far = min(near + ivec2(ceil(part)), last);
-    uvec4 a = texelFetch(sc_cache, near, 0);
-    uvec4 a_2 = texelFetch(sc_cache_2, near, 0);
-    uvec4 b = texelFetch(sc_cache, ivec2(far.x, near.y), 0);
-    uvec4 b_2 = texelFetch(sc_cache_2, ivec2(far.x, near.y), 0);
-    uvec4 c = texelFetch(sc_cache, ivec2(near.x, far.y), 0);
-    uvec4 c_2 = texelFetch(sc_cache_2, ivec2(near.x, far.y), 0);
-    uvec4 d = texelFetch(sc_cache, far, 0);
-    uvec4 d_2 = texelFetch(sc_cache_2, far, 0);
+    uvec4 a = textureLod(sc_cache, (vec2(near) + 0.5) / vec2(textureSize(sc_cache, 0)), 0.0);
+    uvec4 a_2 = textureLod(sc_cache_2, (vec2(near) + 0.5) / vec2(textureSize(sc_cache_2, 0)), 0.0);
+    uvec4 b = textureLod(sc_cache, (vec2(ivec2(far.x, near.y)) + 0.5) / vec2(textureSize(sc_cache, 0)), 0.0);
+    uvec4 b_2 = textureLod(sc_cache_2, (vec2(ivec2(far.x, near.y)) + 0.5) / vec2(textureSize(sc_cache_2, 0)), 0.0);
+    uvec4 c = textureLod(sc_cache, (vec2(ivec2(near.x, far.y)) + 0.5) / vec2(textureSize(sc_cache, 0)), 0.0);
+    uvec4 c_2 = textureLod(sc_cache_2, (vec2(ivec2(near.x, far.y)) + 0.5) / vec2(textureSize(sc_cache_2, 0)), 0.0);
+    uvec4 d = textureLod(sc_cache, (vec2(far) + 0.5) / vec2(textureSize(sc_cache, 0)), 0.0);
+    uvec4 d_2 = textureLod(sc_cache_2, (vec2(far) + 0.5) / vec2(textureSize(sc_cache_2, 0)), 0.0);
     sc_texel = sc_blend(a, b, c, d, part, sc_discrete);
     sc_texel_2 = sc_blend(a_2, b_2, c_2, d_2, part, sc_discrete_2);
     if (sc_due()) {

@@ -113,10 +113,10 @@ int sc_look_up(out vec4 sc_texel) {
     vec2 part = place - whole;
     ivec2 near = clamp(ivec2(whole), ivec2(0), last);
     ivec2 far = min(near + ivec2(ceil(part)), last);
-    vec4 a = texelFetch(sc_cache, near, 0);
-    vec4 b = texelFetch(sc_cache, ivec2(far.x, near.y), 0);
-    vec4 c = texelFetch(sc_cache, ivec2(near.x, far.y), 0);
-    vec4 d = texelFetch(sc_cache, far, 0);
+    vec4 a = textureLod(sc_cache, (vec2(near) + 0.5) / vec2(textureSize(sc_cache, 0)), 0.0);
+    vec4 b = textureLod(sc_cache, (vec2(ivec2(far.x, near.y)) + 0.5) / vec2(textureSize(sc_cache, 0)), 0.0);
+    vec4 c = textureLod(sc_cache, (vec2(ivec2(near.x, far.y)) + 0.5) / vec2(textureSize(sc_cache, 0)), 0.0);
+    vec4 d = textureLod(sc_cache, (vec2(far) + 0.5) / vec2(textureSize(sc_cache, 0)), 0.0);
     sc_texel = mix(mix(a, b, part.x), mix(c, d, part.x), part.y);
     if (sc_due()) {
         return sc_refresh;
