@@ -167,8 +167,8 @@ class CacheOptions:
     fetches: Annotated[
         FetchForm,
         typer.Option(
-            help="What one pass does ahead of its branch of the payload's texture fetches: all of "
-            "it; its level (needs isotropic filtering, GLSL 4.00)."
+            help="What one pass and parked misses fetch ahead of what branches: whole fetches, or "
+            "levels (needs isotropic filtering, GLSL 4.00)."
         ),
     ] = "whole"
     cache: SettingsOption = None

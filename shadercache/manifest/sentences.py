@@ -257,10 +257,17 @@ def relies_on(configuration: Configuration, programs: ProgramSet, setting: Setti
         names = ", ".join(programs.unchanging)
         relies.append(f"these decide the position and do not change between frames: {names}")
     relies += programs.numbers
-    if configuration.fetches == "level" and any(record.branches for record in chosen):
+    parks = [emitted for emitted in programs.passes if emitted.parked]
+    ahead = parks or [record for record in chosen if record.branches]
+    if configuration.fetches == "level" and ahead:
         relies.append(
-            "isotropic texture filtering: one pass asks for levels of detail, then fetches at these"
+            "isotropic texture filtering: levels of detail are asked for ahead, then fetched at"
         )
+    relies += [
+        f"{len(emitted.targets)} colour attachments in one pass: OpenGL has 8 or more, OpenGL ES "
+        "and WebGL may have 4"
+        for emitted in parks
+    ]
     return [*relies, *_of_mapping(setting)]
 
 

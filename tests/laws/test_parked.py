@@ -111,6 +111,7 @@ def test_full_screen_shaders(name: str, gpu: Gpu) -> None:
         "age,ids",
         "filter=carried",
         "filter=carried,age",
+        "fetches=level",
         "ids,mask,magnification,filter=bilinear",
         "guard=clamp",
     ],
