@@ -258,7 +258,7 @@ def relies_on(configuration: Configuration, programs: ProgramSet, setting: Setti
         relies.append(f"these decide the position and do not change between frames: {names}")
     relies += programs.numbers
     parks = [emitted for emitted in programs.passes if emitted.parked]
-    ahead = parks or [record for record in chosen if record.branches]
+    ahead = bool(parks) or any(record.branches for record in chosen)
     if configuration.fetches == "level" and ahead:
         relies.append(
             "isotropic texture filtering: levels of detail are asked for ahead, then fetched at"
