@@ -38,6 +38,7 @@ _FIGURES: Mapping[str, Callable[[VariantResult], str]] = {
     "PSNR dB": lambda variant: f"{variant.error.psnr:.1f}" if variant.error.rmse else "exact",
     "floor ms": lambda variant: "" if variant.floor is None else f"{variant.floor * 1e3:.1f}",
     "eff.": lambda variant: "" if variant.efficiency is None else f"{variant.efficiency:.2f}",
+    "B/px": lambda variant: f"{variant.bytes_per_pixel:g}",
 }
 """Columns of the table of results, and what stands in them for a variant."""
 

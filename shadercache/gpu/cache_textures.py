@@ -25,6 +25,12 @@ _FILTERS = {"linear": moderngl.LINEAR, "nearest": moderngl.NEAREST}
 Textures = tuple[moderngl.Texture, ...]
 
 
+def texel_bytes(form: str) -> int:
+    """The bytes of a texel of a format of these textures (``rgba16f``)."""
+    components, dtype = _FORMATS[form]
+    return components * np.dtype(dtype).itemsize
+
+
 @dataclass(eq=False)
 class _Layer:
     """One texture, how it is cleared, and how its texels are stored."""

@@ -172,6 +172,7 @@ class VariantResult(SubjectResult):
     ``reset`` is the time of the frame behind a reset over the original's (the median of a few).
     ``work``: fragments per frame by pass, overdraw included. ``floor`` in seconds and
     ``efficiency`` = floor / time as docs/why/measuring.md says, None without parts.
+    ``bytes_per_pixel``: what its textures take (``render.memory``).
     """
 
     configuration: Configuration
@@ -182,6 +183,7 @@ class VariantResult(SubjectResult):
     work: Mapping[str, float]
     floor: float | None
     efficiency: float | None
+    bytes_per_pixel: float
 
     @property
     def hit_rate(self) -> float:

@@ -166,6 +166,7 @@ def _parts(variant: VariantResult) -> dict[str, Any]:
         "refresh_burst": variant.burst,
         "floor_ms": None if variant.floor is None else variant.floor * 1e3,
         "efficiency": variant.efficiency,
+        "bytes_per_pixel": variant.bytes_per_pixel,
     }
 
 

@@ -20,6 +20,7 @@ from shadercache.measure.subjects import Subject, VariantSubject
 from shadercache.render import pass_runners
 from shadercache.render.bundle import Bundle
 from shadercache.render.draw_items import OLDEST_IN_HALF
+from shadercache.render.memory import bytes_per_pixel
 from shadercache.render.render_scene import RenderScene
 from shadercache.render.variant_runner import NEVER, VariantRunner
 
@@ -222,6 +223,9 @@ class TimedVariant(TimedSubject):
             floor=None if floor is None else floor * float(original),
             # The floor is a share of the original: times original / time, it is floor / time.
             efficiency=None if floor is None else floor * whole.speedup.median,
+            bytes_per_pixel=bytes_per_pixel(
+                self.variant.bundle, self.variant.configuration.algorithm
+            ),
         )
 
     def _floor(self, reference: TimedOriginal, hit: dict[int, float]) -> float | None:

@@ -95,6 +95,7 @@ def flat_row(row: Row) -> dict[str, Any]:
         "efficiency": times.efficiency if times else None,
         "timed_frames": len(times.samples.subject) if times else None,
         "hit_rate": reuse.hit_rate if reuse else None,
+        "bytes_per_pixel": reuse.bytes_per_pixel if reuse else None,
         "rmse": image.rmse if image else None,
         "p99": image.p99 if image else None,
         "maximum": image.maximum if image else None,

@@ -86,6 +86,7 @@ def result_rows(
                         dict(variant.outcomes),
                         dict(variant.work),
                         dict(shot.probe.values),
+                        variant.bytes_per_pixel,
                     ),
                     measurement.covered,
                 )

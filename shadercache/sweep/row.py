@@ -132,7 +132,8 @@ class ImageErrors(msgspec.Struct, frozen=True):
 class ReuseShares(msgspec.Struct, frozen=True):
     """What became of the covered visible pixels: shares by outcome, fragments by pass.
 
-    ``values``: outcome -> its number in the picture ``outcomes``.
+    ``values``: outcome -> its number in the picture ``outcomes``. ``bytes_per_pixel``: what its
+    textures take; rows of version 0.1.0 do not know it.
     """
 
     hit_rate: float
@@ -140,6 +141,7 @@ class ReuseShares(msgspec.Struct, frozen=True):
     outcomes: dict[str, float]
     work: dict[str, float]
     values: dict[str, int]
+    bytes_per_pixel: float | None = None
 
 
 class TrialResult(msgspec.Struct, frozen=True, tag="result"):

@@ -35,6 +35,7 @@ def variant(perceived: Perceived | None = None) -> VariantResult:
         work={},
         floor=None,
         efficiency=None,
+        bytes_per_pixel=16.0,
     )
 
 

@@ -219,7 +219,7 @@ def test_csv_has_a_row_for_each_variant(measurement: Measurement) -> None:
     lines = to_csv(measurement).splitlines()
     assert lines[0].startswith("label,node,algorithm,period,block,configuration,p_over_t,")
     assert "rmse,p99,maximum,psnr_db,ssim,flip,flicker,pattern" in lines[0]
-    assert lines[0].endswith("floor_ms,efficiency")
+    assert lines[0].endswith("floor_ms,efficiency,bytes_per_pixel")
     assert len(lines) == 1 + 6 == 1 + len(rows(measurement))
     assert {row["period"] for row in rows(measurement)} == {4}
     assert {row["p_over_t_static"] for row in rows(measurement)} == {0.4, 0.5, 0.6}

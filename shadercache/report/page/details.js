@@ -33,6 +33,7 @@ function factsOf(row) {
     facts.push(["P/T", `${percent(row.ratio)} measured, ${percent(fixed)} by static cost`]);
   }
   if (row.reset != null) facts.push(["after a reset", `${row.reset.toFixed(2)} × the original’s time`]);
+  if (row.bytes != null) facts.push(["memory", `${row.bytes} bytes a pixel in textures`]);
   const errors = row.errors;
   facts.push(["RMSE", `${errorText(errors.rmse)}${errors.psnr == null ? "" : ` (PSNR ${errors.psnr.toFixed(1)} dB)`}`]);
   const more = Object.entries(page.metrics).filter(([name]) => name !== "rmse" && errors[name] != null);

@@ -134,6 +134,7 @@ def _result(result: TrialResult) -> dict[str, Any]:
     if result.reuse is not None:
         found |= {
             "hits": _rounded(result.reuse.hit_rate),
+            "bytes": _rounded(result.reuse.bytes_per_pixel),
             "burst": _rounded(result.reuse.burst),
             "outcomes": {
                 name: _rounded(share) for name, share in result.reuse.outcomes.items() if share
