@@ -131,14 +131,14 @@ class Layout:
 
     ``es``: is it for GLSL ES, where integers may have 16 bits until they are made ``highp``?
     ``precisions`` of the payloads' variables, where they have any. ``extras`` lie behind them.
-    ``tucked``: do offsets lie in the lowest bits of the first two channels?
+    ``tucked``: what lies in the lowest bits of the first channels, one in each.
     """
 
     types: tuple[Type, ...]
     es: bool = False
     precisions: tuple[str | None, ...] = ()
     extras: tuple[Extra, ...] = ()
-    tucked: bool = False
+    tucked: tuple[Extra, ...] = ()
 
     @property
     def bits(self) -> bool:
@@ -260,13 +260,16 @@ def layout_of(
 ) -> Layout:
     """How payloads of these types lie in the cache of a configuration."""
     layout = Layout(types, es, precisions, extras_of(configuration))
-    others = tuple(extra for extra in layout.extras if extra not in OFFSETS)
-    one = replace(layout, extras=others, tucked=True)
+    if not configuration.filter.carries or configuration.storage.format != "rgba16f" or layout.bits:
+        return layout
     # A second texture costs more than wider texels: of a float that need not be more precise than
     # half of one, the lowest 12 bits are free. With 32 bits asked for, nothing is rounded.
-    halves = configuration.storage.format == "rgba16f" and not layout.bits
-    crowded = layout.second and not one.second
-    return one if configuration.filter.carries and halves and crowded else layout
+    for tucked in ((), OFFSETS, (*OFFSETS, ID)):
+        others = tuple(extra for extra in layout.extras if extra not in tucked)
+        one = replace(layout, extras=others, tucked=tucked)
+        if not one.second:
+            return one
+    return layout
 
 
 def place(channel: int) -> tuple[int, str]:

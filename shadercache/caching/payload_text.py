@@ -139,9 +139,10 @@ class _Text:
     def extras(self) -> Iterator[str]:
         """Functions that read each extra again from two texels: ``sc_ID(first, second)``."""
         p, params = self.prefix, f"{self.vector} first, {self.vector} second"
-        for channel in "xy" * self.layout.tucked:
-            name = f"{p}OFFSET_{channel.upper()}"
-            yield f"float {name}({params}) {{ return {p}TUCKED_IN(first.{channel}); }}"
+        for channel, extra in zip(XYZW, self.layout.tucked, strict=False):
+            words = f"{extra.type} {p}{extra.name.upper()}({params})"
+            kind = "NUMBER" if extra.type.base == "int" else "OFFSET"
+            yield f"{words} {{ return {p}{kind}_IN(first.{channel}); }}"
         for extra in self.layout.extras:
             target, channel = self.layout.extra_places[extra.name]
             text = f"{('first', 'second')[target]}.{channel}"

@@ -11,7 +11,7 @@ from typing import Literal, TypeAlias
 
 from shadercache.analysis.mapping import MappingKind
 from shadercache.caching.configuration import DEFAULT_EPSILON, Configuration
-from shadercache.caching.layout import MOST_OF_HALF, Layout, empty_depth
+from shadercache.caching.layout import ID, MOST_OF_HALF, OFFSETS, Layout, empty_depth
 from shadercache.caching.outcomes import (
     INTERPOLATION,
     LEAST_AREA,
@@ -78,6 +78,7 @@ RESAMPLE = {
 
 _PIXEL = Resampling("fetch/pixel", "test/pixel")
 _FALLBACK = ("resample/fallback",)
+_TUCKED = {(): "nothing", OFFSETS: "offsets", (*OFFSETS, ID): "offsets_and_id"}
 
 
 DEFAULT = Configuration()
@@ -181,7 +182,7 @@ class Choice:
         return (
             "store/texels",
             "carry/raw" if chosen.filter.carries else "carry/none",
-            "tuck/offsets" if self.layout.tucked else "tuck/nothing",
+            f"tuck/{_TUCKED[self.layout.tucked]}",
             f"store/{chosen.storage.guard}",
             "opt_out/asked" if chosen.hit_test.mask else "opt_out/never",
             *age,

@@ -171,7 +171,7 @@ class PassBuilder:
         """A file of ``glsl/passes`` with what its ``main`` needs for the ``outputs``."""
         # What lies beside the payload in the cache is no part of what the payload alone costs.
         alone = template in ("payload_alone", "needed")
-        layout = replace(self.layout, extras=(), tucked=False) if alone else self.layout
+        layout = replace(self.layout, extras=(), tucked=()) if alone else self.layout
         program = self.program
         choice = Choice(layout, program.prefix, self.whole, program.located, self._configuration)
         part = program_part(FOLDER / f"passes/{template}.glsl", choice)

@@ -39,6 +39,7 @@ PAIRS = (
     "filter=lanczos2,ids",
     "guard=off,mask,age",
     "filter=carried,age",
+    "filter=carried,ids",
     "filter=carried,adaptive=0.1",
 )
 

@@ -31,6 +31,7 @@ OPTIONS = (
     "filter=carried",
     "filter=carried,depth=linear,guard=off",
     "filter=carried,age",
+    "filter=carried,ids",
     "filter=carried,adaptive=0.02",
     "guard=off",
     "guard=clamp",

@@ -9,7 +9,7 @@ sc_TEXEL sc_CLEAN(sc_TEXEL texel) {
     return sc_clean(texel);
 }
 
-float sc_TUCKED_IN(float channel) {
+float sc_OFFSET_IN(float channel) {
     return float(int(floatBitsToUint(channel) & 0xFFFu) - 2048) / 2000.0;
 }
 
