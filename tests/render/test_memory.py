@@ -21,6 +21,7 @@ from shadercache.render.memory import bytes_per_pixel
         ("3-pass", [], "full", 2 * 8),
         # Three floats and their offsets, packed into one texel of 32-bit floats.
         ("2-pass", ["filter=carried"], "full", 2 * 16),
+        ("2-pass", ["filter=carried,ids=on"], "full", 2 * 16),
         # The id takes a second texture of one half float.
         ("2-pass", ["ids=on"], "full", 2 * (8 + 2)),
         ("3-pass", [], "half", 2 * 8 / 4),
