@@ -292,9 +292,7 @@ def _check_initialisers(module: n.Module, inputs: set[str]) -> None:
             continue
         for variable in decl.declarators:
             for node in walk(variable.init) if variable.init is not None else ():
-                reads = isinstance(node, n.Name) and (
-                    node.name in inputs or node.name.startswith("gl_Fr")
-                )
+                reads = isinstance(node, n.Name) and node.name in (*inputs, *_BUILTINS)
                 if reads or (isinstance(node, n.Call) and node.name in functions):
                     name = variable.name
                     raise NotParkableError(f"the global {name} is initialised ahead of main")

@@ -163,8 +163,11 @@ void main() {
 """
 
 
-def test_a_global_that_is_initialised_with_an_input_is_refused() -> None:
-    told = refusal("o_color = vec4(waves * start, 1.0);", "vec3 start = v_normal * 2.0;")
+@pytest.mark.parametrize(
+    "value", ["v_normal * 2.0", "gl_FragCoord.xyz", "vec3(gl_PrimitiveID)", "gl_PointCoord.xyx"]
+)
+def test_a_global_that_is_initialised_with_an_input_is_refused(value: str) -> None:
+    told = refusal("o_color = vec4(waves * start, 1.0);", f"vec3 start = {value};")
     assert told == "the global start is initialised ahead of main"
 
 
