@@ -15,7 +15,7 @@ from bench.peers.outcomes import METRICS, SCHEMA_VERSION, Point, SceneOutcome, w
 from bench.peers.reduced_resolution import BilinearUpsampling, DepthAwareUpsampling
 from bench.peers.scene_programs import ScenePrograms
 from bench.peers.temporal_upscaling import TemporalUpscaling
-from shadercache.caching.configuration import Configuration, Filter, Refresh
+from shadercache.caching.configuration import Configuration, Filter, PayloadRate, Refresh
 from shadercache.diagnostics import InputError
 from shadercache.gpu.context import Gpu
 from shadercache.linking.linker import Linker
@@ -40,6 +40,9 @@ COLOR_PERIODS = (2, 4)
 
 LONGER = 4
 """Times the scene's period: carried samples are tried at both, since they do not blur with age."""
+
+SLOWER: tuple[PayloadRate, ...] = ("half", "quarter")
+"""Payload rates at which the colour is tried."""
 
 _TURN = 2
 """Frames that are timed as one: a peer may do all of its work in every second frame."""
@@ -98,7 +101,25 @@ def cached_values(setting: Setting) -> list[Subject]:
                 # What carried samples keep beside the payload may not fit into the texels.
                 if error.diagnostics[0].code != "SC430":
                     raise
-    return subjects
+    return [*subjects, *_slower_colors(setting)]
+
+
+def _slower_colors(setting: Setting) -> Iterator[Subject]:
+    """The colour at a fraction of the rate: the most that can be upsampled."""
+    three = replace(setting.configuration, algorithm="3-pass")
+    for rate in SLOWER:
+        for period in _short_periods(three):
+            chosen = replace(three, payload_rate=rate).with_refresh(period)
+            try:
+                yield final_color(setting.linker, "colour", chosen)
+            except InputError as error:
+                if error.diagnostics[0].code != "SC407":
+                    raise
+
+
+def _short_periods(plain: Configuration) -> list[int]:
+    """Periods for payloads at a fraction of the rate, and the scene's."""
+    return sorted({1, 2, plain.refresh.period})
 
 
 def _ways(plain: Configuration) -> Iterator[Configuration]:
@@ -108,7 +129,7 @@ def _ways(plain: Configuration) -> Iterator[Configuration]:
     carried = replace(two, filter=Filter("carried"))
     yield from (two, three, replace(plain, algorithm="parked"))
     yield from (carried, carried.with_refresh(LONGER * period))
-    for shorter in sorted({1, 2, period}):
+    for shorter in _short_periods(plain):
         yield replace(three, payload_rate="half").with_refresh(shorter)
 
 

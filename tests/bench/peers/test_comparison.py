@@ -63,13 +63,17 @@ def test_all_are_measured_in_one_run(gpu: Gpu, tmp_path: Path) -> None:
             "3-pass, half rate, period 2",
             "3-pass, half rate",
         )
+    ] + [
+        f"colour, 3-pass, {rate} rate{period}"
+        for rate in ("half", "quarter")
+        for period in (", period 1", ", period 2", "")
     ]
     assert [label for label in kinds if label.startswith("cached colour")] == [
         "cached colour, period 2",
         "cached colour, period 4",
         "cached colour, period 8",
     ]
-    assert len(kinds) == len(outcome.points) == 18
+    assert len(kinds) == len(outcome.points) == 24
     for point in outcome.points:
         assert 0.0 < point.low <= point.ratio <= point.high
         assert 0.0 < point.errors["rmse"] < 0.3
@@ -82,7 +86,7 @@ def test_all_are_measured_in_one_run(gpu: Gpu, tmp_path: Path) -> None:
     # The colour is the node here, so both ways to cache it make the same picture.
     same = by_label["all, 2-pass"], by_label["cached colour, period 8"]
     assert same[0].errors["rmse"] == same[1].errors["rmse"]
-    assert outcome_table(outcome).count("\n") == 19
+    assert outcome_table(outcome).count("\n") == 25
     assert set(outcome.winners) == {"rmse", "flip", "flicker"}
 
 
