@@ -34,8 +34,9 @@ Texels = NDArray[np.float32]
 DEPTH = 3
 """The channel of a cache that holds 1/w."""
 
-_WITHOUT, _UNFIT = 2, 3
-"""What :attr:`Bundle.needed` says of pixels without payloads, and of those with unfit ones."""
+_NOTHING, _WITHOUT, _UNFIT = 0, 2, 3
+"""What :attr:`Bundle.needed` says of pixels where nothing is drawn, of those without payloads, and
+of those with unfit ones."""
 
 _HEADING = re.compile(r"^// shadercache: .*$", re.MULTILINE)
 
@@ -196,7 +197,11 @@ class Reuse:
         seen = self.references.surfaces.frame(frame).number
         has: Mask = self.references.covered[frame] & np.isin(seen, counted)
         if self._witness.needed.by_some:
-            has &= self._needs(runner, frame) != _WITHOUT
+            needs = self._needs(runner, frame)
+            has &= needs != _WITHOUT
+            if self.bundle.cache.divisor > 1:
+                # The original, drawn as small, discards by places other than those of texels.
+                has &= needs != _NOTHING
         return has
 
     def _unfit(self, runner: VariantRunner, masks: HitMasks, frame: int) -> Mask:

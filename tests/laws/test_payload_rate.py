@@ -7,8 +7,9 @@ the colour is the payload: so the picture says from which surface point each pix
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -24,10 +25,13 @@ from laws.ground_truth import (
 from laws.look_ups import MOST_FOREIGN, MOST_STALE, OPPOSED
 from numpy.typing import NDArray
 
-from shadercache.caching.configuration import DIVISORS, PayloadRate
+from shadercache.caching.configuration import DIVISORS, Configuration, PayloadRate
+from shadercache.front.read_options import ReadOptions
 from shadercache.gpu.context import Gpu
+from shadercache.linking.scene_shaders import open_scene
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
+from shadercache.verify.verifier import Verifier
 from tests.configured import configured, variant
 
 pytestmark = pytest.mark.xdist_group("law5")
@@ -149,3 +153,37 @@ def test_a_period_of_one_needs_no_pass_that_reuses(
                 assert due == set(runner.pass_names) - ({"reuse"} if short and renewed else set())
     for every, fewer in zip(*seen, strict=True):
         assert every.tobytes() == fewer.tobytes()
+
+
+DISCARDS_BY_PLACE = """
+float waves(vec2 p) {
+    float sum = 0.0;
+    for (int i = 1; i < 30; ++i) {
+        sum += sin(dot(p * float(i), vec2(1.7, 2.3))) / float(i);
+    }
+    return sum;
+}
+void mainImage(out vec4 color, in vec2 at) {
+    vec2 place = at / iResolution.xy;
+    if (place.x > 0.7) {
+        discard;
+    }
+    color = vec4(waves(place * 10.0), place, 1.0);
+}
+"""
+
+
+@pytest.mark.parametrize("rate", ["half", "quarter"])
+def test_what_is_discarded_by_its_place_is_no_fault(
+    gpu: Gpu, rate: PayloadRate, tmp_path: Path
+) -> None:
+    """Texels discard by their places in the whole picture, of which a small one shows a corner."""
+    path = tmp_path / "place.frag"
+    path.write_text(DISCARDS_BY_PLACE, encoding="utf-8")
+    opened = open_scene(path, ReadOptions(dialect="shadertoy"))
+    node = next(n for n in opened[1].nodes if n.legal and n.text == "waves(place * 10.0)")
+    slower = Configuration(payload_rate=rate)
+    with closing(Verifier(gpu, opened, (64, 64), configuration=slower)) as verifier:
+        found = verifier.check(node, plain=False)
+    assert found.algorithms == {"3-pass"}
+    assert not found.broken, found.reasons
