@@ -138,7 +138,12 @@ _UNIFORMS = (
 def added_uniforms(prefix: str, layout: Layout, configuration: Configuration) -> list[AddedUniform]:
     """The uniforms that programs of a configuration may have; ``prefix`` begins their names."""
     held = precision_of(layout.formats(configuration.storage.format)[0])
-    exact = f"[0, {2**31})" if layout.bits else f"[0, {MOST_IN_HALF}], with rgba32f [0, {2**24}]"
+    exact, oldest = f"[0, {MOST_IN_HALF}]", f"[1, {MOST_IN_HALF // 2}]"
+    if layout.bits:
+        exact = f"[0, {2**31})"
+    elif not layout.tucked:
+        # What lies in the lowest bits of a channel leaves little more than half a float above it.
+        exact, oldest = f"{exact}, with rgba32f [0, {2**24}]", f"{oldest}, with rgba32f [1, 65536)"
     chosen: dict[str, dict[str, Any]] = {
         "epsilon": {"default": configuration.hit_test.epsilon},
         "change": {"default": configuration.refresh.adaptive or None},
@@ -149,7 +154,7 @@ def added_uniforms(prefix: str, layout: Layout, configuration: Configuration) ->
     }
     if configuration.refresh.age and not layout.bits:
         # Ages are means of several texels, and above 1,024 half floats hold no fractions.
-        chosen["period"] = {"range": f"[1, {MOST_IN_HALF // 2}], with rgba32f [1, 65536)"}
+        chosen["period"] = {"range": oldest}
     uniforms: list[AddedUniform] = []
     for uniform in _UNIFORMS:
         about = {"name": prefix + uniform.name} | chosen.get(uniform.name, {})

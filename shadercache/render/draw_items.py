@@ -89,7 +89,7 @@ def cached_item(
     """An object that a variant draws; ``short_reset`` and what is raised: as ``VariantRunner``."""
     bundle, naming = linked.bundle, linked.bundle.naming
     assert linked.configuration is not None
-    _check_period(bundle.cache, linked.configuration.refresh.period)
+    _check_period(bundle.cache, linked.configuration)
     specs = bundle.passes(linked.configuration.algorithm)
     passes = tuple(run.bind(drawable, spec, naming) for spec in specs)
     on_reset: tuple[BoundPass | None, ...] = tuple(
@@ -104,12 +104,17 @@ def cached_item(
     return item
 
 
-def _check_period(cache: CacheSpec, period: int) -> None:
+def _check_period(cache: CacheSpec, configuration: Configuration) -> None:
     """Can the ages in the textures count to the period? Raises UsageError SC441 where not."""
+    period = configuration.refresh.period
     if cache.age_channel is None or period <= OLDEST_IN_HALF:
         return
-    if cache.formats[cache.age_channel // 4].endswith("16f"):
-        message = f"ages in half floats count to {OLDEST_IN_HALF}, and the period is {period}"
+    form = cache.formats[cache.age_channel // 4]
+    # Where half floats are asked for and floats taken, offsets lie in the lowest bits of ages.
+    tucked = form.endswith("32f") and configuration.storage.format == "rgba16f"
+    if tucked or form.endswith("16f"):
+        where = "beside tucked offsets" if tucked else "in half floats"
+        message = f"ages {where} count to {OLDEST_IN_HALF}, and the period is {period}"
         raise usage_error("SC441", message, "take --format rgba32f")
 
 

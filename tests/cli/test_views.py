@@ -47,3 +47,13 @@ def test_ages_in_half_floats_count_no_further(shell: Shell, tmp_path: Path) -> N
     outcome = shell(*RUN[:-1], 2000, "--cache", "age=on", "-o", tmp_path)
     assert outcome.status == 2
     assert "SC441" in outcome.err and "rgba32f" in outcome.err
+
+
+def test_ages_beside_tucked_offsets_count_no_further(shell: Shell, tmp_path: Path) -> None:
+    # A number and its age: the offsets lie in their lowest bits.
+    run = ("run", data_path("corpus", "chess"), "--node", "static share", "--size", 32)
+    run = (*run, "--frame", 2, "--cache", "filter=carried,age=on", "-o", tmp_path)
+    outcome = shell(*run, "--period", 20_000)
+    assert outcome.status == 2
+    assert "SC441" in outcome.err and "beside tucked offsets" in outcome.err
+    assert shell(*run, "--period", 20_000, "--format", "rgba32f").status == 0

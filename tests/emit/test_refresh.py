@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import pytest
 from jsonschema import Draft202012Validator
@@ -39,6 +40,21 @@ def test_ages_lie_behind_the_payload(analysis: Analysis) -> None:
     Draft202012Validator(json.loads(SCHEMA.read_text(encoding="utf-8"))).validate(manifest)
     roles = {entry["role"]: entry for entry in manifest["uniforms"]}
     assert roles["period"]["range"] == "[1, 1024], with rgba32f [1, 65536)"
+
+
+def test_numbers_beside_tucked_offsets_are_small(analysis: Analysis) -> None:
+    text = "sin(v_position.x * v_normal.y) * 0.5"
+    found = analysed(f"float wave = {text}; o_color = vec4(wave);")
+    cache = with_settings(DEFAULT, ["filter=carried,age=on,ids=on"])
+    roles = {}
+    for form in ("rgba16f", "rgba32f"):
+        kept = replace(cache, storage=replace(cache.storage, format=form))
+        manifest = plain(rewritten(found, find(found, text), kept, unprofitable=True).manifest)
+        assert manifest["cache"]["format"] == "rgba32f"
+        roles[form] = {entry["role"]: entry["range"] for entry in manifest["uniforms"]}
+    assert roles["rgba16f"]["object"] == "[0, 2048]"
+    assert roles["rgba16f"]["period"] == "[1, 1024]"
+    assert roles["rgba32f"]["object"] == "[0, 2048], with rgba32f [0, 16777216]"
 
 
 def test_there_must_be_triangles_to_go_by(analysis: Analysis) -> None:
