@@ -100,4 +100,4 @@ def _word(value: str | float) -> str:
         return value
     if isinstance(value, bool) or not value:
         return "on" if value else "off"
-    return f"{value:g}"
+    return repr(value).removesuffix(".0")

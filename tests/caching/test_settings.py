@@ -24,6 +24,8 @@ def test_settings_stand_apart_or_with_commas() -> None:
 def test_a_bound_is_a_number_above_zero() -> None:
     chosen = with_settings(DEFAULT, ["adaptive=0.05"])
     assert chosen.refresh.adaptive == 0.05 and written_settings(chosen)["adaptive"] == "0.05"
+    precise = with_settings(DEFAULT, ["adaptive=0.0123456789"])
+    assert written_settings(precise)["adaptive"] == "0.0123456789"
     assert with_settings(chosen, ["adaptive=off"]) == DEFAULT
     assert chosen.program_key == with_settings(DEFAULT, ["adaptive=2"]).program_key
     assert chosen.program_key != DEFAULT.program_key
