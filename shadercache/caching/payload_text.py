@@ -14,16 +14,18 @@ from shadercache.caching.layout import HALVINGS, TEXELS, XYZW, Layout, Leaf, pla
 from shadercache.lang.types import Type
 
 
-def payload_text(layout: Layout, prefix: str, whole: bool, numbers: tuple[str, str]) -> str:
+def payload_text(layout: Layout, prefix: str, whole: bool, numbers: tuple[str, str, str]) -> str:
     """The declarations, where all names have that prefix.
 
     ``whole``: not every fragment has the payloads. ``numbers``: depths that match nothing, of an
-    empty texel and of one that must not be reused.
+    empty texel, of one that must not be reused, and of one that this frame is yet to compute.
     """
     text, p = _Text(layout, prefix, whole, numbers), prefix
     channel = "uint" if layout.bits else "float"
     set_valid = " ".join(f"{flag} = value;" for flag in text.flags)
     lines = [
+        f"const {channel} {p}missed_depth = {numbers[2]};"
+        "  // of a texel that this frame is yet to compute",
         f"const {channel} {p}no_depth = {numbers[0]};  // of an empty texel: it matches nothing",
         f"const {channel} {p}poison_depth = {numbers[1]};  // depth of what must not be reused",
         *text.masks(),
@@ -70,7 +72,9 @@ def _largest(texts: Sequence[str]) -> str:
 
 
 class _Text:
-    def __init__(self, layout: Layout, prefix: str, whole: bool, numbers: tuple[str, str]) -> None:
+    def __init__(
+        self, layout: Layout, prefix: str, whole: bool, numbers: tuple[str, str, str]
+    ) -> None:
         self.layout, self.prefix, self.whole, self.numbers = layout, prefix, whole, numbers
         self.masked = whole and len(layout.types) > 1
         self.payloads = layout.variables(f"{prefix}payload")

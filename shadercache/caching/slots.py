@@ -194,14 +194,18 @@ class Choice:
         return "store/marked" if marks else "store/unmarked"
 
     @property
-    def depths(self) -> tuple[str, str]:
-        """Depths that match nothing: of an empty texel, and of one that must not be reused."""
+    def depths(self) -> tuple[str, str, str]:
+        """Depths that match nothing: of an empty texel, of one that must not be reused, and of one
+        that this frame is yet to compute."""
         if self.layout.bits:
             ndc = self.configuration.storage.depth == "ndc"
             # Bits of floats: 2.0 or 0.0 for an empty texel, and -2^127, whose sign is a mark.
-            return ("0x40000000u" if ndc else "0u"), "0xFF000000u"
+            return ("0x40000000u" if ndc else "0u"), "0xFF000000u", "0xFE000000u"
         # Nothing that is drawn is as near: as 16/w that is the largest half float, as w the
         # smallest that is not rounded. The sign is a mark, so that it is never taken alone.
-        small = self._marks and self.configuration.storage.depth == "linear"
+        linear = self.configuration.storage.depth == "linear"
+        small = self._marks and linear
         poison = "-0.00006103515625" if small else f"-{MOST_OF_HALF}"
-        return str(empty_depth(self.layout, self.configuration)), poison
+        # Objects whose filters differ may share a cache, and what is open in it is marked for all.
+        missed = "-0.0001220703125" if linear else "-49152.0"
+        return str(empty_depth(self.layout, self.configuration)), poison, missed

@@ -19,8 +19,8 @@ from shadercache.transform.names import PREFIX
 FOLDER = Path(__file__).with_name("glsl")
 
 _MADE = (
-    "sc_discrete sc_no_depth sc_poison_depth sc_pack sc_payload sc_valid "
-    "sc_unpark sc_place sc_frag_coord sc_front_facing sc_point_coord sc_primitive"
+    "sc_discrete sc_no_depth sc_poison_depth sc_missed_depth sc_pack sc_payload "
+    "sc_valid sc_unpark sc_place sc_frag_coord sc_front_facing sc_point_coord sc_primitive"
 )
 """Names of :mod:`shadercache.caching.payload_text` and :mod:`shadercache.emit.parking`."""
 

@@ -177,3 +177,12 @@ def test_a_fraction_of_the_rate_is_refused() -> None:
     with pytest.raises(InputError) as caught:
         rewritten(found, find(found, NODE), options, ("parked",), unprofitable=True)
     assert caught.value.diagnostics[0].code == "SC407"
+
+
+def test_no_distance_is_taken_for_an_open_texel(analysis: Analysis) -> None:
+    # Where a filter marks linear depths by their sign, half floats round w = 49,150 to -49,152.
+    options = configured(depth="linear", filter="bilateral")
+    node = find(analysis, NODES["two-octaves"])
+    emission = rewritten(analysis, node, options, ("parked",), unprofitable=True)
+    for name in ("parked.find.frag", "parked.mark.frag"):
+        assert "sc_missed_depth = -0.0001220703125;" in emission.files[name]

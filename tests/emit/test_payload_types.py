@@ -65,14 +65,14 @@ def test_golden_layouts(golden: Golden) -> None:
     parts: list[str] = []
     for layout in LAYOUTS:
         kept = ", ".join([*map(str, layout.types), *(extra.name for extra in layout.extras)])
-        text = payload_text(layout, "sc_", False, ("-1.0", "-2.0"))
+        text = payload_text(layout, "sc_", False, ("-1.0", "-2.0", "-3.0"))
         parts.append(f"// {kept}: {', '.join(layout.formats('rgba16f'))}\n{text}")
     golden("tests/emit/goldens/layouts.glsl", "\n".join(parts))
 
 
 def test_golden_layout_of_payloads_that_may_be_missing(golden: Golden) -> None:
     layout = Layout((vector("float", 2), BOOL, vector("int", 3)), precisions=("highp",) * 3)
-    golden("tests/emit/goldens/missing.glsl", payload_text(layout, "sc_", True, ("0u", "1u")))
+    golden("tests/emit/goldens/missing.glsl", payload_text(layout, "sc_", True, ("0u", "1u", "2u")))
 
 
 def test_only_what_is_whole_is_not_blended() -> None:

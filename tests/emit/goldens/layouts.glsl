@@ -1,4 +1,5 @@
 // float: rgba16f
+const float sc_missed_depth = -3.0;  // of a texel that this frame is yet to compute
 const float sc_no_depth = -1.0;  // of an empty texel: it matches nothing
 const float sc_poison_depth = -2.0;  // depth of what must not be reused
 float sc_payload;
@@ -13,6 +14,7 @@ vec4 sc_pack_2() { return vec4(0.0, 0.0, 0.0, 0.0); }
 vec4 sc_PACKED() { return vec4(sc_payload, 0.0, 0.0, 0); }
 vec4 sc_PACKED_2() { return vec4(0.0, 0.0, 0.0, 0.0); }
 // vec3: rgba16f
+const float sc_missed_depth = -3.0;  // of a texel that this frame is yet to compute
 const float sc_no_depth = -1.0;  // of an empty texel: it matches nothing
 const float sc_poison_depth = -2.0;  // depth of what must not be reused
 vec3 sc_payload;
@@ -27,6 +29,7 @@ vec4 sc_pack_2() { return vec4(0.0, 0.0, 0.0, 0.0); }
 vec4 sc_PACKED() { return vec4(sc_payload, 0); }
 vec4 sc_PACKED_2() { return vec4(0.0, 0.0, 0.0, 0.0); }
 // vec4: rgba16f, r16f
+const float sc_missed_depth = -3.0;  // of a texel that this frame is yet to compute
 const float sc_no_depth = -1.0;  // of an empty texel: it matches nothing
 const float sc_poison_depth = -2.0;  // depth of what must not be reused
 vec4 sc_payload;
@@ -41,6 +44,7 @@ vec4 sc_pack_2() { return vec4(sc_payload.w, 0.0, 0.0, 0.0); }
 vec4 sc_PACKED() { return vec4(sc_payload.xyz, 0); }
 vec4 sc_PACKED_2() { return vec4(sc_payload.w, 0.0, 0.0, 0.0); }
 // int: rgba32ui
+const uint sc_missed_depth = -3.0;  // of a texel that this frame is yet to compute
 const uint sc_no_depth = -1.0;  // of an empty texel: it matches nothing
 const uint sc_poison_depth = -2.0;  // depth of what must not be reused
 const uvec4 sc_discrete = uvec4(0xFFFFFFFFu, 0u, 0u, 0u);  // bits that are no float's
@@ -57,6 +61,7 @@ uvec4 sc_pack_2() { return uvec4(0u, 0u, 0u, 0u); }
 uvec4 sc_PACKED() { return uvec4(uint(sc_payload), 0u, 0u, 0); }
 uvec4 sc_PACKED_2() { return uvec4(0u, 0u, 0u, 0u); }
 // uvec2: rgba32ui
+const uint sc_missed_depth = -3.0;  // of a texel that this frame is yet to compute
 const uint sc_no_depth = -1.0;  // of an empty texel: it matches nothing
 const uint sc_poison_depth = -2.0;  // depth of what must not be reused
 const uvec4 sc_discrete = uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0u, 0u);  // bits that are no float's
@@ -73,6 +78,7 @@ uvec4 sc_pack_2() { return uvec4(0u, 0u, 0u, 0u); }
 uvec4 sc_PACKED() { return uvec4(sc_payload, 0u, 0); }
 uvec4 sc_PACKED_2() { return uvec4(0u, 0u, 0u, 0u); }
 // bool: rgba32ui
+const uint sc_missed_depth = -3.0;  // of a texel that this frame is yet to compute
 const uint sc_no_depth = -1.0;  // of an empty texel: it matches nothing
 const uint sc_poison_depth = -2.0;  // depth of what must not be reused
 const uvec4 sc_discrete = uvec4(0xFFFFFFFFu, 0u, 0u, 0u);  // bits that are no float's
@@ -89,6 +95,7 @@ uvec4 sc_pack_2() { return uvec4(0u, 0u, 0u, 0u); }
 uvec4 sc_PACKED() { return uvec4(uint(sc_payload), 0u, 0u, 0); }
 uvec4 sc_PACKED_2() { return uvec4(0u, 0u, 0u, 0u); }
 // bvec4: rgba32ui, r32ui
+const uint sc_missed_depth = -3.0;  // of a texel that this frame is yet to compute
 const uint sc_no_depth = -1.0;  // of an empty texel: it matches nothing
 const uint sc_poison_depth = -2.0;  // depth of what must not be reused
 const uvec4 sc_discrete = uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0u);  // bits that are no float's
@@ -105,6 +112,7 @@ uvec4 sc_pack_2() { return uvec4(uint(sc_payload.w), 0u, 0u, 0u); }
 uvec4 sc_PACKED() { return uvec4(uvec3(sc_payload.xyz), 0); }
 uvec4 sc_PACKED_2() { return uvec4(uint(sc_payload.w), 0u, 0u, 0u); }
 // mat2x3: rgba16f, rgba16f
+const float sc_missed_depth = -3.0;  // of a texel that this frame is yet to compute
 const float sc_no_depth = -1.0;  // of an empty texel: it matches nothing
 const float sc_poison_depth = -2.0;  // depth of what must not be reused
 mat2x3 sc_payload;
@@ -119,6 +127,7 @@ vec4 sc_pack_2() { return vec4(sc_payload[1], 0.0); }
 vec4 sc_PACKED() { return vec4(sc_payload[0], 0); }
 vec4 sc_PACKED_2() { return vec4(sc_payload[1], 0.0); }
 // vec2[2]: rgba16f, r16f
+const float sc_missed_depth = -3.0;  // of a texel that this frame is yet to compute
 const float sc_no_depth = -1.0;  // of an empty texel: it matches nothing
 const float sc_poison_depth = -2.0;  // depth of what must not be reused
 vec2[2] sc_payload;
@@ -133,6 +142,7 @@ vec4 sc_pack_2() { return vec4(sc_payload[1].y, 0.0, 0.0, 0.0); }
 vec4 sc_PACKED() { return vec4(sc_payload[0], sc_payload[1].x, 0); }
 vec4 sc_PACKED_2() { return vec4(sc_payload[1].y, 0.0, 0.0, 0.0); }
 // Flagged: rgba32ui, rgba32ui
+const uint sc_missed_depth = -3.0;  // of a texel that this frame is yet to compute
 const uint sc_no_depth = -1.0;  // of an empty texel: it matches nothing
 const uint sc_poison_depth = -2.0;  // depth of what must not be reused
 const uvec4 sc_discrete = uvec4(0u);  // bits that are no float's
@@ -149,6 +159,7 @@ uvec4 sc_pack_2() { return uvec4(uint(sc_payload.ray.id), uvec2(sc_payload.flags
 uvec4 sc_PACKED() { return uvec4(floatBitsToUint(sc_payload.ray.origin), 0); }
 uvec4 sc_PACKED_2() { return uvec4(uint(sc_payload.ray.id), uvec2(sc_payload.flags), sc_payload.count); }
 // Mixed: rgba32ui, rg32ui
+const uint sc_missed_depth = -3.0;  // of a texel that this frame is yet to compute
 const uint sc_no_depth = -1.0;  // of an empty texel: it matches nothing
 const uint sc_poison_depth = -2.0;  // depth of what must not be reused
 const uvec4 sc_discrete = uvec4(0u, 0u, 0xFFFFFFFFu, 0u);  // bits that are no float's
@@ -165,6 +176,7 @@ uvec4 sc_pack_2() { return uvec4(floatBitsToUint(sc_payload.more), uint(sc_paylo
 uvec4 sc_PACKED() { return uvec4(floatBitsToUint(sc_payload.at), uint(sc_payload.id), 0); }
 uvec4 sc_PACKED_2() { return uvec4(floatBitsToUint(sc_payload.more), uint(sc_payload.on), 0u, 0u); }
 // vec2, bool, ivec3: rgba32ui, rgba32ui
+const uint sc_missed_depth = -3.0;  // of a texel that this frame is yet to compute
 const uint sc_no_depth = -1.0;  // of an empty texel: it matches nothing
 const uint sc_poison_depth = -2.0;  // depth of what must not be reused
 const uvec4 sc_discrete = uvec4(0u, 0u, 0xFFFFFFFFu, 0u);  // bits that are no float's
@@ -183,6 +195,7 @@ uvec4 sc_pack_2() { return uvec4(uvec3(sc_payload_3), 0u); }
 uvec4 sc_PACKED() { return uvec4(floatBitsToUint(sc_payload_1), uint(sc_payload_2), 0); }
 uvec4 sc_PACKED_2() { return uvec4(uvec3(sc_payload_3), 0u); }
 // vec2, vec4: rgba16f, rgba16f
+const float sc_missed_depth = -3.0;  // of a texel that this frame is yet to compute
 const float sc_no_depth = -1.0;  // of an empty texel: it matches nothing
 const float sc_poison_depth = -2.0;  // depth of what must not be reused
 vec2 sc_payload_1;
@@ -198,6 +211,7 @@ vec4 sc_pack_2() { return vec4(sc_payload_2.yzw, 0.0); }
 vec4 sc_PACKED() { return vec4(sc_payload_1, sc_payload_2.x, 0); }
 vec4 sc_PACKED_2() { return vec4(sc_payload_2.yzw, 0.0); }
 // vec2, id, age: rgba16f, r16f
+const float sc_missed_depth = -3.0;  // of a texel that this frame is yet to compute
 const float sc_no_depth = -1.0;  // of an empty texel: it matches nothing
 const float sc_poison_depth = -2.0;  // depth of what must not be reused
 vec2 sc_payload;
@@ -214,6 +228,7 @@ vec4 sc_PACKED_2() { return vec4(sc_age, 0.0, 0.0, 0.0); }
 int sc_ID(vec4 first, vec4 second) { return int(first.z); }
 float sc_AGE(vec4 first, vec4 second) { return second.x; }
 // int, id, age: rgba32ui
+const uint sc_missed_depth = -3.0;  // of a texel that this frame is yet to compute
 const uint sc_no_depth = -1.0;  // of an empty texel: it matches nothing
 const uint sc_poison_depth = -2.0;  // depth of what must not be reused
 const uvec4 sc_discrete = uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0u, 0u);  // bits that are no float's
@@ -232,6 +247,7 @@ uvec4 sc_PACKED_2() { return uvec4(0u, 0u, 0u, 0u); }
 int sc_ID(uvec4 first, uvec4 second) { return int(first.y); }
 float sc_AGE(uvec4 first, uvec4 second) { return uintBitsToFloat(first.z); }
 // vec3, id: rgba16f, r16f
+const float sc_missed_depth = -3.0;  // of a texel that this frame is yet to compute
 const float sc_no_depth = -1.0;  // of an empty texel: it matches nothing
 const float sc_poison_depth = -2.0;  // depth of what must not be reused
 vec3 sc_payload;

@@ -1,3 +1,4 @@
+const uint sc_missed_depth = 2u;  // of a texel that this frame is yet to compute
 const uint sc_no_depth = 0u;  // of an empty texel: it matches nothing
 const uint sc_poison_depth = 1u;  // depth of what must not be reused
 const uvec4 sc_discrete = uvec4(0u, 0u, 0xFFFFFFFFu, 0u);  // bits that are no float's

@@ -38,8 +38,6 @@ void sc_AGREE() {
     }
 }
 
-const uint sc_missed_depth = 0xFE000000u;  // of a texel that this frame is yet to compute
-
 uvec4 sc_MISSED() {
     return uvec4(uint(sc_group), 0u, 0u, sc_missed_depth);
 }

@@ -35,8 +35,6 @@ void sc_HOLD() {
 void sc_AGREE() {
 }
 
-const float sc_missed_depth = -49152.0;  // of a texel that this frame is yet to compute
-
 vec4 sc_MISSED() {
     return vec4(float(sc_group), 0.0, 0.0, sc_missed_depth);
 }
