@@ -28,7 +28,9 @@ from shadercache.scene.object_inputs import root_of
 from shadercache.source import Source
 
 _CONSTANT = Path(__file__).parent / "glsl" / "constant.frag"
-_RATES = {divisor: rate for rate, divisor in DIVISORS.items()}
+RATES = {divisor: rate for rate, divisor in DIVISORS.items()}
+"""Payload rates by their divisors."""
+
 _VERSION_LINE = re.compile(r"^\s*#\s*version\b.*$", re.MULTILINE)
 
 
@@ -116,8 +118,8 @@ class Bundle:
 
     manifest: AnyManifest
     files: Mapping[str, str]
-    enlarged: bool = False
-    """Is the cache of a picture's size in place of a fraction of it? (:meth:`enlarge`)"""
+    enlarged: int = 1
+    """How many times larger than meant is the cache, in each direction? (:meth:`enlarge`)"""
 
     @property
     def has_variants(self) -> bool:
@@ -160,7 +162,7 @@ class Bundle:
             algorithm=self.algorithms[0],
             hit_test=replace(said.hit_test, epsilon=epsilon),
             storage=replace(said.storage, format=form),
-            payload_rate=_RATES[self.cache.divisor],
+            payload_rate=RATES[self.cache.divisor],
         )
 
     @cached_property
@@ -188,18 +190,20 @@ class Bundle:
     def enlarge(self) -> Bundle:
         """The same programs with a texel for each pixel, where the cache is a fraction of the
         picture: what they draw then is what a variant at the full rate draws."""
-        if not self.apart:
+        divisor = self.cache.divisor
+        if divisor == 1:
             return self
         targets = {
             name: structs.replace(target, divisor=1)
             for name, target in self._variants.targets.items()
         }
-        return Bundle(structs.replace(self._variants, targets=targets), self.files, enlarged=True)
+        manifest = structs.replace(self._variants, targets=targets)
+        return Bundle(manifest, self.files, enlarged=divisor)
 
     @property
     def apart(self) -> bool:
         """Have passes into the cache a depth of their own?"""
-        return self.enlarged or self.cache.divisor > 1
+        return self.enlarged > 1 or self.cache.divisor > 1
 
     def left_open(self, algorithm: str) -> PassSpec | None:
         """What the last pass of a variant would draw, as coverage: the pixels for which no texel of
@@ -318,7 +322,7 @@ class Bundle:
         }
 
     def _depth(self, entry: PassEntry, divisor: int) -> DepthSpec:
-        apart = divisor > 1 or (self.enlarged and "color" not in entry.targets)
+        apart = divisor > 1 or (self.enlarged > 1 and "color" not in entry.targets)
         return depth_spec(entry.depth, apart)
 
     def _pass(self, entry: PassEntry) -> PassSpec:

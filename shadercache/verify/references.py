@@ -14,7 +14,7 @@ from shadercache.gpu.context import Gpu
 from shadercache.gpu.resource import Resource
 from shadercache.linking.linker import Linker
 from shadercache.linking.user_places import at_home
-from shadercache.render.bundle import Bundle
+from shadercache.render.bundle import RATES, Bundle, LinkedObject
 from shadercache.render.drawable import Drawable
 from shadercache.render.pass_runners import CoverageRunner, render_original
 from shadercache.render.render_scene import RenderScene
@@ -91,13 +91,25 @@ class References(Resource):
         self, bundle: Bundle, algorithm: str, period: int = PERIOD, moving: bool = True
     ) -> VariantRunner:
         """A run of a bundle's variant, with the other objects' own."""
-        assignment = self.linker.assign(
-            replace(bundle.configuration, algorithm=algorithm).with_refresh(period)
-        )
-        return VariantRunner(self.world, *self.linker.link(assignment, bundle), moving=moving)
+        chosen = replace(bundle.configuration, algorithm=algorithm).with_refresh(period)
+        if bundle.enlarged > 1:
+            chosen = replace(chosen, payload_rate=RATES[bundle.enlarged])
+        linked = self.linker.link(self.linker.assign(chosen), bundle)
+        if bundle.enlarged > 1:
+            # What shares the cache shares its depth buffer.
+            linked = tuple(map(_enlarged, linked))
+        return VariantRunner(self.world, *linked, moving=moving)
 
     def release(self) -> None:
         """Free everything on the GPU."""
         for other in self._smaller.values():
             other.world.release()
         self.world.release()
+
+
+def _enlarged(linked: LinkedObject) -> LinkedObject:
+    """The same with a texel for each pixel (:meth:`Bundle.enlarge`)."""
+    if linked.configuration is None:
+        return linked
+    full = replace(linked.configuration, payload_rate="full")
+    return LinkedObject(linked.bundle.enlarge(), full)

@@ -29,6 +29,7 @@ from shadercache.caching.configuration import DIVISORS, Configuration, PayloadRa
 from shadercache.front.read_options import ReadOptions
 from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import open_scene
+from shadercache.paths import data_path
 from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
 from shadercache.verify.verifier import Verifier
@@ -183,6 +184,17 @@ def test_what_is_discarded_by_its_place_is_no_fault(
     opened = open_scene(path, ReadOptions(dialect="shadertoy"))
     node = next(n for n in opened[1].nodes if n.legal and n.text == "waves(place * 10.0)")
     slower = Configuration(payload_rate=rate)
+    with closing(Verifier(gpu, opened, (64, 64), configuration=slower)) as verifier:
+        found = verifier.check(node, plain=False)
+    assert found.algorithms == {"3-pass"}
+    assert not found.broken, found.reasons
+
+
+def test_objects_with_shaders_of_their_own_hide_each_other(gpu: Gpu) -> None:
+    """The ground under the heroine is drawn into the same cache, with the same depth buffer."""
+    opened = open_scene(data_path("corpus", "heroine", "scene.toml"))
+    node = opened[1].node(opened[0].nodes["surface"])
+    slower = Configuration(payload_rate="half")
     with closing(Verifier(gpu, opened, (64, 64), configuration=slower)) as verifier:
         found = verifier.check(node, plain=False)
     assert found.algorithms == {"3-pass"}
