@@ -205,14 +205,6 @@ class Bundle:
         """Have passes into the cache a depth of their own?"""
         return self.enlarged > 1 or self.cache.divisor > 1
 
-    def left_open(self, algorithm: str) -> PassSpec | None:
-        """What the last pass of a variant would draw, as coverage: the pixels for which no texel of
-        a smaller cache holds a payload. None where the cache has a texel for each pixel."""
-        if not self.apart:
-            return None
-        last = self.passes(algorithm)[-1]
-        return replace(last, fragment=self.coverage.fragment, targets=("mask",))
-
     @cached_property
     def reset_pass(self) -> PassSpec | None:
         """The pass that alone draws a frame after a reset and looks nothing up, if there is one."""

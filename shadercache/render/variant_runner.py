@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 from shadercache.caching.configuration import Configuration
 from shadercache.diagnostics import DiagnosticError
 from shadercache.gpu.fractions import spread
-from shadercache.render.bound_pass import BoundPass
 from shadercache.render.bundle import Bundle, LinkedObject
 from shadercache.render.cut_detector import CutDetector, ResetReason
 from shadercache.render.draw_items import (
@@ -31,6 +30,9 @@ from shadercache.render.render_scene import RenderScene
 
 NEVER = 65535
 """The longest refresh period that manifests allow: next to nothing is refreshed on purpose."""
+
+_UNWRITTEN = -1.5e38
+"""What no shader writes."""
 
 
 class VariantRunner(Runner):
@@ -176,22 +178,22 @@ class VariantRunner(Runner):
         return spread(self.hit_mask(frame), self.world.size)
 
     def computed(self, frame: int) -> NDArray[np.bool_]:
-        """Which pixels of cached objects compute a payload of their own in this frame, (h, w): with
-        a cache that is a fraction of the picture, those for which none of its texels fits."""
-        targets = self.world.targets
-        for turn in self._begin(self._drawn(frame), frame):
-            if turn.bound.name != self.pass_names[-1]:
+        """Which pixels the last pass draws in this frame, (h, w): with a cache that is a fraction of
+        the picture, those that compute a payload of their own, since none of its texels fits.
+
+        For colours in floats: the last pass draws over one that no shader writes.
+        """
+        targets, last = self.world.targets, self.pass_names[-1]
+        frame_turns = list(self._begin(self._drawn(frame), frame))
+        for turn in frame_turns:
+            if turn.bound.name != last:
                 turn.draw()
-        targets.clear(targets.mask, keep_depth=True)
-        for role in self.cached:
-            spec = self.bundle.left_open(self.algorithm)
-            assert spec is not None, "each pixel has a texel"
-            bound = BoundPass(self.world, role.drawable, spec, role.naming)
-            bound.draw(self.inputs.of(role, frame), role.caches)
-            bound.release()
-        width, height = self.world.size
-        raw = np.frombuffer(targets.mask.read(), np.float32).reshape(height, width)
-        return raw > 0.0
+        targets.framebuffer((targets.color,), None).clear(*[_UNWRITTEN] * 4)
+        for turn in frame_turns:
+            if turn.bound.name == last:
+                turn.draw()
+        written: NDArray[np.bool_] = (targets.image() != np.float32(_UNWRITTEN)).any(axis=-1)
+        return written
 
     def note_hits(self, frame: int, rate: float) -> None:
         """Tell the run the share of hits of the frame that is about to be drawn: where it falls

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from laws import test_conditions
 from laws.ground_truth import (
     FOOTPRINT,
     Mask,
@@ -196,6 +197,17 @@ def test_objects_with_shaders_of_their_own_hide_each_other(gpu: Gpu) -> None:
     node = opened[1].node(opened[0].nodes["surface"])
     slower = Configuration(payload_rate="half")
     with closing(Verifier(gpu, opened, (64, 64), configuration=slower)) as verifier:
+        found = verifier.check(node, plain=False)
+    assert found.algorithms == {"3-pass"}
+    assert not found.broken, found.reasons
+
+
+def test_what_is_discarded_before_others_is_no_fault(gpu: Gpu) -> None:
+    """Behind what a shader discards, others are seen, which have their payloads from texels."""
+    opened = test_conditions.load("discards")
+    node = next(n for n in opened[1].nodes if n.legal and n.text == "noise(floor(p * 2.0))")
+    slower = Configuration(payload_rate="half")
+    with closing(Verifier(gpu, opened, (48, 40), configuration=slower)) as verifier:
         found = verifier.check(node, plain=False)
     assert found.algorithms == {"3-pass"}
     assert not found.broken, found.reasons
