@@ -178,8 +178,8 @@ class VariantRunner(Runner):
         return spread(self.hit_mask(frame), self.world.size)
 
     def computed(self, frame: int) -> NDArray[np.bool_]:
-        """Which pixels the last pass draws in this frame, (h, w): with a cache that is a fraction of
-        the picture, those that compute a payload of their own, since none of its texels fits.
+        """Which pixels the last pass draws in this frame, (h, w): with a cache that is a fraction
+        of the picture, those that compute a payload of their own, since none of its texels fits.
 
         For colours in floats: the last pass draws over one that no shader writes.
         """
@@ -188,7 +188,9 @@ class VariantRunner(Runner):
         for turn in frame_turns:
             if turn.bound.name != last:
                 turn.draw()
-        targets.framebuffer((targets.color,), None).clear(*[_UNWRITTEN] * 4)
+        targets.framebuffer((targets.color,), None).clear(
+            _UNWRITTEN, _UNWRITTEN, _UNWRITTEN, _UNWRITTEN
+        )
         for turn in frame_turns:
             if turn.bound.name == last:
                 turn.draw()
