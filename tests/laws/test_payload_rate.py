@@ -211,3 +211,15 @@ def test_what_is_discarded_before_others_is_no_fault(gpu: Gpu) -> None:
         found = verifier.check(node, plain=False)
     assert found.algorithms == {"3-pass"}
     assert not found.broken, found.reasons
+
+
+def test_the_sign_of_zero_is_kept(gpu: Gpu) -> None:
+    """Of one texel that weighs 1 a pixel takes every bit."""
+    opened = test_conditions.load("choices")
+    text = "base * (uv.y < 0.3 ? noise(floor(p * 9.0)) : 1.0)"
+    node = next(n for n in opened[1].nodes if n.legal and n.text == text)
+    slower = Configuration(payload_rate="half")
+    with closing(Verifier(gpu, opened, (48, 40), configuration=slower)) as verifier:
+        found = verifier.check(node, plain=False)
+    assert found.algorithms == {"3-pass"}
+    assert not found.broken, found.reasons

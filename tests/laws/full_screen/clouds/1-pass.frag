@@ -125,7 +125,7 @@ bool sc_due() {
 // Where the previous frame holds what the pixel shows, whether that may be reused, and what it is.
 int sc_look_up(out vec4 sc_texel) {
     ivec2 near = ivec2(gl_FragCoord.xy);
-    sc_texel = texelFetch(sc_cache, near, 0);
+    sc_texel = textureLod(sc_cache, (vec2(near) + 0.5) / vec2(textureSize(sc_cache, 0)), 0.0);
     if (sc_due()) {
         return sc_refresh;
     }

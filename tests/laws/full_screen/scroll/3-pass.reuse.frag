@@ -80,12 +80,12 @@ bool sc_due() {
 }
 
 // Four texels by their weights, those without one left out: they may hold NaN, and 0 times NaN is
-// NaN.
+// NaN. What is added for those is -0, as 0 would make 0 of -0.
 highp vec4 sc_chosen(highp vec4 a, highp vec4 b, highp vec4 c, highp vec4 d, highp vec4 weights) {
-    highp vec4 sum = weights.x > 0.0 ? weights.x * a : vec4(0.0);
-    sum += weights.y > 0.0 ? weights.y * b : vec4(0.0);
-    sum += weights.z > 0.0 ? weights.z * c : vec4(0.0);
-    return sum + (weights.w > 0.0 ? weights.w * d : vec4(0.0));
+    highp vec4 sum = weights.x > 0.0 ? weights.x * a : vec4(-0.0);
+    sum += weights.y > 0.0 ? weights.y * b : vec4(-0.0);
+    sum += weights.z > 0.0 ? weights.z * c : vec4(-0.0);
+    return sum + (weights.w > 0.0 ? weights.w * d : vec4(-0.0));
 }
 
 // Where the previous frame holds what the pixel shows, whether that may be reused, and what it is.
@@ -109,10 +109,10 @@ highp int sc_look_up(out highp vec4 sc_texel) {
     highp vec2 part = place - whole;
     highp ivec2 near = clamp(ivec2(whole), ivec2(0), last);
     highp ivec2 far = min(near + ivec2(ceil(part)), last);
-    highp vec4 a = texelFetch(sc_cache, near, 0);
-    highp vec4 b = texelFetch(sc_cache, ivec2(far.x, near.y), 0);
-    highp vec4 c = texelFetch(sc_cache, ivec2(near.x, far.y), 0);
-    highp vec4 d = texelFetch(sc_cache, far, 0);
+    highp vec4 a = textureLod(sc_cache, (vec2(near) + 0.5) / vec2(textureSize(sc_cache, 0)), 0.0);
+    highp vec4 b = textureLod(sc_cache, (vec2(ivec2(far.x, near.y)) + 0.5) / vec2(textureSize(sc_cache, 0)), 0.0);
+    highp vec4 c = textureLod(sc_cache, (vec2(ivec2(near.x, far.y)) + 0.5) / vec2(textureSize(sc_cache, 0)), 0.0);
+    highp vec4 d = textureLod(sc_cache, (vec2(far) + 0.5) / vec2(textureSize(sc_cache, 0)), 0.0);
     sc_texel = mix(mix(a, b, part.x), mix(c, d, part.x), part.y);
     if (sc_due()) {
         return sc_refresh;
