@@ -33,13 +33,7 @@ def open_cluster(address: str) -> Iterator[Any]:
     distributed = _package()
     local = _LOCAL.fullmatch(address)
     if local is None:
-        try:
-            client = distributed.Client(address, timeout=CONNECT_SECONDS)
-        except (OSError, ValueError, TypeError) as error:
-            hint = "give the address of a Dask scheduler, such as tcp://host:8786, or local:N"
-            message = f"there is no cluster at '{address}': {error}"
-            raise usage_error("SC036", message, hint) from None
-        with client:
+        with _connected(distributed, address) as client:
             _check_workers(address, client.scheduler_info(n_workers=-1)["workers"])
             yield client
         return
@@ -58,6 +52,21 @@ def open_cluster(address: str) -> Iterator[Any]:
         distributed.Client(cluster) as client,
     ):
         yield client
+
+
+def _connected(distributed: Any, address: str) -> Any:
+    """A client of the scheduler at an address. Raises :class:`UsageError` SC036."""
+    client = distributed.Client.__new__(distributed.Client)
+    try:
+        client.__init__(address, timeout=CONNECT_SECONDS)
+    except (OSError, ValueError, TypeError) as error:
+        # Left to the garbage collector it is closed wherever that happens to run. While another
+        # client starts, that waits for itself.
+        client.close()
+        hint = "give the address of a Dask scheduler, such as tcp://host:8786, or local:N"
+        message = f"there is no cluster at '{address}': {error}"
+        raise usage_error("SC036", message, hint) from None
+    return client
 
 
 def spread(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import signal
 from pathlib import Path
@@ -13,7 +14,7 @@ from shadercache.cluster import open_cluster, spread
 from shadercache.diagnostics import UsageError
 from shadercache.processes import LostTaskError
 
-pytest.importorskip("distributed")
+distributed = pytest.importorskip("distributed")
 
 
 def fragile(number: int, folder: str, deaths: int) -> int:
@@ -48,6 +49,9 @@ def test_there_is_no_cluster(address: str, monkeypatch: pytest.MonkeyPatch) -> N
     monkeypatch.setattr(cluster, "CONNECT_SECONDS", 0.2)
     with pytest.raises(UsageError, match="SC036"), open_cluster(address):
         pass
+    # None is left to the garbage collector, which would close it while another one starts.
+    left = [one for one in gc.get_objects() if isinstance(one, distributed.Client)]
+    assert {one.status for one in left} <= {"closed"}
 
 
 @pytest.mark.parametrize(
