@@ -27,6 +27,9 @@ _FIELDS = {
 """Word -> slot of a configuration, and field of the slot."""
 
 
+LEAST, MOST = 2.0**-126, 2.0**126
+"""Numbers that 32-bit floats hold, far from where they end."""
+
 NUMBER = "a number above 0"
 """What stands among choices for any."""
 
@@ -77,7 +80,7 @@ def _value(key: str, word: str, known: Sequence[str]) -> str | bool | float:
             number = float(word)
         except ValueError:
             number = math.nan
-        if 0.0 < number < math.inf:
+        if LEAST <= number <= MOST:
             return number
     elif word in known:
         return 0.0 if NUMBER in known else word == "on" if "on" in known else word

@@ -19,8 +19,13 @@ from shadercache.cli.profiling import profile_table, profiled
 from shadercache.cli.profiling import to_json as profiles_to_json
 from shadercache.cli.scenes import choose_nodes, one_by_one
 from shadercache.cli.tables import shorten
+from shadercache.diagnostics import usage_error
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shadercache.caching.configuration import Configuration
+    from shadercache.linking.linker import Linker
     from shadercache.measure.measurement import Measurement, NodeResult
 
 SMALL, TRIAL = options.DrawOptions(size="512"), TrialOptions()
@@ -86,9 +91,15 @@ def command(
         for slower in rates
     ]
     linker, subjects = Linker(scene, analysis), []
+    left_out: list[str] = []
     for payload in payloads:
         chosen = [replace(kind, nodes=payload.ids) for kind in kinds]
         subjects += subjects_of(linker, payload.label, chosen, payload.equal)
+        if nodes:
+            left_out += _left_out(linker, payload.label, chosen)
+    if not subjects:
+        hint = "; ".join(left_out) or "take other --passes or another --rate"
+        raise usage_error("SC027", "no node has a variant by what is asked for", hint)
     how = MeasureOptions(
         trial.frames, weigh=draw.weigh, perceptual=trial.perceptual, stop=trial.stop
     )
@@ -111,8 +122,22 @@ def command(
         return
     print(f"mapping: {analysis.mapping}")
     print(f"{summary(results)}\n\n{result_table(results, _label)}\n")
+    for line in left_out:
+        print(f"{line}\n")
     for table in tables:
         print(f"{table}\n")
+
+
+def _left_out(linker: Linker, label: str, chosen: Sequence[Configuration]) -> list[str]:
+    """A line for each algorithm and payload rate by which the payload has no variant."""
+    lines = []
+    for configuration in chosen:
+        if configuration.algorithm not in linker.fitting(configuration):
+            reason = linker.reason(configuration)
+            rate, algorithm = configuration.payload_rate, configuration.algorithm
+            kind = algorithm if rate == "full" else f"{algorithm} at {rate} rate"
+            lines.append(f"{label} has no {kind}: {reason}")
+    return list(dict.fromkeys(lines))
 
 
 def _label(node: NodeResult) -> str:

@@ -104,6 +104,13 @@ class Linker:
                 raise
             return ()
 
+    def reason(self, configuration: Configuration) -> str:
+        """Why its algorithm does not fit. Raises as :meth:`fitting`."""
+        try:
+            return self.refused(configuration)[configuration.algorithm]
+        except InputError as error:
+            return error.diagnostics[0].message
+
     def refused(self, configuration: Configuration) -> Mapping[str, str]:
         """Those that do not, and why. Raises as :meth:`link`."""
         return self._variants(None, configuration).refused

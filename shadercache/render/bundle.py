@@ -184,7 +184,9 @@ class Bundle:
         for variant in self._variants.variants:
             if variant.algorithm == algorithm:
                 return tuple(map(self._pass, variant.passes))
+        reason = self.refused.get(algorithm)
         message = f"node {self.node('id')} has no {algorithm} variant here"
+        message += f": {reason}" if reason else ""
         raise usage_error("SC026", message, f"there are: {', '.join(self.algorithms) or 'none'}")
 
     def enlarge(self) -> Bundle:

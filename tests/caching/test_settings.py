@@ -49,6 +49,8 @@ def test_adaptive_periods_need_turns_and_no_ages(other: str) -> None:
         "adaptive",
         "adaptive=0",
         "adaptive=nan",
+        "adaptive=1e300",
+        "adaptive=1e-60",
     ],
 )
 def test_what_is_not_known_is_refused(setting: str) -> None:

@@ -154,6 +154,7 @@ def test_an_algorithm_that_does_not_fit_is_told(shell: Shell, tmp_path: Path) ->
     assert told.status == 2 and "[SC026]" in told.err and "2-pass, 3-pass" in told.err
     told = shell("bench", path, "--nodes", node, "--passes", "1", "--frames", 3, *small)
     assert told.status == 2 and "[SC027]" in told.err
+    assert "hint: " in told.err and "has no 1-pass: " in told.err
 
 
 SOLID = "#version 330\nin vec3 v;\nout vec4 c;\nvoid main() { c = vec4(WAVE); }\n"
