@@ -35,6 +35,8 @@ Block = Annotated[int, msgspec.Meta(ge=2, le=4096, multiple_of=2)]
 Pixels = Annotated[int, msgspec.Meta(ge=1, le=16_384)]
 Percent = Annotated[float, msgspec.Meta(ge=0.0, le=100.0)]
 
+_BY_WORD = {algorithm.word: algorithm for algorithm in ALGORITHMS}
+
 
 class Choices(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Lists to combine.
@@ -64,7 +66,7 @@ class Choices(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     profile: bool = False
 
     def configurations(self, ids: Sequence[str], several: bool) -> Iterator[Configuration]:
-        """Every combination for one payload, algorithms innermost.
+        """Every combination that there is for one payload, algorithms innermost.
 
         Args:
             several: do objects share the cache? Their numbers are kept then, unless a text says
@@ -72,13 +74,15 @@ class Choices(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
         Raises :class:`UsageError` SC028.
         """
-        names = {algorithm.word: algorithm.name for algorithm in ALGORITHMS}
         combined = product(
             self.formats, self.cache, self.periods, self.blocks, self.rates, self.passes
         )
         for texels, settings, period, block, rate, word in combined:
+            algorithm = _BY_WORD[word]
+            if rate != "full" and not algorithm.fraction:
+                continue
             base = Configuration(
-                tuple(ids), names[word], storage=Storage(texels), payload_rate=rate
+                tuple(ids), algorithm.name, storage=Storage(texels), payload_rate=rate
             )
             base = replace(base.with_refresh(period, block), hit_test=HitTest(ids=several))
             yield with_settings(base, [settings] if settings else [])
@@ -99,10 +103,9 @@ def read_choices(path: Path) -> Choices:
 def check_choices(choices: Choices) -> Choices:
     """The same choices. Raises :class:`UsageError` SC008 where a list is empty or repeats itself,
     or an algorithm is not known."""
-    known = [algorithm.word for algorithm in ALGORITHMS]
     for word in choices.passes:
-        if word not in known:
-            hint = f"give some of {', '.join(known)}"
+        if word not in _BY_WORD:
+            hint = f"give some of {', '.join(_BY_WORD)}"
             raise usage_error("SC008", f"'{word}' is no algorithm", hint)
     for name in ("scenes", "passes", "periods", "blocks", "rates", "formats", "cache"):
         values = getattr(choices, name)
@@ -110,4 +113,8 @@ def check_choices(choices: Choices) -> Choices:
             raise usage_error("SC008", f"the sweep has no {name}")
         if len(set(values)) < len(values):
             raise usage_error("SC008", f"the sweep has one of its {name} twice")
+    slower = [word for word, algorithm in _BY_WORD.items() if algorithm.fraction]
+    if "full" not in choices.rates and not set(slower) & set(choices.passes):
+        message = "no algorithm of the sweep computes payloads at a fraction of the rate"
+        raise usage_error("SC008", message, f"{', '.join(slower)} does")
     return choices

@@ -55,6 +55,17 @@ def test_rates_are_planned(rings: SceneFile) -> None:
     found = [one.payload_rate for trial in trials for one in trial.configurations]
     assert set(found) == {"full", "half"} and found.count("full") == found.count("half")
     assert len(set(keys(trials))) == len(found)
+    # Two passes have no pass of payloads alone, so there is one combination less.
+    both = planned(rings, rates=("full", "half"), passes=("2", "3"))
+    assert {
+        (one.algorithm, one.payload_rate) for trial in both for one in trial.configurations
+    } == {
+        ("2-pass", "full"),
+        ("3-pass", "full"),
+        ("3-pass", "half"),
+    }
+    with pytest.raises(UsageError, match="fraction of the rate"):
+        check_choices(structs.replace(SMALL, rates=("half",), passes=("2",)))
     with pytest.raises(UsageError, match="no rates"):
         check_choices(structs.replace(SMALL, rates=()))
 
