@@ -231,7 +231,7 @@ def test_the_algorithms_agree_on_what_a_filter_makes(
     assert all(found.exact for found in verdict.laws["agreeing"].values()), verdict.reasons
 
 
-WEIGHED = re.compile(r"weights\.([xyzw]) > 0\.0 \? weights\.\1 \* ([abcd]) : vec4\(0\.0\)")
+WEIGHED = re.compile(r"weights\.([xyzw]) > 0\.0 \? weights\.\1 \* ([abcd]) : vec4\(-0\.0\)")
 MARKED = re.compile(r"        sc_store\.w = \S+;\n")
 
 
