@@ -10,17 +10,19 @@ from functools import cached_property
 from shadercache.analysis.candidates import Candidate, Candidates, varyings
 from shadercache.analysis.costs import payload_sets
 from shadercache.analysis.costs.cost import CostTable
+from shadercache.analysis.costs.savings import Savings
 from shadercache.analysis.costs.shared_work import SharedWorkTable
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.input_reads import input_kinds
 from shadercache.analysis.mapping import MappingKind
+from shadercache.analysis.naming import NO_NAMES, NodeNames
 from shadercache.analysis.refusals import Code
 from shadercache.analysis.screen.screen_varyings import ScreenVaryings
 from shadercache.analysis.stages import Pairs, StageSide, links_of, match_stages
 from shadercache.analysis.use_def import Definitions
 from shadercache.analysis.value_numbering import ValueGroup, number_values
 from shadercache.ast import nodes as n
-from shadercache.diagnostics import Diagnostic, InputError, UsageError, input_error, usage_error
+from shadercache.diagnostics import Diagnostic, InputError, input_error
 from shadercache.emit.builder import FragmentProgram, PassBuilder
 from shadercache.emit.printer import print_node
 from shadercache.emit.runtime import full_screen_vertex
@@ -37,7 +39,6 @@ from shadercache.sema.infer import infer
 from shadercache.source import Source
 from shadercache.transform.versions.raise_version import Raised
 
-_UNROLLED = re.compile(r"\.\d+u-")
 _INCLUDE = re.compile(r"#[ \t]*include\b")
 # The two outputs are GLSL ES 1.00's as well.
 _FIXED_FUNCTION = re.compile(r"gl_(?!Frag(Color|Data))")
@@ -155,49 +156,26 @@ class Analysis:
         return SharedWorkTable(self.candidates.instances, table, costs, self.program.color)
 
     @cached_property
-    def _by_id(self) -> dict[str, Candidate]:
-        return {node.id: node for node in self.nodes}
+    def savings(self) -> Savings:
+        """What caching each of the nodes would save."""
+        return Savings(self.candidates, self.groups, self.shared_work)
 
-    def node(self, node_id: str) -> Candidate:
-        """The node with this id.
+    @cached_property
+    def _names(self) -> NodeNames:
+        about = self.fragment, self.candidates
+        return NodeNames(*about, lambda: self.groups, lambda: self.savings, self.reading.unroll)
+
+    def node(self, name: str) -> Candidate:
+        """The node with this id, with this text, or at this place: see :mod:`analysis.naming`.
 
         Raises :class:`UsageError` SC010 or SC011 if there is none, SC012 if there are several.
         """
-        if node_id in self._by_id:
-            return self._by_id[node_id]
-        ids = self.candidates.ids
-        several: list[str] = []
-        for node in self.nodes:
-            if node.instance is None or node.place is None:
-                continue
-            if node_id.startswith(node.id) and ids.long(node.instance, node.place) == node_id:
-                return node
-            if node.id.startswith(node_id) and ids.short(node.instance, node.place) == node_id:
-                several.append(node.id)
-        if several:
-            message = f"'{node_id}' is short for {len(several)} nodes of {self.fragment.name}"
-            raise usage_error("SC012", message, f"they are {', '.join(several)}")
-        unroll = " --unroll" if self.reading.unroll else ""
-        hint = f"'shadercache nodes {self.fragment.name}{unroll}' lists the nodes"
-        if not unroll and _UNROLLED.search(node_id):
-            hint = "it is of the shader with its loops unrolled: add --unroll"
-        # Behind the last dash stands a hash of the functions on the call path.
-        stem = node_id.rpartition("-")[0]
-        if any(node.id.rpartition("-")[0] == stem for node in self.nodes):
-            message = (
-                f"node '{node_id}' is not from this source of {self.fragment.name}: "
-                "a function on its call path has changed since"
-            )
-            raise UsageError(Diagnostic("SC011", message, hint=hint))
-        message = f"{self.fragment.name} has no node '{node_id}'"
-        raise UsageError(Diagnostic("SC010", message, hint=hint))
+        return self._names.one(name)
 
-    def nodes_of(self, ids: str) -> tuple[Candidate, ...]:
-        """The nodes with these ids, joined by ``+``; one id is a set of one. Raises as ``node``."""
-        parts = ids.split("+")
-        if len(parts) > 1 and "" in parts:
-            raise usage_error("SC010", f"'{ids}' lacks an id beside a '+'")
-        return tuple(self.node(node_id) for node_id in parts)
+    def nodes_of(self, names: str, named: Mapping[str, str] = NO_NAMES) -> tuple[Candidate, ...]:
+        """The nodes with these names, joined by ``+``; one is a set of one. ``named`` are names of
+        a scene's for nodes and sets. Raises as ``node``."""
+        return self._names.several(names, named)
 
     def static_ratio(self, nodes: Sequence[Candidate]) -> float:
         """P/T by static costs, where the values of ``nodes`` are cached together."""

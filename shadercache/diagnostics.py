@@ -61,7 +61,7 @@ class Diagnostic:
             place = f"{_place(self.source, self.span.start)}: "
         lines = [f"{place}{self.severity}: {self.message} [{self.code}]"]
         if self.source is not None and self.span is not None:
-            lines += _snippet(self.source, self.span)
+            lines += snippet(self.source, self.span)
             lines += _included(self.source, self.span)
         if self.hint:
             lines.append(f"  hint: {self.hint}")
@@ -87,7 +87,8 @@ class Diagnostic:
         }
 
 
-def _snippet(source: Source, span: Span) -> list[str]:
+def snippet(source: Source, span: Span) -> list[str]:
+    """The line of source in which a span begins, and one that underlines it."""
     line, column = source.position(span.start)
     text, column = _window(source.part(span.start).line(line), column)
     # An empty span, where something is missing, has a caret too; one of several lines ends with the

@@ -36,7 +36,7 @@ def command(
     nodes: Annotated[
         list[str] | None,
         typer.Option(
-            metavar="IDS", help="Only these nodes (ids or the scene's names; a+b is a set)."
+            metavar="NODES", help=f"{options.NODE_HELP}; a+b is a set, commas part several."
         ),
     ] = None,
     every_node: Annotated[
@@ -77,8 +77,7 @@ def command(
     rates = options.parse_rates(rate)
     scene, analysis = source.open()
     if nodes:
-        wanted = [part for text in nodes for part in text.split(",") if part]
-        payloads = choose_nodes(scene, analysis, wanted)
+        payloads = choose_nodes(scene, analysis, options.split_names(nodes))
     else:
         offered = [node for node in analysis.nodes if node.offered]
         payloads = one_by_one(analysis, offered, every_node)

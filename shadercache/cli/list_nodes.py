@@ -8,22 +8,17 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from shadercache.analysis.mapping import PREVIOUS_CLIP
 from shadercache.cli.io import read_source
 from shadercache.cli.nodes_json import changes_of, print_nodes
 from shadercache.cli.options import FragmentArgument, ShaderOptions
 from shadercache.cli.scenes import find_scene
+from shadercache.cli.shortlist import MAPPINGS, told_in_one_look
 from shadercache.cli.tables import format_table, shorten, terminal_width
 
 if TYPE_CHECKING:
     from shadercache.analysis.candidates import Candidate
     from shadercache.compiler import Analysis
 
-MAPPINGS = {
-    "surface": "a value is reused on the same point of a surface",
-    "screen": "a value is reused at the same pixel; exact while its uniforms and textures stay",
-    "user": f"a value is reused from where {PREVIOUS_CLIP}() says",
-}
 HEADER = ("id", "path", "at", "type", "cost", "P/T", "twice", "verdict", "inputs", "text")
 INPUTS_WIDTH = 24
 TEXT_WIDTH = 60
@@ -37,28 +32,35 @@ def command(
         str | None, typer.Option(metavar="FILE", help="Vertex shader that goes with it.")
     ] = None,
     offered: Annotated[
-        bool, typer.Option("--offered/--all", help="Leave out the nodes that are refused.")
-    ] = False,
+        bool | None,
+        typer.Option(
+            "--offered/--all", help="A table of all that is offered, or of everything there is."
+        ),
+    ] = None,
     scene: Annotated[
         str | None,
         typer.Option(metavar="SCENE", help="Scene that says which uniforms change, and why."),
     ] = None,
     sort: Annotated[
-        Literal["source", "ratio"], typer.Option(help="By call path and place, or by P/T.")
-    ] = "source",
+        Literal["source", "ratio"] | None,
+        typer.Option(help="The table by call path and place, or by P/T; --all if nothing is said."),
+    ] = None,
     reading: ShaderOptions = READ,
     as_json: Annotated[bool, typer.Option("--json", help="The same as JSON.")] = False,
 ) -> None:
-    """List every value of a shader, its cost, and whether it may be cached.
+    """Say which values of a shader are worth caching, or list them all.
 
-    A node is one evaluation of one expression, on one path of calls. P/T is the static cost of
-    the value over that of the whole shader; "twice" is the share of the shader's cost that the
-    payload and the shading that is left both compute. The verdict is "offered" or the code of the
-    reason why the value may not be cached. With --scene a column says which inputs change from
-    frame to frame: with the view, the light or the time. --json leaves nothing out, and says
-    everything once: nodes have numbers of expressions, paths, inputs and refusals in tables of
-    these. Nodes that have the same value share a "group", and values of uniforms only come with
-    the GLSL to compute "on_cpu".
+    A node is one evaluation of one expression, on one path of calls. Shown are ten values at most,
+    one of those that are equal or alike: the share of the shader that caching it would save at most
+    (by static costs, the look-up paid), where it stands, and what changes it: with --scene, the
+    view, the light or the time.
+
+    --all and --offered print a table instead. P/T is the static cost of the value over that of the
+    whole shader; "twice" is the share of the shader's cost that the payload and the shading that is
+    left both compute. The verdict is "offered" or the code of the reason why the value may not be
+    cached. --json leaves nothing out, and says everything once: nodes have numbers of expressions,
+    paths, inputs and refusals in tables of these. Nodes that have the same value share a "group",
+    and values of uniforms only come with the GLSL to compute "on_cpu".
     """
     from shadercache.compiler import analyse
     from shadercache.scene.description import load_scene
@@ -74,6 +76,9 @@ def command(
         shown.sort(key=lambda node: node.ratio)
     if as_json:
         print(print_nodes(analysis, shown, changes))
+        return
+    if offered is None and sort is None:
+        print(told_in_one_look(analysis, changes, [fragment, *(["--vert", vert] if vert else [])]))
         return
     rows = [_row(analysis, node, changes) for node in shown]
     header = HEADER if changes is None else (*HEADER[:-1], "changes with", HEADER[-1])

@@ -35,6 +35,9 @@ R = TypeVar("R")
 PASSES = (*(algorithm.word for algorithm in ALGORITHMS), "all")
 """What ``--passes`` takes."""
 
+NODE_HELP = "Node: an id, a name from the scene, a text 'f(x)' or a place :LINE[:COLUMN]"
+"""How a node may be named."""
+
 # ASCII: GLSL's identifiers have no other letters, while \w alone takes those of every script.
 _MACRO = re.compile(r"[A-Za-z_]\w*(\([^()]*\))?", re.ASCII)
 # Nobody may redefine these (GLSL 4.60 section 3.3).
@@ -272,6 +275,20 @@ def parse_size(text: str) -> tuple[int, int]:
     if len(parts) in (1, 2) and all(part.isdecimal() and 0 < int(part) <= 16384 for part in parts):
         return int(parts[0]), int(parts[-1])
     raise usage_error("SC007", f"'{text}' is not a size", "give 1024 or 1280x720, in pixels")
+
+
+def split_names(texts: Sequence[str]) -> list[str]:
+    """The names of nodes in lists of them: commas part them, but for those in brackets."""
+    names = []
+    for text in texts:
+        depth, start = 0, 0
+        for at, char in enumerate(text):
+            depth += (char in "([{") - (char in ")]}")
+            if char == "," and depth <= 0:
+                names.append(text[start:at])
+                start = at + 1
+        names.append(text[start:])
+    return [name for name in names if name.strip()]
 
 
 def parse_passes(text: str) -> tuple[str, ...]:

@@ -22,7 +22,11 @@ def command(
     fragment: options.FragmentArgument,
     node: Annotated[
         list[str],
-        typer.Option(metavar="ID", help="The node to cache, from 'nodes'; several are one set."),
+        typer.Option(
+            metavar="NODE",
+            help="What to cache, from 'nodes': an id, a text 'f(x)' or a place :LINE[:COLUMN];"
+            " several are one set.",
+        ),
     ],
     out: Annotated[Path, options.output("Folder to write.")],
     vert: Annotated[
@@ -63,7 +67,8 @@ def command(
     if analysis.vertex is None and not analysis.full_screen:
         hint = "name it with --vert, or draw full-screen with --mapping screen"
         raise usage_error("SC005", "the vertex shader is missing", hint)
-    nodes = analysis.nodes_of("+".join(node))
+    # One by one: joined, two texts might be a third.
+    nodes = tuple(found for name in node for found in analysis.nodes_of(name))
     analysis.require_all(nodes, unprofitable)
     overlaps = () if carry else overlap_notes(analysis, nodes)
     payload = tuple(node.id for node in (carrying(analysis, nodes) if carry else nodes))

@@ -11,7 +11,7 @@ import typer
 from shadercache.caching.algorithms import DEFAULT, algorithm
 from shadercache.cli import options
 from shadercache.cli.measuring import measured, result_table, summary
-from shadercache.cli.scenes import choose_nodes
+from shadercache.cli.scenes import choose_set
 
 WORDS = options.PASSES[:-1]
 DRAWN = options.DrawOptions()
@@ -22,7 +22,7 @@ def command(
     source: options.SceneOptions,
     node: Annotated[
         list[str],
-        typer.Option(metavar="ID", help="Node id, or a name from the scene; several are one set."),
+        typer.Option(metavar="NODE", help=f"{options.NODE_HELP}; several are one set."),
     ],
     passes: Annotated[
         str,
@@ -61,7 +61,7 @@ def command(
     [edge] = options.parse_blocks(str(block))
     scene, analysis = source.open()
     [by] = options.parse_passes(passes)
-    [payload] = choose_nodes(scene, analysis, ["+".join(node)])
+    payload = choose_set(scene, analysis, node)
     analysis.require_all(payload.nodes, unprofitable)
     cached = replace(draw.configured(scene), nodes=payload.ids, algorithm=by, payload_rate=rate)
     cached = cached.with_refresh(period, edge)

@@ -59,16 +59,20 @@ def find_scene(target: str) -> Path:
 
 
 def choose_nodes(scene: Scene, analysis: Analysis, wanted: Sequence[str]) -> list[Payload]:
-    """The payload for each wanted id, or name from the scene's ``[nodes]``.
+    """The payload for each that is wanted: by a name from the scene's ``[nodes]``, an id, a text or
+    a place (see :mod:`analysis.naming`).
 
     One of the wanted is a node, or a set of nodes that are cached together: ``a+b``. Raises
-    :class:`UsageError` SC010 to SC012 for an id that is not that of one node.
+    :class:`UsageError` SC010 to SC012 for what is not the name of one node.
     """
-    payloads = []
-    for label in wanted:
-        ids = (scene.nodes.get(part, part) for part in label.split("+"))
-        payloads.append(Payload(label, analysis.nodes_of("+".join(ids))))
-    return payloads
+    return [Payload(label, analysis.nodes_of(label, scene.nodes)) for label in wanted]
+
+
+def choose_set(scene: Scene, analysis: Analysis, wanted: Sequence[str]) -> Payload:
+    """One payload of all that is wanted. Raises as :func:`choose_nodes`."""
+    payloads = choose_nodes(scene, analysis, wanted)
+    nodes = tuple(node for payload in payloads for node in payload.nodes)
+    return Payload("+".join(wanted), nodes)
 
 
 def one_by_one(analysis: Analysis, nodes: Sequence[Candidate], every_node: bool) -> list[Payload]:

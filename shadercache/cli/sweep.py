@@ -39,8 +39,9 @@ class ChoiceOptions:
     nodes: Annotated[
         list[str] | None,
         typer.Option(
-            metavar="IDS",
-            help="Ids or the scene's names; a+b is a set. Without it one node of each value.",
+            metavar="NODES",
+            help=f"{options.NODE_HELP}; a+b is a set, commas part several. Without it one node of "
+            "each value.",
         ),
     ] = None
     every_node: Annotated[
@@ -89,7 +90,7 @@ class ChoiceOptions:
             return msgspec.structs.replace(read, scenes=(*targets, *read.scenes))
         texts = {
             "scenes": list(targets),
-            "nodes": [part for text in self.nodes or () for part in text.split(",") if part],
+            "nodes": options.split_names(self.nodes or ()),
             "every_node": self.every_node,
             "passes": [name.partition("-")[0] for name in options.parse_passes(self.passes)],
             "periods": options.parse_periods(self.period),

@@ -14,6 +14,7 @@ import typer
 
 from shadercache.caching.configuration import Configuration
 from shadercache.cli.options import (
+    NODE_HELP,
     PASSES,
     ClusterOption,
     RateOption,
@@ -69,7 +70,7 @@ def command(
     ],
     node: Annotated[
         list[str] | None,
-        typer.Option(metavar="ID", help="Only this node, or set A+B; may be repeated."),
+        typer.Option(metavar="NODE", help=f"{NODE_HELP}, or a set A+B; may be repeated."),
     ] = None,
     unprofitable: Annotated[
         bool, typer.Option("--unprofitable", help="Also nodes cheaper than a fetch.")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
@@ -30,6 +31,20 @@ class ReadOptions:
     dialect: Dialect = "glsl"
     unroll: bool = False
     webgl: bool = False
+
+    @property
+    def words(self) -> Iterator[str]:
+        """How a shader is read, as the command line says it."""
+        for name, text in self.defines:
+            yield from ("-D", f"{name}={text}")
+        for name in self.undefined:
+            yield from ("-U", name)
+        for folder in self.include_folders:
+            yield from ("-I", str(folder))
+        if self.dialect != "glsl":
+            yield from ("--dialect", self.dialect)
+        if self.unroll:
+            yield "--unroll"
 
 
 DEFAULTS = ReadOptions()

@@ -36,17 +36,7 @@ class SceneFile:
     @property
     def options(self) -> Iterator[str]:
         """How it is read, as the command line says it."""
-        reading = self.reading
-        for name, text in reading.defines:
-            yield from ("-D", f"{name}={text}")
-        for name in reading.undefined:
-            yield from ("-U", name)
-        for folder in reading.include_folders:
-            yield from ("-I", str(folder))
-        if reading.dialect != ReadOptions().dialect:
-            yield from ("--dialect", reading.dialect)
-        if reading.unroll:
-            yield "--unroll"
+        yield from self.reading.words
         if self.mapping is not None:
             yield from ("--mapping", self.mapping)
 
@@ -143,8 +133,7 @@ def _payloads(linker: Linker, choices: Choices) -> Iterable[PayloadEntry]:
     analysis, names = linker.analysis, linker.scene.nodes
     if choices.nodes:
         for label in choices.nodes:
-            ids = "+".join(names.get(part, part) for part in label.split("+"))
-            yield _entry(linker, label, analysis.nodes_of(ids), 1)
+            yield _entry(linker, label, analysis.nodes_of(label, names), 1)
         return
     offered = [node for node in analysis.nodes if node.offered]
     counts = dict.fromkeys(offered, 1)

@@ -14,7 +14,7 @@ from .conftest import Shell
 
 
 def test_the_table_has_a_line_for_every_node(shell: Shell, fragment: Path) -> None:
-    table = shell("nodes", fragment).out.split("\n\n")[0].splitlines()
+    table = shell("nodes", fragment, "--all").out.split("\n\n")[0].splitlines()
     listed = shell("nodes", fragment, "--json").nodes
     assert table[0].split() == list(HEADER)
     assert [line.split()[0] for line in table[1:]] == [node["id"] for node in listed]
@@ -50,15 +50,17 @@ def test_sorted_by_ratio(shell: Shell, fragment: Path) -> None:
 
 
 def test_the_summary_counts_and_explains_the_codes(shell: Shell, fragment: Path) -> None:
-    summary = shell("nodes", fragment).out.split("\n\n")[1].splitlines()
+    summary = shell("nodes", fragment, "--all").out.split("\n\n")[1].splitlines()
     count, offered = (int(summary[0].split()[i]) for i in (0, 2))
     assert count == offered + sum(int(line.split()[0]) for line in summary[1:])
     assert any("SC302: is a constant" in line for line in summary)
 
 
 def test_stdin(shell: Shell, fragment: Path) -> None:
-    outcome = shell("nodes", "-", stdin=fragment.read_bytes())
-    assert outcome.out == shell("nodes", fragment).out
+    outcome = shell("nodes", "-", "--all", stdin=fragment.read_bytes())
+    assert outcome.out == shell("nodes", fragment, "--all").out
+    told = shell("nodes", "-", stdin=fragment.read_bytes()).out
+    assert "<stdin>:20:20: " in told and "shadercache rewrite - --node" in told
 
 
 def test_a_byte_order_mark_and_dos_lines_are_welcome(shell: Shell, fragment: Path) -> None:
@@ -126,7 +128,7 @@ def test_what_changes_with_the_light(shell: Shell) -> None:
     outcome = shell("nodes", dragon / "dragon.frag", "--scene", "dragon", "--json")
     found = {json.dumps(node["changes_with"]) for node in outcome.nodes}
     assert {"{}", '{"light": ["u_light"]}', '{"view": ["u_eye"], "light": ["u_light"]}'} <= found
-    table = shell("nodes", dragon / "dragon.frag", "--scene", "dragon").out
+    table = shell("nodes", dragon / "dragon.frag", "--scene", "dragon", "--all").out
     assert "changes with" in table.splitlines()[0] and "light: u_light" in table
 
 

@@ -68,6 +68,20 @@ def test_what_is_no_rate(text: str) -> None:
         options.parse_rates(text)
 
 
+@pytest.mark.parametrize(
+    ("texts", "names"),
+    [
+        (["a,b", "c"], ["a", "b", "c"]),
+        (["f(x, y),m[i, 1]"], ["f(x, y)", "m[i, 1]"]),
+        (["a+f(x, y), :95:3"], ["a+f(x, y)", " :95:3"]),
+        (["", ",a,", "f(x, y"], ["a", "f(x, y"]),
+        (["a),b"], ["a)", "b"]),
+    ],
+)
+def test_commas_part_names_of_nodes_outside_of_brackets(texts: list[str], names: list[str]) -> None:
+    assert options.split_names(texts) == names
+
+
 def test_a_list_of_algorithms() -> None:
     assert options.parse_passes("all") == USUAL
     assert options.parse_passes("2,parked") == ("2-pass", "parked")

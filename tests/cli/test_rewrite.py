@@ -53,6 +53,64 @@ def test_into_a_folder_that_exists(
     assert json.loads((tmp_path / "manifest.json").read_text())["schema_version"] == 2
 
 
+@pytest.mark.parametrize(
+    "names",
+    [
+        ("rings(v_position)",),
+        ("rings( v_position )",),
+        (":20:25",),
+        ("rings(v_position)+length(at.xz) * 20.0 + texture(u_wood, at.xy).r",),
+        ("rings(v_position)", "length(at.xz)*20.0 + texture(u_wood, at.xy).r"),
+    ],
+)
+def test_nodes_by_their_text_and_place(
+    shell: Shell, fragment: Path, tmp_path: Path, names: tuple[str, ...]
+) -> None:
+    given = [word for name in names for word in ("--node", name)]
+    outcome = shell("rewrite", fragment, *given, "-o", tmp_path)
+    if len(names) > 1 or "+" in names[0]:
+        assert outcome.status == 1 and "is not needed where the rest" in outcome.err
+        return
+    told = json.loads((tmp_path / "manifest.json").read_text())["nodes"]
+    wanted = "rings(v_position) * lit" if names[0].startswith(":") else "rings(v_position)"
+    assert [node["text"] for node in told] == [wanted]
+
+
+def test_two_nodes_are_not_taken_for_their_sum(
+    shell: Shell, several: tuple[Path, dict[str, str]], tmp_path: Path
+) -> None:
+    path, _ = several
+    sides = SUM.split(" + ")
+    given = [word for side in sides for word in ("--node", side)]
+    assert shell("rewrite", path, *given, "-o", tmp_path / "two").status == 0
+    assert shell("rewrite", path, "--node", SUM, "-o", tmp_path / "one").status == 0
+    texts = [
+        [node["text"] for node in json.loads((folder / "manifest.json").read_text())["nodes"]]
+        for folder in (tmp_path / "two", tmp_path / "one")
+    ]
+    assert texts == [sides, [SUM]]
+
+
+def test_a_name_of_several_values_lists_them(shell: Shell, fragment: Path, tmp_path: Path) -> None:
+    fragment = tmp_path / "two.frag"
+    fragment.write_text(
+        "#version 330\nin vec3 v;\nout vec4 o;\n"
+        "float f(vec3 p) { return exp(sin(p.x * 3.0)) * exp(p.y); }\n"
+        "void main() { o = vec4(f(v), f(v.yzx), 1.0, 1.0); }\n"
+    )
+    fragment.with_suffix(".vert").write_text(
+        "#version 330\nin vec3 a;\nout vec3 v;\nuniform mat4 m;\n"
+        "void main() { v = a; gl_Position = m * vec4(a, 1.0); }\n"
+    )
+    outcome = shell("rewrite", fragment, "--node", "exp(p.y)+f(v)", "-o", tmp_path / "out")
+    assert outcome.status == 2
+    outcome = shell("rewrite", fragment, "--node", ":4", "-o", tmp_path / "out")
+    assert (outcome.status, outcome.out) == (2, "")
+    assert "error: ':4' means 2 different values of" in outcome.err
+    assert outcome.err.count("two.frag:4:26: note: f.") == 2
+    assert "on the path main > f@1 [SC012]" in outcome.err and "main > f@2" in outcome.err
+
+
 @pytest.mark.parametrize("fragment_from_stdin", [True, False])
 def test_one_shader_may_come_from_stdin(
     shell: Shell, fragment: Path, rings: str, tmp_path: Path, fragment_from_stdin: bool
