@@ -192,8 +192,9 @@ def _check_names(shader: str, inputs: Sequence[InputEntry]) -> None:
 
 
 def _check_attribute(shader: str, name: str, member: Any) -> None:
-    if member.shape != "f" or member.array_length > 1 or member.dimension > 4:
-        message = f"{shader}: the harness gives float vectors only, attribute {name} is none"
+    if member.shape not in "fi" or member.array_length > 1 or member.dimension > 4:
+        given = "vectors of floats and integers only"
+        message = f"{shader}: the harness gives {given}, attribute {name} is none"
         raise input_error("SC524", message)
 
 

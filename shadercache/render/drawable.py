@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict
+from typing import Any
 
 import moderngl
 import numpy as np
@@ -37,7 +38,7 @@ class Drawable:
         """
         self.scene, self.scene_object, self.number = scene, scene_object, number
         self._uploads, self._size = uploads, size
-        self._mesh = uploads.mesh(scene_object.mesh)
+        self._mesh = uploads.mesh(scene_object.mesh, scene_object.part)
         self.mesh = self._mesh.mesh
         self._values: OrderedDict[tuple[int, int], Values] = OrderedDict()
         self._outside: dict[int, bool] = {}
@@ -100,8 +101,10 @@ class Drawable:
         """The mesh as the program's input; nothing, for one that draws ``over_screen``.
 
         Raises:
-            InputError: SC521, an attribute that the scene does not map to an array.
+            InputError: SC521, an attribute that the scene does not map to an array; SC523, fewer
+                bones in the shader than in the model.
         """
+        self._check_bones(program)
         content = [self._attribute(program, name) for name in program.attributes]
         index = None if over_screen else self._mesh.index
         key = (index.glo if index else 0, *(buffer.glo for buffer, _, _ in content))
@@ -121,7 +124,20 @@ class Drawable:
             message = f"{program.name} needs the vertex attribute {name}, which the scene lacks"
             hint = f'under [attributes], add: {name} = "position" (or another array of the mesh)'
             raise self.problem("SC521", message, hint)
-        return self._mesh.buffer(array), f"{self.mesh.arrays[array].shape[1]}f", name
+        member: Any = program.gl[name]
+        kind = member.shape
+        width = self.mesh.arrays[array].shape[1]
+        return self._mesh.buffer(array, kind), f"{width}{kind}", name
+
+    def _check_bones(self, program: Program) -> None:
+        pose, words = self.scene_object.motion.pose, self.scene_object.inputs.semantics
+        if pose is None:
+            return
+        for name, uniform in program.uniforms.items():
+            # Poses have more matrices than bones, so that shaders may; the rest would be dropped.
+            if words.get(name) == "bones" and uniform.count < 16 * pose.bone_count:
+                message = f"{name} has {uniform.count // 16} matrices, and '{pose.part}' has"
+                raise self.problem("SC523", f"{message} {pose.bone_count} bones")
 
     def _check_attributes(self) -> None:
         have = self.mesh.arrays

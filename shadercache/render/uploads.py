@@ -20,15 +20,17 @@ class GpuMesh(Resource):
     def __init__(self, ctx: moderngl.Context, mesh: Mesh) -> None:
         self.mesh = mesh
         self._ctx = ctx
-        self._buffers: dict[str, moderngl.Buffer] = {}
+        self._buffers: dict[tuple[str, str], moderngl.Buffer] = {}
         self.index = ctx.buffer(mesh.index.tobytes())
 
-    def buffer(self, name: str) -> moderngl.Buffer:
-        """One of the mesh's arrays."""
-        if name not in self._buffers:
-            array = np.ascontiguousarray(self.mesh.arrays[name])
-            self._buffers[name] = self._ctx.buffer(array.tobytes())
-        return self._buffers[name]
+    def buffer(self, name: str, kind: str = "f") -> moderngl.Buffer:
+        """One of the mesh's arrays, as floats, or as whole numbers for a ``kind`` of ``i``."""
+        key = (name, kind)
+        if key not in self._buffers:
+            dtype = np.int32 if kind == "i" else np.float32
+            array = np.ascontiguousarray(self.mesh.arrays[name], dtype)
+            self._buffers[key] = self._ctx.buffer(array.tobytes())
+        return self._buffers[key]
 
     def release(self) -> None:
         """Free the buffers."""
@@ -43,15 +45,17 @@ class Uploads(Resource):
         """Args: ``given``: a mesh in place of those in files."""
         self.gpu = gpu
         self._given = given
-        self._meshes: dict[Path | None, GpuMesh] = {}
+        self._meshes: dict[tuple[Path | None, str | None], GpuMesh] = {}
         self._textures: dict[TextureSpec, GlTexture] = {}
 
-    def mesh(self, path: Path | None) -> GpuMesh:
-        """A mesh; None is that of full-screen scenes. Raises as ``load_mesh``."""
-        if path not in self._meshes:
-            mesh = self._given or (FULL_SCREEN if path is None else load_mesh(path))
-            self._meshes[path] = GpuMesh(self.gpu.ctx, mesh)
-        return self._meshes[path]
+    def mesh(self, path: Path | None, part: str | None = None) -> GpuMesh:
+        """A mesh, or a part of a model; None is that of full-screen scenes. Raises as
+        ``load_mesh``."""
+        key = (path, part)
+        if key not in self._meshes:
+            mesh = self._given or (FULL_SCREEN if path is None else load_mesh(path, part))
+            self._meshes[key] = GpuMesh(self.gpu.ctx, mesh)
+        return self._meshes[key]
 
     def texture(self, spec: TextureSpec) -> GlTexture:
         """A texture. Raises InputError SC530, SC531 for a file that is none."""

@@ -13,7 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.scene.description import SceneObject, View
+from shadercache.scene.models.pose import NO_BONES, NO_WEIGHTS
 from shadercache.scene.motion import Camera, CameraPath, Motion
+from shadercache.scene.object_inputs import INVERSES
 
 Matrix = NDArray[np.float64]
 Values = Mapping[str, NDArray[np.float64]]
@@ -44,6 +46,9 @@ def uniform_values(
     given = scene_object.inputs
     uniforms = {name: np.asarray(value, np.float64) for name, value in given.constants.items()}
     uniforms |= {name: animation.at(frame) for name, animation in given.animated.items()}
+    words = set(given.semantics.values())
+    for word in words.intersection(INVERSES):
+        values[word] = _inverse(values[INVERSES[word]])
     # A transpose read row by row is the matrix column by column; vectors stay as they are.
     return uniforms | {name: values[word].T.ravel() for name, word in given.semantics.items()}
 
@@ -63,31 +68,52 @@ def semantic_values(
     ``aspect`` is width / height, ``shift`` the jitter in halves of the picture's width and height.
     """
     camera = camera_at(view, frame)
+    pose = None if motion.pose is None else motion.pose.at(frame / FRAMES_PER_SECOND)
     model = model_matrix(motion, frame)
+    if pose is not None:
+        model = model @ pose.matrix
     seen = look_at(camera)
     project = view.engine.projection(perspective(camera, aspect), shift)
     model_view = seen @ model
-    return {
+    values = {
         "model": model,
         "view": seen,
         "projection": project,
         "model-view": model_view,
         "view-projection": project @ seen,
         "model-view-projection": project @ model_view,
-        "normal-matrix": np.linalg.inv(model_view[:3, :3]).T,
+        "normal-matrix": _normal_matrix(model_view),
+        "world-normal-matrix": _normal_matrix(model),
         "eye": np.asarray(camera.eye, np.float64),
         "time": np.asarray(view.start_time + frame / FRAMES_PER_SECOND),
         # None in the first frame, which is also that of the scene at rest.
         "time-delta": np.asarray(1.0 / FRAMES_PER_SECOND if frame > 0 else 0.0),
         "frame": np.asarray(float(frame)),
     }
+    # One matrix beside the other, so that what is uploaded by columns has them in their order.
+    values["bones"] = (NO_BONES if pose is None else pose.bones).transpose(1, 0, 2).reshape(4, -1)
+    values["morph-weights"] = NO_WEIGHTS if pose is None else pose.weights
+    return values
+
+
+def _normal_matrix(matrix: Matrix) -> Matrix:
+    return _inverse(matrix[:3, :3]).T
+
+
+def _inverse(matrix: Matrix) -> Matrix:
+    try:
+        return np.asarray(np.linalg.inv(matrix), np.float64)
+    except np.linalg.LinAlgError:  # animations may scale to nothing
+        return np.asarray(np.linalg.pinv(matrix), np.float64)
 
 
 def model_matrix(motion: Motion, frame: int) -> Matrix:
-    """Where an object is at a frame: scaled, turned about its origin, then put to its place."""
+    """Where an object is at a frame: scaled, turned about its pivot, then put to its place."""
     matrix = rotation(motion, frame)
     matrix[:3, :3] *= motion.scale
-    matrix[:3, 3] = motion.place(frame)
+    # What the scale and the turn do to the pivot is taken back.
+    pivot = np.asarray(motion.pivot, np.float64)
+    matrix[:3, 3] = np.asarray(motion.place(frame)) + (pivot - matrix[:3, :3] @ pivot)
     return matrix
 
 

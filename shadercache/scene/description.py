@@ -13,6 +13,8 @@ from typing import Any, cast, get_args
 
 from shadercache.analysis.mapping import MappingKind
 from shadercache.scene.graphics_state import PLAIN, GraphicsState, read_engine
+from shadercache.scene.models.load import FORMATS, is_model
+from shadercache.scene.models.pose import Pose
 from shadercache.scene.motion import (
     REST,
     RESTING_CAMERA,
@@ -84,6 +86,13 @@ class SceneObject:
     own_shader: bool = False
     caching: Caching = Caching()
     bounds: Bounds | None = None
+
+    @property
+    def part(self) -> str | None:
+        """The part of a model that its mesh is."""
+        pose = self.motion.pose
+        # A stand-in or another mesh has no such part.
+        return pose.part if pose is not None and pose.path == self.mesh else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -166,6 +175,7 @@ def load_scene(path: Path) -> Scene:
         inputs=read_inputs(top),
     )
     camera, camera_path = (RESTING_CAMERA, REST) if flat else read_camera(top.table("camera"))
+    common = _posed(top, common, None)
     engine = read_engine(top.table("engine"))
     nodes = read_names(top.table("nodes"))
     scene = Scene(
@@ -210,7 +220,7 @@ def _object(table: Table, common: SceneObject, nodes: Mapping[str, str]) -> Scen
     mesh = table.file("mesh", common.mesh)
     # A stand-in belongs to its mesh: for another one it would be the wrong shape.
     stand_in = common.verify_mesh if mesh == common.mesh else None
-    return SceneObject(
+    made = SceneObject(
         name=table.text("name"),
         fragment=table.file("fragment", common.fragment),
         vertex=table.file("vertex") if table.has("vertex") else common.vertex,
@@ -223,6 +233,26 @@ def _object(table: Table, common: SceneObject, nodes: Mapping[str, str]) -> Scen
         caching=_caching(table, own, {**nodes, **read_names(table.table("nodes"))}),
         bounds=_bounds(table),
     )
+    return _posed(table, made, common.motion.pose)
+
+
+def _posed(table: Table, made: SceneObject, common: Pose | None) -> SceneObject:
+    """The object as a part of a model; what its table does not say is as ``common`` has it."""
+    inherited = common if common is not None and common.path == made.mesh else None
+    part = inherited.part if inherited else None
+    part = table.text("part") if table.has("part") else part
+    animation = table.text("animation") if table.has("animation") else None
+    speed = table.number("animation_speed", inherited.speed if inherited else 1.0)
+    model = made.mesh is not None and is_model(made.mesh)
+    message = f"{table.full('part')}: only a model has parts ({', '.join(FORMATS)})"
+    table.require(part is None or model, "part", message)
+    message = f"{table.full('animation')} needs the part that it moves: part = ..."
+    table.require(animation is None or part is not None, "animation", message)
+    if part is None or made.mesh is None:
+        return replace(made, motion=replace(made.motion, pose=None))
+    played = animation or (inherited.animation if inherited else None)
+    pose = Pose(made.mesh, part, played, speed)
+    return replace(made, motion=replace(made.motion, pose=pose))
 
 
 def _culls(table: Table, default: bool) -> bool:

@@ -1,6 +1,6 @@
-"""Indexed triangle meshes from ``.npz`` files, plain or quantised.
+"""Indexed triangle meshes from models (``models/``) and from ``.npz`` files, plain or quantised.
 
-Arrays of a file (n vertices, m triangles):
+Arrays of an ``.npz`` file (n vertices, m triangles):
 
 * ``position`` (n, 3), or ``position_u16`` (n, 3) with ``bounds`` (2, 3): the lowest and highest
   corner of the box that 0..65535 spans;
@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from shadercache.diagnostics import InputError, input_error, usage_error
 from shadercache.scene.description import Scene
+from shadercache.scene.models.load import is_model, load_model, whole_model
 from shadercache.scene.npz import load_npz
 
 _HELPERS = ("bounds", "index", "index_delta")
@@ -36,13 +37,19 @@ class Mesh:
     index: NDArray[np.uint32]
 
 
-def load_mesh(path: Path) -> Mesh:
-    """Read a mesh and check that it can be drawn.
+def load_mesh(path: Path, part: str | None = None) -> Mesh:
+    """Read a mesh and check that it can be drawn: of a model one part, or all that it has at rest.
 
     Raises:
         InputError: SC510 unreadable file, SC511 no positions or no triangles, SC512 an array of a
-            wrong shape or with values that are not finite, SC513 an index out of range.
+            wrong shape or with values that are not finite, SC513 an index out of range; of a model
+            as ``load_model``, and SC515 for a part that it does not have.
     """
+    if is_model(path):
+        model = load_model(path)
+        chosen = whole_model(model) if part is None else model.part(part)
+        name = str(path) if part is None else f"{path} ({part})"
+        return Mesh(name, chosen.arrays, chosen.index)
     raw = load_npz(path, "SC510", "the mesh")
     arrays = dict(_decode(path, key, raw) for key in raw if key not in _HELPERS)
     if "position" not in arrays:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from shadercache.scene.models.pose import Pose
 from shadercache.scene.toml_reader import Table
 
 Vector = tuple[float, float, float]
@@ -56,11 +57,12 @@ REST = CameraPath()
 
 @dataclass(frozen=True, slots=True)
 class Motion:
-    """An object turns about an axis through its origin, and drifts; ``frames``: the path's length.
+    """An object turns about an axis through its pivot, and drifts; ``frames``: the path's length.
 
     ``position`` at frame 0 and ``velocity`` (a frame) are in world space. ``jumps``: from a frame
     on it is at another position. ``visible``: it is there from the first frame of a pair to before
-    the second; always without any.
+    the second; always without any. ``pivot``: the point of the object that it turns about.
+    ``pose``: what a part of a model does by itself, before all that.
     """
 
     axis: Vector
@@ -72,6 +74,8 @@ class Motion:
     scale: float = 1.0
     jumps: tuple[tuple[int, Vector], ...] = ()
     visible: tuple[tuple[int, int], ...] = ()
+    pivot: Vector = (0.0, 0.0, 0.0)
+    pose: Pose | None = None
 
     def is_there(self, frame: int) -> bool:
         """Is the object in the scene at a frame?"""
@@ -163,6 +167,7 @@ def read_motion(table: Table, turn: float) -> Motion:
             (jump.whole("frame", None, least=0), jump.vector("position"))
             for jump in table.tables("jumps")
         ),
+        pivot=table.vector("pivot", (0.0, 0.0, 0.0)),
         visible=tuple((a, b) for a, b in table.rows("visible", "pairs of frames", _is_span)),
     )
     frames = [frame for frame, _ in motion.jumps]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
+from difflib import get_close_matches
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, TypeAlias, TypeVar
@@ -17,11 +18,20 @@ from shadercache.scene.toml_reader import Table, is_number
 
 T = TypeVar("T")
 
+_MATRICES = ("model", "view", "projection", "model-view", "view-projection")
+INVERSES = {f"inverse-{word}": word for word in (*_MATRICES, "model-view-projection")}
+"""Semantics that are the inverse of another."""
+
 SEMANTICS = (
-    *("model", "view", "projection", "model-view", "view-projection", "model-view-projection"),
-    *("normal-matrix", "eye", "time", "time-delta", "frame", "resolution", "resolution-aspect"),
+    *(*_MATRICES, "model-view-projection", *INVERSES),
+    *("normal-matrix", "world-normal-matrix", "bones", "morph-weights"),
+    *("eye", "time", "time-delta", "frame", "resolution", "resolution-aspect"),
 )
 """What a uniform can be tied to; ``camera.semantic_values`` and ``uniform_values`` define each."""
+
+_OF_TIME = ("time", "time-delta", "frame", "bones", "morph-weights")
+
+_ANIMATED = ("semantic", "table", "start")
 
 CAUSES = ("view", "light", "time")
 """Why a uniform may change from frame to frame."""
@@ -121,7 +131,7 @@ class Inputs:
         Those of the picture's size do not change.
         """
         by_semantic = {
-            name: "time" if word in ("time", "time-delta", "frame") else "view"
+            name: "time" if word in _OF_TIME else "view"
             for name, word in self.semantics.items()
             if not word.startswith("resolution")
         }
@@ -154,15 +164,36 @@ def read_inputs(table: Table) -> Inputs:
             word = semantics[name] = value if isinstance(value, str) else value["semantic"]
             if word not in SEMANTICS:
                 message = f"{uniforms.full(name)}: unknown semantic {word!r}"
-                uniforms.problem("SC506", name, message, f"one of {', '.join(SEMANTICS)}")
+                near = get_close_matches(str(word), SEMANTICS, 1)
+                meant = f"did you mean {near[0]!r}? " if near else ""
+                uniforms.problem("SC506", name, message, f"{meant}one of {', '.join(SEMANTICS)}")
         elif isinstance(value, dict) and ("table" in value or "start" in value):
             animated[name] = _read_animation(uniforms.table(name))
+        elif isinstance(value, dict) and not set(value) & set(_ANIMATED):
+            _refuse_dots(uniforms, name, value)
         else:
             wanted = "a number, an array of numbers, or a semantic"
             value = uniforms.checked(name, wanted, lambda v: bool(_constant(v)), stand_in=0.0)
             constants[name] = _constant(value)
     attributes = read_names(table.table("attributes"))
     return Inputs(attributes, constants, semantics, animated, _textures(table.table("textures")))
+
+
+def _refuse_dots(uniforms: Table, name: str, value: dict[str, Any]) -> None:
+    """A dot outside of quotes makes a table of its own."""
+    member = next(iter(value), None)
+    message = f"{uniforms.full(name)} must be a number, an array of numbers, or a semantic"
+    if member is None:
+        uniforms.problem("SC505", name, f"{message}, not an empty table")
+        return
+    inner = value[member]
+    known = isinstance(inner, dict | str) or bool(_constant(inner))
+    hint = "what moves has start and per_frame, or table and array"
+    hint = f'write "{name}.{member}" in quotes; {hint}' if known else hint
+    near = get_close_matches(member, _ANIMATED, 1)
+    if near:
+        hint = f"did you mean {near[0]}?"
+    uniforms.problem("SC505", name, f"{message}, not a table with the key {member}", hint)
 
 
 def _read_animation(table: Table) -> Animation:

@@ -6,23 +6,22 @@ import re
 import sys
 import tomllib
 from collections.abc import Callable, Iterator, Mapping
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
 from shadercache.diagnostics import Diagnostic, InputError, input_error, shortened
 from shadercache.foreign_files import MAX_NESTING, is_file, read_bytes, toml_nesting
+from shadercache.scene.toml_places import locate
 from shadercache.source import Source, Span
 
 _AT = re.compile(r"\(at line (\d+), column (\d+)\)")
-_NUMBER = re.compile(r"\[\d+\]")
-_HEADER = re.compile(r"^[ \t]*\[+([^\[\]\n]*)\]+", re.MULTILINE)
+# What looks like a value, but is no TOML.
+_BARE_WORD = re.compile(r"=\s*([A-Za-z_./\\][\w./\\-]*)\s*(?:#.*)?$")
+_BARE_KEY = re.compile(r"\s*([A-Za-z_][\w.\[\]]*[\[\]][\w.\[\]]*)\s*=")
 
 MAX_SCENE = 1 << 20
 """Bytes of a scene file."""
-
-# The stems of a name are quadratic in its parts, and a file may hold a million dots.
-_MOST_PARTS = 20
-"""Parts of the name of a table; those behind are taken for one."""
 
 
 def read_toml(path: Path) -> tuple[Source, dict[str, Any]]:
@@ -50,49 +49,30 @@ def read_toml(path: Path) -> tuple[Source, dict[str, Any]]:
 def _syntax_error(source: Source, message: str) -> Diagnostic:
     at = _AT.search(message)
     # tomllib gives no place where a text ends too early.
-    offset = len(source.text)
+    offset, line = len(source.text), ""
     if at is not None:
         lines = source.text.splitlines(keepends=True)
         offset = sum(map(len, lines[: int(at[1]) - 1])) + int(at[2]) - 1
+        # An error at the end of a line may be told of the next one.
+        line = lines[int(at[1]) - 1] if int(at[1]) <= len(lines) else ""
     sentence = _AT.sub("", message).strip()
-    return Diagnostic("SC502", f"not TOML: {sentence}", source, Span(offset, offset + 1))
+    return Diagnostic(
+        "SC502", f"not TOML: {sentence}", source, Span(offset, offset + 1), _meant(line, sentence)
+    )
 
 
-def locate(source: Source, table: str, key: str) -> Span | None:
-    """Where ``key`` of ``table`` ("" is the top level) stands in the text, as far as can be seen.
-
-    Tables of an array are called ``name[0]``, ``name[1]``, ...
-    """
-    # tomllib keeps no places. Only the plain spelling is found: [table], and below it key = ...
-    headers = list(_HEADER.finditer(source.text))
-    starts = [("", 0), *zip(_full_names(headers), (m.end() for m in headers), strict=True)]
-    ends = [start for _, start in starts[1:]] + [len(source.text)]
-    for (name, start), end in zip(starts, ends, strict=True):
-        if name != table:
-            continue
-        match = re.search(rf"^[ \t]*{re.escape(key)}[ \t]*=", source.text[start:end], re.MULTILINE)
-        if match:
-            at = start + match.end() - len(match[0].lstrip())
-            return Span(at, at + len(key))
-        if table:
-            written = len(_NUMBER.sub("", name))
-            return Span(start - 1 - written, start - 1)
+def _meant(line: str, sentence: str) -> str | None:
+    """What should stand in a line that is not TOML."""
+    key, value = _BARE_KEY.match(line), _BARE_WORD.search(line)
+    if key is not None:
+        return f'a name with brackets stands in quotes: "{key[1]}" = ...'
+    if value is not None and value[1] in ("True", "False"):
+        return f"write {value[1].lower()}"
+    if value is not None:
+        return f'a text stands in quotes: "{value[1]}"'
+    if "overwrite" in sentence or "mutate" in sentence or "twice" in sentence:
+        return 'each key stands once; the name of a member has a dot in quotes: "camera.view" = ...'
     return None
-
-
-def _full_names(headers: list[re.Match[str]]) -> list[str]:
-    """The names of tables, those of arrays with their number: ``objects[1].motion``."""
-    counts: dict[str, int] = {}
-    names: list[str] = []
-    for header in headers:
-        name = header[1].strip()
-        if "[[" in header[0]:
-            counts[name] = counts.get(name, -1) + 1
-        parts = name.split(".", _MOST_PARTS)
-        stems = [".".join(parts[: end + 1]) for end in range(len(parts))]
-        marks = [f"[{counts[stem]}]" if stem in counts else "" for stem in stems]
-        names.append(".".join(map("".join, zip(parts, marks, strict=True))))
-    return names
 
 
 class Table:
@@ -236,7 +216,7 @@ class Table:
         value = self.values[key]
         if is_right(value):
             return value
-        message = f"{self.full(key)} must be {wanted}, not {shortened(repr(value))}"
+        message = f"{self.full(key)} must be {wanted}, not {shortened(_as_toml(value))}"
         self.problem("SC505", key, message)
         return harmless
 
@@ -249,10 +229,16 @@ class Table:
         """Note every key that nobody asked for: it is most likely misspelt."""
         for key in self.values:
             if key not in self._known:
-                hint = f"known here: {', '.join(sorted(self._known))}"
+                near = get_close_matches(key, self._known, 1)
+                meant = f"did you mean {near[0]}? " if near else ""
+                hint = f"{meant}known here: {', '.join(sorted(self._known))}"
                 self.problem("SC504", key, f"unknown key {self.full(key)}", hint)
         for table in self._inner:
             table._refuse_unknown()
+
+
+def _as_toml(value: Any) -> str:
+    return str(value).lower() if isinstance(value, bool) else repr(value)
 
 
 def is_number(value: Any) -> bool:

@@ -11,6 +11,7 @@ from typing import Any
 from shadercache import __version__
 from shadercache.linking.linker import Linker
 from shadercache.scene.description import SceneObject
+from shadercache.scene.models.load import is_model, load_model
 from shadercache.scene.object_inputs import Rows
 
 
@@ -37,7 +38,7 @@ def scene_fingerprint(linker: Linker) -> str:
 def _files(part: SceneObject) -> Iterator[Path]:
     """The files of an object beside its shaders."""
     if part.mesh is not None:
-        yield part.mesh
+        yield from load_model(part.mesh).files if is_model(part.mesh) else (part.mesh,)
     for texture in part.inputs.textures.values():
         if not texture.generated:
             yield texture.path

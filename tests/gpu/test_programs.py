@@ -108,7 +108,8 @@ def test_what_the_harness_cannot_give(world: RenderScene) -> None:
         "vec2(0)); }",
     ):
         assert codes(world, fragment)[0] == ["SC524"]
-    vertex = VERTEX.replace("in vec3 a_position;", "in ivec3 a_position;")
+    vertex = VERTEX.replace("in vec3 a_position;", "in vec3 a_position; in mat3 a_turn;")
+    vertex = vertex.replace("vec4(a_position", "vec4(a_turn * a_position")
     assert codes(world, out + "o = vec4(1.0); }", vertex)[0] == ["SC524"]
     # moderngl would hide the attribute behind the uniform, and the picture would be another.
     vertex = VERTEX.replace("in vec3 a_position;", "in vec3 a_position; in float u_a;")

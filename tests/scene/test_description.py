@@ -86,6 +86,69 @@ def test_one_mistake(
         assert f"broken.toml:{line}:" in rendered
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "hint", "line"),
+    [
+        ('mesh = "torus.npz"', "mesh = torus.npz", 'quotes: "torus.npz"', 5),
+        ("u_scale = 5.0", "u_scale = True", "write true", 30),
+        ("u_scale = 5.0", "lamps[1].power = 5.0", '"lamps[1].power" = ...', 30),
+        ("u_scale = 5.0", 'camera.view = "view"', 'write "camera.view" in quotes', 30),
+        ("u_scale = 5.0", "lamp.power = 2.0", 'write "lamp.power" in quotes', 30),
+        ("u_scale = 5.0", "u_scale = {begin = 1, step = 2}", "start and per_frame", 30),
+        ("u_scale = 5.0", "u_scale = {strt = 1, per_frame = 2}", "did you mean start?", 30),
+        ("u_scale = 5.0", 'u_scale = {start = 1, per_frame = "2"}', None, 30),
+        ("u_scale = 5.0", 'u_scale = {table = "none.npz", array = "a"}', None, 30),
+        ('"model"', '"modell"', "did you mean 'model'?", 28),
+        ("fov_degrees = 45.0", "fov_degree = 45.0", "did you mean fov_degrees?", 16),
+        ("frames = 64", "frame = 64", "did you mean frames?", 24),
+        ("[nodes]", "[nods]", "did you mean nodes?", 32),
+    ],
+)
+def test_what_was_meant(
+    scene_folder: Path, old: str, new: str, hint: str | None, line: int | None
+) -> None:
+    error = broken(scene_folder, old, new)
+    hints = [item.hint for item in error.diagnostics if item.hint]
+    assert (hint is None and not hints) or any(hint in text for text in hints if hint), str(error)
+    if line is not None:
+        assert f"broken.toml:{line}:" in str(error)
+
+
+OBJECTS = """
+[[objects]]
+name = "one"
+motion = { axis = [0, 1, 0], frams = 3 }
+[[objects]]
+name = "two"
+textures.u_t = { file = "torus.npz", wrap = "round" }
+uniforms."a.b" = "modle"
+motion.jumps = [
+    { frame = 3, position = [0, 0, 0] },
+    { frame = "4", position = [0, 0, 0] },
+]
+"""
+
+
+def test_places_inside_of_braces(scene_folder: Path) -> None:
+    path = scene_folder / "braces.toml"
+    text = (scene_folder / "scene.toml").read_text()
+    start = text.count("\n") + 1
+    path.write_text(text + OBJECTS)
+    with pytest.raises(InputError) as caught:
+        load_scene(path)
+    said = str(caught.value)
+    for words, line in (("motion.frams", 3), ("u_t.wrap", 6), ("a.b", 7), ("[1].frame must", 10)):
+        [told] = [item.render() for item in caught.value.diagnostics if words in item.message]
+        assert f"braces.toml:{start + line}:" in told, said
+
+
+def test_parts_belong_to_models(scene_folder: Path) -> None:
+    error = broken(scene_folder, 'mesh = "torus.npz"', 'mesh = "torus.npz"\npart = "a"')
+    assert "part: only a model has parts (.glb" in str(error) and ":6:" in str(error)
+    error = broken(scene_folder, 'mesh = "torus.npz"', 'mesh = "torus.npz"\nanimation = "a"')
+    assert "animation needs the part that it moves" in str(error)
+
+
 def test_all_mistakes_are_told_at_once(scene_folder: Path) -> None:
     error = broken(scene_folder, "near = 0.5", 'near = "x"\nfra = 1\nup = 3')
     assert len(error.diagnostics) == 1, "a key given twice is not TOML"

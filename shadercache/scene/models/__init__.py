@@ -1,0 +1,1 @@
+"""Models that others made: glTF with its skins, morphs and animations, and OBJ, PLY, STL."""
