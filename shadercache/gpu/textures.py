@@ -1,4 +1,4 @@
-"""Texture files on the GPU: ``.png`` (8 bits a channel) and ``.npz`` (any precision).
+"""Texture files on the GPU: ``.png``, ``.jpg`` (8 bits a channel) and ``.npz`` (any precision).
 
 The latter also hold cube maps and the layers of an array. Values reach the shader as stored;
 nothing is converted from or to sRGB.
@@ -31,7 +31,9 @@ _FILTERS = {
 }
 
 MAX_PIXELS = 1 << 26
-"""Pixels of a PNG file: 8192 by 8192."""
+"""Pixels of a picture: 8192 by 8192."""
+
+_PICTURES = (".png", ".jpg", ".jpeg")
 
 _ARRAYS = {"faces": "(6, n, n, c)", "layers": "(n, h, w, c)", "pixels": "(h, w, c)"}
 """The array that a ``.npz`` file has one of, and its shape."""
@@ -59,8 +61,8 @@ def load_pixels(path: Path) -> tuple[NDArray[np.generic], str]:
     Raises:
         InputError: SC530 unreadable file, SC531 no such array, a wrong shape or type.
     """
-    if path.suffix.lower() == ".png":
-        return _load_png(path), "pixels"
+    if path.suffix.lower() in _PICTURES:
+        return _load_picture(path), "pixels"
     arrays = load_npz(path, "SC530", "the texture")
     what = next((name for name in _ARRAYS if name in arrays), None)
     if what is None:
@@ -73,15 +75,15 @@ def load_pixels(path: Path) -> tuple[NDArray[np.generic], str]:
     return np.ascontiguousarray(pixels), what
 
 
-def _load_png(path: Path) -> NDArray[np.generic]:
+def _load_picture(path: Path) -> NDArray[np.generic]:
     try:
-        # One decoder for files of strangers. Opening reads the header alone, so the size is checked
+        # Two decoders for strangers' files. Opening reads the header alone, so the size is checked
         # before any pixel is decoded.
-        with Image.open(path, formats=("PNG",)) as image:
+        with Image.open(path, formats=("PNG", "JPEG")) as image:
             _check_size(path, image.width, image.height)
             return np.asarray(image.convert("RGBA"))
     except UnidentifiedImageError:
-        reason = "it is not a PNG file"
+        reason = "it is not a PNG or JPEG file"
     except OSError as error:
         reason = error.strerror or str(error)
     # Pillow raises SyntaxError for a broken PNG.

@@ -62,8 +62,8 @@ def made_scene(fragment: Path, analysis: Analysis, vertex: Path | None = None) -
     semantics: dict[str, str] = {}
     textures: dict[str, TextureSpec] = {}
     old = {new: name for name, new in analysis.renamed.items()}
-    for name, kind in _declared(analysis.raised, "uniform", old):
-        word = _PREFIX.sub("", name.rpartition(".")[2], count=1).replace("_", "").lower()
+    for name, kind in declared_inputs(analysis.raised, "uniform", old):
+        word = word_of(name)
         texture = MADE_TEXTURES.get(kind.name)
         if texture is not None:
             textures[name] = TextureSpec(Path(texture), "linear", True, "repeat", 1.0, True)
@@ -71,8 +71,8 @@ def made_scene(fragment: Path, analysis: Analysis, vertex: Path | None = None) -
             wide = SEMANTIC[word] == "resolution" and kind.components == 3
             semantics[name] = "resolution-aspect" if wide else SEMANTIC[word]
         else:
-            constants |= _constants(name, word, kind)
-    attributes = {name: _array(name) for name, _ in _declared(analysis.raised[1:], "in", old)}
+            constants |= constants_of(name, word, kind)
+    attributes = {name: _array(name) for name, _ in declared_inputs(analysis.raised[1:], "in", old)}
     inputs = Inputs(attributes, constants, semantics, textures=textures)
     return Scene(
         path=fragment,
@@ -85,7 +85,12 @@ def made_scene(fragment: Path, analysis: Analysis, vertex: Path | None = None) -
     )
 
 
-def _declared(
+def word_of(name: str) -> str:
+    """What a name says, without prefix and case: ``time`` of ``u_time`` or ``a.uTime``."""
+    return _PREFIX.sub("", name.rpartition(".")[2], count=1).replace("_", "").lower()
+
+
+def declared_inputs(
     stages: Iterable[Raised], word: str, old: Mapping[str, str]
 ) -> Iterator[tuple[str, Type]]:
     """Name and type of each uniform or attribute without an initialiser, by its old name too."""
@@ -119,13 +124,13 @@ def _fits(semantic: str, kind: Type) -> bool:
     return not kind.is_array and kind.struct is None and kind.components in wanted
 
 
-def _constants(name: str, word: str, kind: Type) -> dict[str, tuple[float, ...]]:
+def constants_of(name: str, word: str, kind: Type) -> dict[str, tuple[float, ...]]:
     """The values of a uniform of any type, by the names that GL has for its parts."""
     if kind.struct is not None and not kind.is_array:
         return {
             part: values
             for field, inner in kind.struct.fields.items()
-            for part, values in _constants(f"{name}.{field}", "", inner).items()
+            for part, values in constants_of(f"{name}.{field}", "", inner).items()
         }
     if kind.is_array:
         count = kind.dims[0] or 1
@@ -133,7 +138,7 @@ def _constants(name: str, word: str, kind: Type) -> dict[str, tuple[float, ...]]
             return {
                 part: values
                 for at in range(count)
-                for part, values in _constants(f"{name}[{at}]", "", kind.element).items()
+                for part, values in constants_of(f"{name}[{at}]", "", kind.element).items()
             }
         by_type = _by_type(kind.element) * count
         known = CONSTANT.get(word, ())

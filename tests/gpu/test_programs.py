@@ -183,6 +183,9 @@ def test_wrong_textures(textured: RenderScene, tmp_path: Path) -> None:
         with pytest.raises(InputError, match=words) as caught:
             load_pixels(tmp_path / f"{name}.npz")
         assert caught.value.diagnostics[0].code == "SC531"
+    Image.fromarray(np.full((4, 4, 3), 200, np.uint8)).save(tmp_path / "x.jpg")
+    pixels, what = load_pixels(tmp_path / "x.jpg")
+    assert what == "pixels" and pixels[0, 0].tolist() == [200, 200, 200, 255]
     (tmp_path / "x.png").write_bytes(b"no picture")
     with pytest.raises(InputError, match="SC530"):
         load_pixels(tmp_path / "x.png")

@@ -12,7 +12,7 @@ from shadercache.diagnostics import InputError
 from shadercache.scene.mesh import load_mesh
 from shadercache.scene.models import other_formats
 from shadercache.scene.models.load import load_model
-from shadercache.scene.models.model import Model
+from shadercache.scene.models.parts import Model
 from shadercache.scene.models.pose import MOST_BONES, Pose
 from tests.gltf_maker import Maker, arms, quad, sheet, tower
 
@@ -278,7 +278,11 @@ PLY += "0 0 0 255 0 0\n1 0 0 0 255 0\n1 1 0 0 0 255\n3 0 1 2\n"
 
 @pytest.mark.parametrize(
     ("name", "text", "more"),
-    [("m.obj", OBJ, {"uv", "tangent", "bitangent"}), ("m.stl", STL, set()), ("m.ply", PLY, {"color"})],
+    [
+        ("m.obj", OBJ, {"uv", "tangent", "bitangent"}),
+        ("m.stl", STL, set()),
+        ("m.ply", PLY, {"color"}),
+    ],
 )  # fmt: skip
 def test_other_formats(tmp_path: Path, name: str, text: str, more: set[str]) -> None:
     path = tmp_path / name

@@ -13,7 +13,7 @@ from shadercache.gpu.context import Gpu
 from shadercache.render.bundle import Bundle
 from shadercache.render.pass_runners import render_original
 from shadercache.render.render_scene import RenderScene
-from shadercache.scene.camera import camera_at, model_matrix, uniform_values
+from shadercache.scene.camera import camera_at, look_at, model_matrix, uniform_values
 from shadercache.scene.description import Scene
 from shadercache.scene.motion import CameraPath, Key, Motion
 from shadercache.scene.object_inputs import Ramp, Rows
@@ -54,6 +54,25 @@ def test_a_straight_row_of_keys_is_even(scene: Scene) -> None:
     path = altered(scene, camera_path=CameraPath(keys=keys))
     steps = np.diff([eye(path, frame)[0] for frame in range(4, 13)])
     assert np.allclose(steps, 0.25)
+
+
+def test_objects_turn_about_their_pivot() -> None:
+    axis, pivot = (0.0, 1.0, 0.0), (1.0, 2.0, 3.0)
+    motion = Motion(axis, 30.0, 0.0, 9, (0.0, 0.0, 5.0), scale=2.0, pivot=pivot)
+    for frame in (0, 1, 5):
+        assert np.allclose(model_matrix(motion, frame) @ [*pivot, 1], [1, 2, 8, 1])
+    assert np.allclose(model_matrix(motion, 3) @ [2, 2, 3, 1], [1, 2, 6, 1])
+
+
+def test_inverses_and_normals(scene: Scene) -> None:
+    words = {"a": "inverse-model-view", "b": "world-normal-matrix", "c": "bones"}
+    named = altered(scene, semantics=words)
+    values = uniform_values(named.view, named.common, 3, (64, 64))
+    model = model_matrix(scene.common.motion, 3)
+    inverse = np.linalg.inv(look_at(scene.view.camera) @ model)
+    assert np.allclose(values["a"].reshape(4, 4).T, inverse)
+    assert np.allclose(values["b"].reshape(3, 3).T, model[:3, :3]), "a turn is its own"
+    assert values["c"][:16].tolist() == np.eye(4).ravel().tolist()
 
 
 def test_objects_are_scaled_turned_and_put_somewhere() -> None:

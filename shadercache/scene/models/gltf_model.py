@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +13,15 @@ from numpy.typing import NDArray
 from shadercache.diagnostics import input_error
 from shadercache.scene.models.gltf_file import GltfFile, compressed
 from shadercache.scene.models.gltf_schema import GltfAnimation, GltfNode, Primitive
-from shadercache.scene.models.model import MOST_PARTS, Floats, Material, Model, Part, Picture
+from shadercache.scene.models.parts import (
+    MOST_PARTS,
+    Floats,
+    Material,
+    Model,
+    ModelPart,
+    Picture,
+    filled,
+)
 from shadercache.scene.models.skeleton import Channel, Joint, ModelAnimation, Skeleton, Skin
 from shadercache.scene.models.vertex_frames import complete
 
@@ -42,6 +50,7 @@ def load_gltf(path: Path) -> Model:
 @dataclass
 class _Reader:
     file: GltfFile
+    pictures: dict[int, Picture] = field(default_factory=dict)
 
     def model(self) -> Model:
         document, order = self.file.document, self._order()
@@ -51,7 +60,7 @@ class _Reader:
             tuple(self._skin(at, places) for at in range(len(document.skins))),
             tuple(self._animations(document.animations, places)),
         )
-        parts: list[Part] = []
+        parts: list[ModelPart] = []
         for at, (number, _) in enumerate(order):
             parts += self._parts(document.nodes[number], at)
             if len(parts) > MOST_PARTS:
@@ -59,7 +68,7 @@ class _Reader:
         if not parts:
             raise input_error("SC511", f"the model {self.file.path} has no triangles")
         files = tuple(self.file.files)
-        return Model(self.file.path, tuple(_distinct(_all_with_bones(parts))), skeleton, files)
+        return Model(self.file.path, tuple(_distinct(filled(parts))), skeleton, files)
 
     def _order(self) -> list[tuple[int, int | None]]:
         """The nodes of the scene, parents first, each with the place of its parent."""
@@ -142,7 +151,7 @@ class _Reader:
             raise self.file.unreadable("the times and values of an animation do not fit")
         return values.reshape(rows, width)
 
-    def _parts(self, node: GltfNode, at: int) -> Iterator[Part]:
+    def _parts(self, node: GltfNode, at: int) -> Iterator[ModelPart]:
         document = self.file.document
         if node.mesh is None:
             return
@@ -154,7 +163,7 @@ class _Reader:
             index, arrays, computed = self._geometry(primitive, name)
             if len(index):
                 skin = node.skin if "joints" in arrays else None
-                yield Part(
+                yield ModelPart(
                     *(name, arrays, index, self._material(primitive.material), at, skin),
                     targets=len(primitive.targets[:_MOST_TARGETS]),
                     computed=frozenset(computed),
@@ -246,32 +255,15 @@ class _Reader:
         if source is None:
             return None
         image = self.file.item(document.images, source, "image")
-        name = image.name or f"image{source}"
-        if image.buffer_view is not None:
-            return Picture(name, self.file.bytes_of(image.buffer_view))
-        return None if image.uri is None else Picture(name, self.file.resource(image.uri))
+        if source not in self.pictures and (image.uri or image.buffer_view is not None):
+            inside = image.buffer_view
+            data = self.file.resource(image.uri or "") if inside is None else None
+            packed = self.file.bytes_of(inside) if inside is not None else data
+            self.pictures[source] = Picture(image.name or f"image{source}", packed or b"")
+        return self.pictures.get(source)
 
 
-def _all_with_bones(parts: list[Part]) -> list[Part]:
-    """Where some parts have a skin, those without can be drawn by the same shader."""
-    if all(part.skin is None for part in parts):
-        return parts
-    return [
-        part
-        if "joints" in part.arrays
-        else replace(part, arrays={**part.arrays, **_no_bones(part)})
-        for part in parts
-    ]
-
-
-def _no_bones(part: Part) -> dict[str, Floats]:
-    count = len(part.arrays["position"])
-    weights = np.zeros((count, 4), np.float32)
-    weights[:, 0] = 1.0
-    return {"joints": np.zeros((count, 4), np.float32), "weights": weights}
-
-
-def _distinct(parts: Iterable[Part]) -> Iterator[Part]:
+def _distinct(parts: Iterable[ModelPart]) -> Iterator[ModelPart]:
     """The same parts, each under a name of its own."""
     known: set[str] = set()
     counts: Counter[str] = Counter()

@@ -9,8 +9,8 @@ import numpy as np
 
 from shadercache.diagnostics import input_error
 from shadercache.scene.models.gltf_model import load_gltf
-from shadercache.scene.models.model import Floats, Model, Part
 from shadercache.scene.models.other_formats import ENDINGS, load_other, unreadable
+from shadercache.scene.models.parts import Floats, Model, ModelPart
 
 GLTF = (".glb", ".gltf")
 FORMATS = (*GLTF, *ENDINGS)
@@ -44,22 +44,18 @@ def _load(path: Path, _changed: int, _size: int) -> Model:
     return (load_gltf if path.suffix.lower() in GLTF else load_other)(path)
 
 
-def whole_model(model: Model) -> Part:
-    """All parts of a model as it is at rest, in one; with the arrays that all of them have."""
+def whole_model(model: Model) -> ModelPart:
+    """All parts of a model as it is at rest, in one."""
     placed = [_at_rest(model, part) for part in model.parts]
-    shared = set.intersection(*(set(arrays) for arrays in placed))
     # Vertices stand where joints and morph targets at rest have put them.
-    names = [
-        name
-        for name in placed[0]
-        if name in shared - {"joints", "weights"} and not name.startswith("morph")
-    ]
+    moving = ("joints", "weights", "morph")
+    names = [name for name in placed[0] if not name.startswith(moving)]
     arrays = {name: _joined([one[name] for one in placed]) for name in names}
     starts = np.cumsum([0, *(len(one["position"]) for one in placed)])
     index = np.concatenate(
         [part.index + np.uint32(start) for part, start in zip(model.parts, starts, strict=False)]
     )
-    return Part(model.path.stem, arrays, index, model.parts[0].material)
+    return ModelPart(model.path.stem, arrays, index, model.parts[0].material)
 
 
 def _joined(arrays: list[Floats]) -> Floats:
@@ -68,7 +64,7 @@ def _joined(arrays: list[Floats]) -> Floats:
     return np.concatenate([array[:, :width] for array in arrays])
 
 
-def _at_rest(model: Model, part: Part) -> dict[str, Floats]:
+def _at_rest(model: Model, part: ModelPart) -> dict[str, Floats]:
     """The arrays of a part in the space of the model."""
     if part.node is None:
         return dict(part.arrays)
@@ -95,7 +91,7 @@ def _at_rest(model: Model, part: Part) -> dict[str, Floats]:
     return placed
 
 
-def _morphed(part: Part, weights: np.ndarray) -> dict[str, Floats]:
+def _morphed(part: ModelPart, weights: np.ndarray) -> dict[str, Floats]:
     arrays = dict(part.arrays)
     for at, weight in enumerate(weights[: part.targets]):
         for name in ("position", "normal"):

@@ -9,7 +9,15 @@ from typing import Any
 import numpy as np
 
 from shadercache.diagnostics import InputError, input_error
-from shadercache.scene.models.model import MOST_PARTS, Floats, Material, Model, Part, Picture
+from shadercache.scene.models.parts import (
+    MOST_PARTS,
+    Floats,
+    Material,
+    Model,
+    ModelPart,
+    Picture,
+    filled,
+)
 from shadercache.scene.models.vertex_frames import complete
 from shadercache.scene.npz import MAX_BYTES
 
@@ -47,7 +55,7 @@ def load_other(path: Path) -> Model:
     # Names of materials and groups; a file of one part has its own name.
     names = [path.stem] if len(meshes) == 1 else [str(name) for name, _ in meshes]
     parts = [_part(path, name, mesh) for name, (_, mesh) in zip(names, meshes, strict=True)]
-    return Model(path, tuple(parts), files=(path,))
+    return Model(path, tuple(filled(parts)), files=(path,))
 
 
 def unreadable(path: Path, reason: str) -> InputError:
@@ -60,7 +68,7 @@ def _faces(mesh: Any) -> Any:
     return getattr(mesh, "faces", ())
 
 
-def _part(path: Path, name: str, mesh: Any) -> Part:
+def _part(path: Path, name: str, mesh: Any) -> ModelPart:
     position = np.ascontiguousarray(mesh.vertices, np.float32)
     index = np.ascontiguousarray(mesh.faces, np.uint32)
     if not np.isfinite(position).all():
@@ -73,7 +81,9 @@ def _part(path: Path, name: str, mesh: Any) -> Part:
     if "vertex_normals" in mesh._cache:
         arrays["normal"] = np.ascontiguousarray(mesh.vertex_normals, np.float32)
     arrays |= _looks(mesh)
-    return Part(name, arrays, index, _material(mesh), computed=frozenset(complete(arrays, index)))
+    return ModelPart(
+        name, arrays, index, _material(mesh), computed=frozenset(complete(arrays, index))
+    )
 
 
 def _looks(mesh: Any) -> dict[str, Floats]:

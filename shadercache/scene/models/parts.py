@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +18,12 @@ ROLES = ("albedo", "normal", "roughness", "occlusion", "emissive")
 """What a texture of a material is for. ``roughness`` holds the metalness as well."""
 
 MOST_PARTS = 2_000
+
+_ABSENT = {
+    **{"color": (1, 1, 1, 1), "tangent": (1, 0, 0, 1), "bitangent": (0, 1, 0)},
+    "weights": (1, 0, 0, 0),
+}
+"""What a part has in the place of an array that only others have; zeros for the rest."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,7 +49,7 @@ class Material:
 
 
 @dataclass(frozen=True, eq=False)
-class Part:
+class ModelPart:
     """What is drawn at once. ``node`` and ``skin`` count those of the skeleton.
 
     Arrays (n, c): ``position``, ``normal``, ``uv``, ``uv1``, ``tangent``, ``color``, ``joints``,
@@ -61,16 +67,35 @@ class Part:
     computed: frozenset[str] = frozenset()
 
 
+def filled(parts: Sequence[ModelPart]) -> list[ModelPart]:
+    """The parts, each with every array that any of them has: one shader draws them all."""
+    widths: dict[str, int] = {}
+    for part in parts:
+        for name, array in part.arrays.items():
+            widths[name] = max(widths.get(name, 0), array.shape[1])
+    whole = []
+    for part in parts:
+        count = len(part.arrays["position"])
+        lacking = {
+            name: np.tile(np.array(_ABSENT.get(name, (0,) * 4)[:width], np.float32), (count, 1))
+            for name, width in widths.items()
+            if name not in part.arrays
+        }
+        added = part.computed | set(lacking)
+        whole.append(replace(part, arrays={**part.arrays, **lacking}, computed=added))
+    return whole
+
+
 @dataclass(frozen=True, eq=False)
 class Model:
     """A file's parts. ``files`` are all that it was read from."""
 
     path: Path
-    parts: tuple[Part, ...]
+    parts: tuple[ModelPart, ...]
     skeleton: Skeleton = field(default_factory=Skeleton)
     files: tuple[Path, ...] = ()
 
-    def part(self, name: str) -> Part:
+    def part(self, name: str) -> ModelPart:
         """The part of a name. Raises InputError SC515."""
         for part in self.parts:
             if part.name == name:
