@@ -54,11 +54,13 @@ class WholeScene:
 
     ``round_trip`` is None where there is nothing to compare with. ``ties``: the share of pixels
     that are left out. ``equal``: how many nodes have the value of one that is checked.
+    ``left_out``: how many values are not checked.
     """
 
     round_trip: RoundTrip | None
     ties: float
     equal: int
+    left_out: int
 
 
 def command(
@@ -75,8 +77,11 @@ def command(
     unprofitable: Annotated[
         bool, typer.Option("--unprofitable", help="Also nodes cheaper than a fetch.")
     ] = False,
+    every: Annotated[
+        bool, typer.Option("--all", help="Every value, not only the dearest and some of each kind.")
+    ] = False,
     every_node: Annotated[
-        bool, typer.Option("--every-node", help="Every node, not one of those of the same value.")
+        bool, typer.Option("--every-node", help="Also every node that has the value of another.")
     ] = False,
     plain: Annotated[
         bool, typer.Option("--plain/--proof-only", help="Also measure what plain mode changes.")
@@ -98,14 +103,15 @@ def command(
     original. 3: at rest it stays so, and all that is not due is reused. 4: the algorithms agree,
     look where the last frame was, and reuse what that showed. Laws 2 to 4 are decided in proof
     mode, bit by bit; for plain mode the difference is reported. Exit status 1 if a law is broken.
-    Of nodes that have the same value one is checked; the others are counted, and --every-node
-    checks them too.
+    Of what is offered 20 values are checked: the dearest, and one of each type and kind of place.
+    --all checks all of them, and --every-node also the nodes that have the same value as another.
     """
     from shadercache.cluster import open_cluster
     from shadercache.gpu.context import open_context
     from shadercache.linking.scene_shaders import open_scene
     from shadercache.measure.result_files import environment, write_json
     from shadercache.verify.parallel import VerifiedScene, verify_in_parallel, verify_on
+    from shadercache.verify.quick_choice import quick_choice
     from shadercache.verify.verifier import Verifier
 
     algorithms = parse_passes(variants.passes)
@@ -115,15 +121,20 @@ def command(
     if node:
         payloads = choose_nodes(scene, analysis, node)
     else:
-        every = [node for node in analysis.nodes if node.offered or (unprofitable and node.legal)]
-        payloads = one_by_one(analysis, every, every_node)
+        legal = [node for node in analysis.nodes if node.offered or (unprofitable and node.legal)]
+        payloads = one_by_one(analysis, legal, every_node)
+    left_out = 0
+    if not (node or every or every_node):
+        stand = quick_choice(analysis.savings, [payload.nodes[0] for payload in payloads])
+        left_out = len(payloads) - len(stand)
+        payloads = [payload for payload in payloads if payload.nodes[0] in stand]
     # All of them before anything is drawn: that may take minutes.
     for payload in payloads:
         analysis.require_all(payload.nodes, unprofitable)
     equal = sum(payload.equal - 1 for payload in payloads)
     with open_context() as gpu, closing(Verifier(gpu, (scene, analysis))) as verifier:
         about = environment(gpu)
-        whole = WholeScene(verifier.round_trip(), verifier.references.ties, equal)
+        whole = WholeScene(verifier.round_trip(), verifier.references.ties, equal, left_out)
     with progress(f"verifying {scene.name}", len(payloads)) as advance:
         verified = VerifiedScene(path, read_options, reading.mapping, configuration, algorithms)
         ids = ["+".join(payload.ids) for payload in payloads]
@@ -156,6 +167,7 @@ def _report(whole: WholeScene, verdicts: Sequence[Verdict]) -> dict[str, Any]:
         "depth_ties": whole.ties,
         "checked": len(verdicts),
         "equal_to_checked": whole.equal,
+        "left_out": whole.left_out,
         "broken": broken + (["law 1"] if law_1 is False else []),
         "nodes": [verdict.to_json() for verdict in verdicts],
     }
@@ -185,6 +197,11 @@ def _text(whole: WholeScene, verdicts: Sequence[Verdict]) -> str:
     if whole.equal:
         lines.append(
             f"{whole.equal} more nodes have the value of one of these (--every-node checks all)"
+        )
+    if whole.left_out:
+        lines.append(
+            f"{whole.left_out} more values are not checked: these are the dearest, and one of each "
+            "type and kind of place (--all checks all)"
         )
     for verdict in verdicts:
         lines += [f"{verdict.node}: {reason}" for reason in verdict.reasons]

@@ -24,8 +24,12 @@ Frames = list[tuple[Image, Image]]
 """Colour and cache of each frame of a run."""
 
 
-def judge(references: References, bundle: Bundle, verdict: Verdict) -> None:
-    """Laws 2 to 4 for a proof-mode bundle, and 7 where it keeps ages, into ``verdict``."""
+def judge(references: References, bundle: Bundle, verdict: Verdict) -> Image | None:
+    """Laws 2 to 4 for a proof-mode bundle, and 7 where it keeps ages, into ``verdict``.
+
+    Returns what the cache holds after the first frame, in which every payload is computed; None
+    without an algorithm.
+    """
     # At a fraction of the rate most pixels take payloads of others, and are not the original's. So
     # the same programs are judged twice: with a texel for each pixel, where they are, and as they
     # are shipped.
@@ -43,6 +47,7 @@ def judge(references: References, bundle: Bundle, verdict: Verdict) -> None:
             verdict.ages[name] = _oldest(references, bundle, name, bundle.cache.age_channel)
     if bundle.cache.divisor > 1:
         _judge_fraction(references, bundle, verdict)
+    return first[0][1] if first else None
 
 
 def _judge_fraction(references: References, bundle: Bundle, verdict: Verdict) -> None:

@@ -79,7 +79,7 @@ class Verdict:
     frames that a payload reached at a period of :data:`PERIOD`, where the cache keeps ages.
     ``plain``: what plain mode changes. ``refused``: the algorithms that the compiler does not offer
     for the node, and why. ``failure``: why a variant could not be drawn at all. ``cause``: what of
-    the payload is not finite, where a law is broken.
+    the payload is not finite, and where.
     """
 
     node: str

@@ -24,7 +24,7 @@ from shadercache.verify.detail_levels import tells_true_levels
 from shadercache.verify.laws import judge, refreshed
 from shadercache.verify.references import References
 from shadercache.verify.round_trip import RoundTrip, round_trip
-from shadercache.verify.verdict import Verdict
+from shadercache.verify.verdict import Image, Verdict
 
 SIZE = (96, 96)
 
@@ -85,9 +85,9 @@ class Verifier:
         try:
             bundle = self.rewritten(nodes, "proof")
             verdict.refused.update(bundle.refused)
-            judge(self.references, bundle, verdict)
-            if verdict.broken:
-                verdict.cause = self._cause(nodes, bundle)
+            cache = judge(self.references, bundle, verdict)
+            if cache is not None:
+                verdict.cause = self._cause(nodes, cache)
             if plain:
                 shipped = self.rewritten(nodes, "plain")
                 for name in shipped.algorithms:
@@ -111,15 +111,13 @@ class Verifier:
         emission = rewrite(self.analysis, wanted, unprofitable=True)
         return Bundle(emission.manifest, emission.files)
 
-    def _cause(self, nodes: Sequence[Candidate], bundle: Bundle) -> str:
-        """What of the first frame's payloads is not finite or too small, in words; else nothing."""
+    def _cause(self, nodes: Sequence[Candidate], cache: Image) -> str:
+        """What of the first frame's payloads is not finite or too small, in words, and the pixel
+        where that is first the case; else nothing."""
         layout = Layout(tuple(node.type for node in nodes))
         channels = [channel for channel, discrete in layout.read_back if not discrete]
         covered = self.references.covered[0]
-        whole = bundle.enlarge()
-        with self.references.run(whole, whole.algorithms[0], period=1) as runner:
-            runner.draw(0)
-            payloads = runner.cache()[covered][:, channels]
+        payloads = cache[covered][:, channels]
         size = np.abs(payloads)
         least = np.float32(precision_of("rgba32f").least)
         kinds = {
@@ -133,8 +131,12 @@ class Verifier:
         words = [f"{word} in {count:,}" for word, count in counts.items() if count]
         if not words:
             return ""
+        odd = np.any([marks.any(axis=1) for marks in kinds.values()], axis=0)
+        # Rows count from the lower left, as gl_FragCoord does.
+        y, x = np.argwhere(covered)[int(np.argmax(odd))]
         later = _LATER[self.configuration.storage.guard]
-        return f"the payload is {', '.join(words)} of {int(covered.sum()):,} pixels{later}"
+        told = f"the payload is {', '.join(words)} of {int(covered.sum()):,} pixels"
+        return f"{told}, the first of them at ({x}, {y}){later}"
 
     def close(self) -> None:
         """Free everything on the GPU."""

@@ -21,20 +21,20 @@ def _emission(plain: float, proof: float) -> list[dict[str, Any]]:
 @pytest.mark.parametrize(
     ("plain", "proof", "last", "used", "met"),
     [
-        (0.014, 0.015, 12.0, 119.0, [True, True, True, True, True]),
-        (0.016, 0.014, 12.0, 119.0, [False, True, True, True, True]),
-        (0.014, 0.016, 13.0, 121.0, [True, False, False, True, False]),
-        (0.014, 0.014, 12.0, None, [True, True, True, True]),
+        (0.014, 0.015, 12.0, (59.0, 119.0), [True, True, True, True, True, True]),
+        (0.016, 0.014, 12.0, (61.0, 119.0), [False, True, True, True, False, True]),
+        (0.014, 0.016, 13.0, (59.0, 121.0), [True, False, False, True, True, False]),
+        (0.014, 0.014, 12.0, (), [True, True, True, True]),
     ],
 )
 def test_targets(
-    plain: float, proof: float, last: float, used: float | None, met: list[bool]
+    plain: float, proof: float, last: float, used: tuple[float, ...], met: list[bool]
 ) -> None:
     grown = [
         {"nodes": 100, "analyse": 1.0, "groups": 1.0},
         {"nodes": 800, "analyse": last, "groups": 8.0},
     ]
-    verified = None if used is None else {"processor seconds": used, "cores": 2}
+    verified = [{"processor seconds": seconds, "cores": 2} for seconds in used]
     found = targets(_emission(plain, proof), grown, verified)
     assert [item["met"] for item in found] == met
     assert targets_table(found).count("MISSED") == met.count(False)

@@ -202,7 +202,7 @@ if __name__ == "__main__":
 @pytest.mark.slow
 def test_verdicts_of_a_cluster_are_those_of_one_process(shell: Shell, scene_file: Path) -> None:
     pytest.importorskip("distributed")
-    options = ("verify", scene_file, "--proof-only", "--json")
+    options = ("verify", scene_file, "--all", "--proof-only", "--json")
     one = shell(*options, "-j", "1").json
     many = shell(*options, "--cluster", "local:2").json
     assert one["checked"] >= 3

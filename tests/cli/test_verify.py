@@ -8,6 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from shadercache.verify.quick_choice import MOST
+
 from .conftest import Shell
 
 pytestmark = pytest.mark.xdist_group("gl")
@@ -115,7 +117,73 @@ def test_a_verdict_names_what_is_not_finite(shell: Shell) -> None:
     how = ("--mapping", "screen", "--proof-only", "-j", 1)
     told = shell("verify", path, *how, "--cache", "guard=clamp")
     assert told.status == 1
-    assert ": the payload is NaN in 4,608 of 9,216 pixels; guard=clamp" in told.out
+    found = ": the payload is NaN in 4,608 of 9,216 pixels, the first of them at (48, 0)"
+    assert f"{found}; guard=clamp" in told.out
     right = shell("verify", path, *how)
     assert right.status == 0, right.out
-    assert "the payload is" not in right.out
+    assert f"{found}\n" in right.out, "also where it does no harm"
+
+
+MANY = """#version 330
+uniform vec2 u_resolution;
+uniform float u_time;
+out vec4 o_color;
+float wave(vec2 p) { return exp(sin(p.x * 3.1)) * cos(p.y * 2.3) + pow(abs(p.x), 1.3); }
+void main() {
+    vec2 p = gl_FragCoord.xy / u_resolution;
+    float sum = 0.0;
+SUMS
+    if (p.x > 0.5) sum += wave(p.yx * 7.0);
+    vec3 tint = vec3(wave(p), wave(p * 3.5), sum);
+    o_color = vec4(tint * wave(p + 2.5), pow(p.x - 0.75, 2.0));
+}
+"""
+
+
+@pytest.fixture
+def many(tmp_path: Path) -> Path:
+    """A shader of more values than a quick verification checks."""
+    sums = "\n".join(f"    sum += wave(p * {number}.5);" for number in range(12))
+    path = tmp_path / "many.frag"
+    path.write_text(MANY.replace("SUMS", sums))
+    return path
+
+
+def test_a_quick_verification_says_what_it_leaves_out(shell: Shell, many: Path) -> None:
+    how = ("verify", many, "--mapping", "screen", "--passes", "1", "--proof-only", "-j", 1)
+    done = shell(*how)
+    assert done.status == 0, done.err
+    line = next(line for line in done.out.splitlines() if "not checked" in line)
+    assert line.endswith(
+        "more values are not checked: these are the dearest, and one of each type and kind of "
+        "place (--all checks all)"
+    )
+    offered = [node for node in shell("nodes", many, "--json").nodes if node["offered"]]
+    values = {node["group"] for node in offered}
+    report = shell(*how, "--json").json
+    assert report["checked"] == MOST and report["left_out"] == len(values) - MOST
+    assert int(line.split()[0]) == report["left_out"]
+    texts = {node["text"] for node in report["nodes"]}
+    assert {"sum += wave(p.yx * 7.0)", "tint * wave(p + 2.5)"} <= texts, "a branch, a vec3"
+
+
+@pytest.mark.parametrize("option", ["--all", "--every-node"])
+def test_everything_is_checked_on_request(shell: Shell, many: Path, option: str) -> None:
+    how = ("--mapping", "screen", "--passes", "1", "--proof-only", "-j", 1, "--json")
+    report = shell("verify", many, option, *how).json
+    offered = [node for node in shell("nodes", many, "--json").nodes if node["offered"]]
+    assert report["left_out"] == 0
+    assert report["checked"] + report["equal_to_checked"] == len(offered)
+
+
+def test_the_pixel_of_what_is_not_finite_is_told(shell: Shell, tmp_path: Path) -> None:
+    path = tmp_path / "odd.frag"
+    path.write_text(
+        "#version 330\nuniform vec2 u_resolution;\nout vec4 o_color;\nvoid main() {\n"
+        "    vec2 p = gl_FragCoord.xy;\n"
+        "    float odd = p == vec2(7.5, 3.5) ? sqrt(-p.x) : pow(p.x, 0.3) * exp2(p.y);\n"
+        "    o_color = vec4(min(odd, 1.0), 0.0, 0.0, 1.0);\n}\n"
+    )
+    done = shell("verify", path, "--mapping", "screen", "--node", ":6", "--proof-only", "-j", 1)
+    assert done.status == 0, done.out
+    assert ": the payload is NaN in 1 of 9,216 pixels, the first of them at (7, 3)" in done.out
