@@ -35,6 +35,7 @@ COMMANDS = {
     "sweep": "sweep",
     "report": "report",
     "demo": "demo",
+    "scene": "write_scene",
     "assets": "assets",
     "doctor": "doctor",
 }

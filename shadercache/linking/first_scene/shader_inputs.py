@@ -1,0 +1,75 @@
+"""The attributes, uniforms and samplers that a pair of shaders wants to be given."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from shadercache.analysis.candidates import varyings
+from shadercache.analysis.vertex_inputs import POSITION
+from shadercache.ast import nodes as n
+from shadercache.ast.walk import walk
+from shadercache.compiler import Analysis
+from shadercache.lang.types import Type
+from shadercache.linking.made_scene import declared_inputs
+from shadercache.transform.remove_dead import remove_dead
+
+
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """An input by the user's name for it."""
+
+    name: str
+    type: Type
+
+    @property
+    def spelt(self) -> str:
+        """Its type as GLSL writes it."""
+        return str(self.type)
+
+
+@dataclass(frozen=True, slots=True)
+class ShaderInputs:
+    """All that a pair of shaders wants, each once, in the order of declaration."""
+
+    attributes: tuple[Wanted, ...]
+    uniforms: tuple[Wanted, ...]
+    samplers: tuple[Wanted, ...]
+
+
+def inputs_of(analysis: Analysis) -> ShaderInputs:
+    """What an analysed pair of shaders wants."""
+    uniforms = list(_distinct(analysis, "uniform"))
+    used = _read_by_vertices(analysis)
+    return ShaderInputs(
+        tuple(wanted for wanted in _distinct(analysis, "in") if wanted.name in used),
+        tuple(wanted for wanted in uniforms if not wanted.type.holds_opaque),
+        tuple(wanted for wanted in uniforms if wanted.type.holds_opaque),
+    )
+
+
+def _distinct(analysis: Analysis, word: str) -> Iterator[Wanted]:
+    stages = analysis.raised if word == "uniform" else analysis.raised[1:]
+    # Raised shaders have new names for some; the scene has the user's.
+    old = {new: name for name, new in analysis.renamed.items()}
+    known: set[str] = set()
+    for name, kind in declared_inputs(stages, word, {}):
+        told = old.get(name, name)
+        if told not in known:
+            known.add(told)
+            yield Wanted(told, kind)
+
+
+def _read_by_vertices(analysis: Analysis) -> set[str]:
+    """The names that decide where vertices are, or what the fragment shader reads of them."""
+    if analysis.stage is None:
+        return set()
+    fragment = analysis.program.module
+    read = varyings(fragment) & _names(fragment)
+    old = {new: name for name, new in analysis.renamed.items()}
+    named = _names(remove_dead(analysis.stage.module, (POSITION, *read)))
+    return {old.get(name, name) for name in named}
+
+
+def _names(module: n.Module) -> set[str]:
+    return {node.name for node in walk(module) if isinstance(node, n.Name)}
