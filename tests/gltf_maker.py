@@ -178,7 +178,8 @@ def arms() -> Maker:
     indices = made.array(faces.ravel(), "u2")
     base = {"attributes": attributes, "indices": indices, "material": red}
     made.add("meshes", primitives=[base])
-    made.add("meshes", primitives=[base, {**base, "material": wood}])
+    front = {**attributes, "POSITION": made.array(np.add(position, [0, 0, 0.25]))}
+    made.add("meshes", primitives=[base, {**base, "attributes": front, "material": wood}])
     made.add("nodes", name="Base", mesh=0, children=[1], scale=[2, 2, 2])
     made.add("nodes", name="Arm", mesh=1, translation=[0, 0, 0.5])
     quarter = np.sqrt(0.5)

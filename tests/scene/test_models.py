@@ -54,7 +54,7 @@ def test_a_hierarchy_has_a_part_for_each_primitive(tmp_path: Path) -> None:
     whole = load_mesh(model.path)
     assert len(whole.index) == 3 * 72
     assert whole.arrays["position"].min(0).tolist() == [-1, -1, 0]
-    assert whole.arrays["position"].max(0).tolist() == [1, 1, 1], "scaled, and the arm in front"
+    assert whole.arrays["position"].max(0).tolist() == [1, 1, 1.5], "scaled, and the arm in front"
     alone = load_mesh(model.path, "Arm 2")
     assert alone.arrays["position"].max() == 0.5 and "Arm 2" in alone.name
 

@@ -18,6 +18,7 @@ from shadercache.linking.first_scene.stand_ins import TextureFolder, relative
 from shadercache.linking.made_scene import MADE_TEXTURES
 from shadercache.scene.models.parts import Model, ModelPart
 from shadercache.scene.models.pose import Pose
+from shadercache.scene.models.skeleton import ModelAnimation
 
 MOST_OBJECTS = 64
 """A model of more parts is drawn as one mesh at rest: each object is a draw in every pass."""
@@ -53,21 +54,21 @@ def first_scene(
         InputError: SC521 for an attribute that no array fits, SC523 for too few bones, SC524 for a
             sampler without textures, SC530 for a picture that cannot be read.
     """
-    writer = _Writer(model, inputs_of(analysis), TextureFolder(folder, final), final)
+    writer = _SceneWriter(model, inputs_of(analysis), TextureFolder(folder, final), final)
     return writer.scene(shaders)
 
 
 @dataclass
-class _Writer:
+class _SceneWriter:
     model: Model
     inputs: ShaderInputs
     textures: TextureFolder
     final: Path
 
     def scene(self, shaders: ShaderPaths) -> FirstScene:
-        animations = [item.name for item in self.model.skeleton.animations]
+        animations = self.model.skeleton.animations
         attributes = g.attributes_of(self.inputs.attributes, self.model)
-        animation = animations[0] if animations and self._apart() else None
+        animation = animations[0].name if animations and self._apart() else None
         # Where a model is depends on its bones, and a light's place on where the model is.
         bends = any(guess.value == '"joints"' for guess in attributes)
         frame = framed(self.model, animation, bends)
@@ -89,7 +90,7 @@ class _Writer:
     def _apart(self) -> bool:
         return len(self.model.parts) <= MOST_OBJECTS
 
-    def _head(self, shaders: ShaderPaths, animations: list[str]) -> Iterator[str]:
+    def _head(self, shaders: ShaderPaths, animations: Sequence[ModelAnimation]) -> Iterator[str]:
         model, final = self.model, self.final
         yield "# Written by 'shadercache scene' from what the shaders and the model say by name and"
         yield "# type. Where a comment says (guess), look at the picture and correct the value."
@@ -105,8 +106,9 @@ class _Writer:
         yield f"{mesh}  # {parts}, {vertices:,} vertices, {faces:,} triangles"
         if not self._apart():
             yield f"# More than {MOST_OBJECTS} parts: one mesh, at rest, with the first material."
-        if len(animations) > 1:
-            yield f"# Animations: {', '.join(map(_text, animations))}"
+        if animations:
+            spans = [f"{_text(item.name)} ({item.duration:.4g} s)" for item in animations]
+            yield f"# Animations of the model, of which each object plays one: {', '.join(spans)}"
 
     def _objects(self, animation: str | None, bends: bool) -> Iterator[str]:
         if not self._apart():
