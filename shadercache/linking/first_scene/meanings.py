@@ -25,7 +25,7 @@ MATRICES: Mapping[str, str] = {
 """Matrices by their names, without prefixes, case and the word matrix."""
 
 EYES = re.compile(
-    r"^(?:ws)?(?:camera|cam|eye|view|viewer)(?:world)?(?:pos|position|location)?(?:ws|world)?$"
+    r"^(?:ws|world|worldspace)?(?:camera|cam|eye|view|viewer)(?:world)?(?:pos|position|location)?(?:ws|world)?$"
 )
 
 ROLES: Mapping[str, re.Pattern[str]] = {
@@ -38,13 +38,13 @@ ROLES: Mapping[str, re.Pattern[str]] = {
 """The role of a texture by the name of its sampler, tried in this order."""
 
 _ARRAYS: Mapping[str, re.Pattern[str]] = {
-    "joints": re.compile(r"joint|bone|skinind|blendind"),
     "weights": re.compile(r"weight"),
+    "joints": re.compile(r"joint|bone|skinind|blendind"),
     "bitangent": re.compile(r"bitan|binorm"),
-    "tangent": re.compile(r"tan"),
+    "tangent": re.compile(r"(?<!ins)tan"),
     "normal": re.compile(r"norm|nrm"),
-    "uv1": re.compile(r"(?:uv|tex.*|st)_?[1-9]$|lightmap"),
-    "uv": re.compile(r"uv|tex|^st$"),
+    "uv1": re.compile(r"(?:uv|(?<!ver)tex.*|st)[1-9]$|lightmap"),
+    "uv": re.compile(r"uv|(?<!ver)tex|^st$"),
     "color": re.compile(r"colou?r|^col$|tint"),
     "position": re.compile(r"pos|vert|coord|^p$|point"),
 }
@@ -73,8 +73,8 @@ def array_of_attribute(name: str, kind: Type) -> str | None:
 
 def matrix_meaning(name: str, kind: Type) -> str | None:
     """The semantic of a matrix by its name."""
-    word = _KNOWN_MATRIX.sub("", plain(name)) or plain(name)
-    inverse = re.sub(r"^inv(?:erse)?|inv(?:erse)?$", "", word)
+    word = _without_matrix(plain(name))
+    inverse = _without_matrix(re.sub(r"^inv(?:erse)?|inv(?:erse)?$", "", word))
     if kind.cols == 3 and kind.rows == 3:
         return "normal-matrix" if "norm" in word or word == "n" else None
     if kind.cols != 4 or kind.rows != 4:
@@ -82,6 +82,10 @@ def matrix_meaning(name: str, kind: Type) -> str | None:
     if inverse != word and inverse in MATRICES:
         return f"inverse-{MATRICES[inverse]}"
     return MATRICES.get(word)
+
+
+def _without_matrix(word: str) -> str:
+    return _KNOWN_MATRIX.sub("", word) or word
 
 
 def role_of(name: str) -> str | None:
