@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
@@ -26,6 +26,9 @@ def command(
         Path | None,
         typer.Option(metavar="FILE", help="Vertex shader; if left out, FRAG with .vert."),
     ] = None,
+    up: Annotated[
+        Literal["y", "z"], typer.Option(help="The axis of the model that points up.")
+    ] = "y",
     force: Annotated[
         bool, typer.Option("--force", help="Write over a scene.toml that is there.")
     ] = False,
@@ -37,7 +40,7 @@ def command(
     model, which turns. What was guessed stands in comments.
     """
     from shadercache.compiler import analyse
-    from shadercache.linking.first_scene.scene_text import ShaderPaths, first_scene
+    from shadercache.linking.first_scene.scene_text import Sources, first_scene
     from shadercache.scene.models.load import load_model
 
     if (out / SCENE_FILE).exists() and not force:
@@ -47,9 +50,9 @@ def command(
     if not vertex.is_file():
         raise usage_error("SC005", "the vertex shader is missing", "name it with --vert")
     analysis = analyse(*read_pair(str(frag), str(vertex)), reading.read_options(), "surface")
-    loaded = load_model(model)
+    sources = Sources(load_model(model), frag, vertex, up)
     with atomic_folder(out) as folder:
-        scene = first_scene(loaded, analysis, ShaderPaths(frag, vertex), folder, out)
+        scene = first_scene(sources, analysis, folder, out)
         (folder / SCENE_FILE).write_text(scene.text, encoding="utf-8", newline="")
     if scene.unknown:
         message = f"neither names nor model say what these are: {', '.join(scene.unknown)}"

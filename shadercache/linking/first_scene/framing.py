@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +13,8 @@ from numpy.typing import NDArray
 from shadercache.scene.camera import FRAMES_PER_SECOND
 from shadercache.scene.models.parts import Model, ModelPart
 from shadercache.scene.models.pose import Pose
+
+Up: TypeAlias = Literal["y", "z"]
 
 FOV = 40.0
 FRAMES = 64
@@ -28,11 +31,18 @@ class Frame:
     eye: tuple[float, float, float]
     near: float
     far: float
+    up: Up = "y"
+
+    def upright(self, x: float, y: float, z: float) -> tuple[float, float, float]:
+        """A direction where y is up, as it is here."""
+        return (x, y, z) if self.up == "y" else (x, -z, y)
 
 
-def framed(model: Model, animation: str | None, bends: bool) -> Frame:
+def framed(model: Model, animation: str | None, bends: bool, up: Up) -> Frame:
     """A camera before a model. ``bends``: the shader moves vertices by the model's bones."""
     points = np.concatenate(list(_places(model, animation, bends)))
+    if up == "z":
+        points = points[:, [0, 2, 1]] * [1.0, 1.0, -1.0]
     low, high = points.min(0), points.max(0)
     centre = (low + high) / 2.0
     away = points - centre
@@ -46,12 +56,9 @@ def framed(model: Model, animation: str | None, bends: bool) -> Frame:
     eye = centre + distance * np.array([0.0, math.sin(_ABOVE), math.cos(_ABOVE)])
     near = max(0.5 * (distance - radius), 0.01 * distance)
     far = distance + 2.0 * radius
-    return Frame(_vector(centre), radius, _vector(eye), near, far)
-
-
-def _vector(point: NDArray[np.float64]) -> tuple[float, float, float]:
-    x, y, z = map(float, point)
-    return x, y, z
+    plain = Frame((0.0, 0.0, 0.0), radius, (0.0, 0.0, 0.0), near, far, up)
+    middle, place = (plain.upright(*map(float, point)) for point in (centre, eye))
+    return replace(plain, centre=middle, eye=place)
 
 
 def _places(model: Model, animation: str | None, bends: bool) -> Iterator[NDArray[np.float64]]:

@@ -208,9 +208,8 @@ def _check_bones(item: Wanted, model: Model) -> None:
 
 def _light(word: str, around: str, frame: Frame) -> tuple[str, str] | None:
     """Where a light is, where it comes from, or its colour."""
-    place = [
-        at + frame.radius * step for at, step in zip(frame.centre, (2.0, 3.0, 2.5), strict=True)
-    ]
+    away = frame.upright(2.0, 3.0, 2.5)
+    place = [at + frame.radius * step for at, step in zip(frame.centre, away, strict=True)]
     if re.search(r"light|sun|lamp|key", word + around):
         if re.search(r"colou?r|intensity|radiance|diffuse|specular|power", word):
             return "[1.0, 1.0, 1.0]", ": white light (guess)"
@@ -218,7 +217,9 @@ def _light(word: str, around: str, frame: Frame) -> tuple[str, str] | None:
             return "[0.1, 0.1, 0.1]", ": dim light (guess)"
         if "pos" in word:
             return numbers(place), ": a light above the model, in the world (guess)"
-        return "[0.455, 0.683, 0.57]", ": towards the light, unit length (guess)"
+        return numbers(
+            frame.upright(0.455, 0.683, 0.57)
+        ), ": towards the light, unit length (guess)"
     if re.search(r"ambient", word):
         return "[0.1, 0.1, 0.1]", ": dim light (guess)"
     if re.search(r"colou?r|albedo|diffuse|tint", word):

@@ -11,7 +11,7 @@ import numpy as np
 
 from shadercache.compiler import Analysis
 from shadercache.linking.first_scene import guesses as g
-from shadercache.linking.first_scene.framing import FOV, FRAMES, Frame, framed
+from shadercache.linking.first_scene.framing import FOV, FRAMES, Frame, Up, framed
 from shadercache.linking.first_scene.guesses import Guess, numbers
 from shadercache.linking.first_scene.shader_inputs import ShaderInputs, inputs_of
 from shadercache.linking.first_scene.stand_ins import TextureFolder, relative
@@ -33,16 +33,16 @@ class FirstScene:
     unknown: tuple[str, ...]
 
 
-class ShaderPaths(NamedTuple):
-    """The files of a pair of shaders."""
+class Sources(NamedTuple):
+    """What a scene is made of. ``up``: the axis of the model that points up."""
 
+    model: Model
     fragment: Path
     vertex: Path
+    up: Up = "y"
 
 
-def first_scene(
-    model: Model, analysis: Analysis, shaders: ShaderPaths, folder: Path, final: Path
-) -> FirstScene:
+def first_scene(sources: Sources, analysis: Analysis, folder: Path, final: Path) -> FirstScene:
     """A scene of a model and a pair of shaders.
 
     Args:
@@ -54,8 +54,10 @@ def first_scene(
         InputError: SC521 for an attribute that no array fits, SC523 for too few bones, SC524 for a
             sampler without textures, SC530 for a picture that cannot be read.
     """
-    writer = _SceneWriter(model, inputs_of(analysis), TextureFolder(folder, final), final)
-    return writer.scene(shaders)
+    textures = TextureFolder(folder, final)
+    return _SceneWriter(sources.model, inputs_of(analysis), textures, final, sources.up).scene(
+        sources
+    )
 
 
 @dataclass
@@ -64,14 +66,15 @@ class _SceneWriter:
     inputs: ShaderInputs
     textures: TextureFolder
     final: Path
+    up: Up
 
-    def scene(self, shaders: ShaderPaths) -> FirstScene:
+    def scene(self, shaders: Sources) -> FirstScene:
         animations = self.model.skeleton.animations
         attributes = g.attributes_of(self.inputs.attributes, self.model)
         animation = animations[0].name if animations and self._apart() else None
         # Where a model is depends on its bones, and a light's place on where the model is.
         bends = any(guess.value == '"joints"' for guess in attributes)
-        frame = framed(self.model, animation, bends)
+        frame = framed(self.model, animation, bends, self.up)
         uniforms = g.uniforms_of(self.inputs, self.model, frame)
         samplers = [text for name, text in self._samplers(self.model.parts[0]).items()]
         text = [
@@ -90,7 +93,7 @@ class _SceneWriter:
     def _apart(self) -> bool:
         return len(self.model.parts) <= MOST_OBJECTS
 
-    def _head(self, shaders: ShaderPaths, animations: Sequence[ModelAnimation]) -> Iterator[str]:
+    def _head(self, shaders: Sources, animations: Sequence[ModelAnimation]) -> Iterator[str]:
         model, final = self.model, self.final
         yield "# Written by 'shadercache scene' from what the shaders and the model say by name and"
         yield "# type. Where a comment says (guess), look at the picture and correct the value."
@@ -182,7 +185,9 @@ def _camera(frame: Frame) -> Iterator[str]:
     yield "[camera]  # before all of the model, somewhat above it"
     yield f"eye = {numbers(frame.eye)}"
     yield f"target = {numbers(frame.centre)}  # the middle of its bounds"
-    yield "up = [0.0, 1.0, 0.0]  # (guess) for a model that lies on its side: [0.0, 0.0, 1.0]"
+    other = "z" if frame.up == "y" else "y"
+    up = numbers(frame.upright(0.0, 1.0, 0.0))
+    yield f"up = {up}  # (guess) where the model lies on its side: scene --up {other}"
     yield f"fov_degrees = {FOV}"
     yield f"near = {numbers([frame.near])}"
     yield f"far = {numbers([frame.far])}"
@@ -191,7 +196,7 @@ def _camera(frame: Frame) -> Iterator[str]:
 def _motion(frame: Frame) -> Iterator[str]:
     yield ""
     yield "[motion]  # a turntable: degrees_per_frame = 0.0 stops it"
-    yield "axis = [0.0, 1.0, 0.0]"
+    yield f"axis = {numbers(frame.upright(0.0, 1.0, 0.0))}"
     yield f"pivot = {numbers(frame.centre)}"
     yield "degrees_per_frame = 1.0"
     yield f"frames = {FRAMES}"

@@ -12,7 +12,8 @@ import pytest
 from shadercache.compiler import analyse
 from shadercache.diagnostics import InputError
 from shadercache.gpu.context import Gpu
-from shadercache.linking.first_scene.scene_text import FirstScene, ShaderPaths, first_scene
+from shadercache.linking.first_scene.framing import Up
+from shadercache.linking.first_scene.scene_text import FirstScene, Sources, first_scene
 from shadercache.linking.linker import Linker
 from shadercache.linking.scene_shaders import open_scene, read_shader
 from shadercache.render.pass_runners import render_original
@@ -41,11 +42,11 @@ def copied(name: str, folder: Path) -> Path:
     return path
 
 
-def written(model: Path, fragment: Path, vertex: Path) -> FirstScene:
+def written(model: Path, fragment: Path, vertex: Path, up: Up = "y") -> FirstScene:
     """The scene file of a model in its folder."""
     analysis = analyse(read_shader(fragment), read_shader(vertex), mapping="surface")
-    folder, shaders = model.parent, ShaderPaths(fragment, vertex)
-    scene = first_scene(load_model(model), analysis, shaders, folder, folder)
+    folder, sources = model.parent, Sources(load_model(model), fragment, vertex, up)
+    scene = first_scene(sources, analysis, folder, folder)
     (folder / "scene.toml").write_text(scene.text, encoding="utf-8")
     return scene
 
@@ -111,6 +112,19 @@ def test_shaders_that_name_nothing_as_usual(tmp_path: Path) -> None:
     assert 'inThing = "position"  # vec3; its name says nothing, and its type fits' in text
     still = changed(tmp_path, "uMVP", "uTransform", "still").text
     assert 'uTransform = "model-view-projection"  # mat4 (guess)' in still
+
+
+def test_what_is_up_stays_up(tmp_path: Path) -> None:
+    shaders = copied("plain.frag", tmp_path), copied("skinned.vert", tmp_path)
+    model = tower().glb(tmp_path / "t.glb")
+    for up, axis in (("y", (0, 1, 0)), ("z", (0, 0, 1))):
+        written(model, *shaders, up)
+        scene = load_scene(tmp_path)
+        camera, motion = scene.view.camera, scene.common.motion
+        assert camera.up == motion.axis == axis
+        assert camera.target == motion.pivot == pytest.approx((-0.331444, 1.02188, 0.0))
+        away = np.subtract(camera.eye, camera.target)
+        assert np.argmax(np.abs(away)) == {"y": 2, "z": 1}[up] and away @ axis > 0
 
 
 def test_names_from_one(tmp_path: Path) -> None:
