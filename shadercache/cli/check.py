@@ -13,6 +13,7 @@ import typer
 from shadercache.cli.io import read_source
 from shadercache.cli.options import SourceOptions
 from shadercache.diagnostics import Diagnostic, InputError, Severity
+from shadercache.front.foreign_shaders import CODE as FOREIGN
 from shadercache.front.read_options import ReadOptions
 from shadercache.source import Source
 
@@ -35,6 +36,12 @@ class CheckedFile:
     stage: StageName
     diagnostics: tuple[Diagnostic, ...]
     source: Source | None = None
+
+    @property
+    def asked(self) -> Source | None:
+        """What the reference compiler is asked about, if there is GLSL to ask about."""
+        foreign = any(diagnostic.code == FOREIGN for diagnostic in self.diagnostics)
+        return None if foreign else self.source
 
     def count(self, severity: Severity) -> int:
         """How many diagnostics are of this kind."""
@@ -79,7 +86,7 @@ def _check(name: str, stage: StageName | None, options: ReadOptions) -> CheckedF
 
     allow_deep_trees()
     # All suffixes count: name.vert.glsl is a vertex shader too.
-    is_vertex = not VERTEX_SUFFIXES.isdisjoint(Path(name).suffixes)
+    is_vertex = not VERTEX_SUFFIXES.isdisjoint(map(str.lower, Path(name).suffixes))
     stage = stage or ("vertex" if is_vertex else "fragment")
     source = None
     try:
@@ -97,9 +104,10 @@ def _with_findings(checked: Sequence[CheckedFile], options: ReadOptions) -> list
     tool = find_compiler()
     if tool is None:
         return [*checked]
-    # Nothing is asked about an empty text: a file that cannot be read only keeps its place.
+    # Nothing is asked about an empty text: a file that cannot be read only keeps its place, and so
+    # does one that is no GLSL.
     questions = [
-        Question(file.source or Source(file.name, ""), file.stage, file.diagnostics)
+        Question(file.asked or Source(file.name, ""), file.stage, file.diagnostics)
         for file in checked
     ]
     return [

@@ -188,6 +188,8 @@ def _text(whole: WholeScene, verdicts: Sequence[Verdict]) -> str:
         f"law 1: {law_1}",
         f"laws 2-4: {exact} of {len(verdicts)} nodes exact in proof mode",
     ]
+    if not verdicts:
+        lines.append("no value is offered, so laws 2-4 say nothing ('shadercache nodes' says why)")
     ages = [age for verdict in verdicts for age in verdict.ages.values()]
     if ages:
         lines.append(f"law 7: the oldest payload was {max(ages):g} frames old, of {PERIOD}")

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from shadercache.ast.nodes import Module
 from shadercache.diagnostics import Diagnostic, InputError, Severity
+from shadercache.front.foreign_shaders import recognised
 from shadercache.front.parse import parse, parse_before
 from shadercache.front.read_options import DEFAULTS, ReadOptions
 from shadercache.sema.facts import Facts, Stage
@@ -32,13 +33,23 @@ def read(
     """The tree of a shader and what the check found out.
 
     Raises :class:`InputError` with the mistakes that the check finds, or with those that keep the
-    file from being parsed and the ones in front of them.
+    file from being parsed and the ones in front of them; of what is no GLSL, that alone.
     """
     try:
-        module = parse(source, options)
+        module = _parsed(source, stage, options)
+        return module, validate(module, source, stage, needs_main=needs_main)
+    except InputError as error:
+        foreign = recognised(source, options, error.diagnostics)
+        if foreign is None:
+            raise
+        raise InputError(foreign) from None
+
+
+def _parsed(source: Source, stage: Stage, options: ReadOptions) -> Module:
+    try:
+        return parse(source, options)
     except InputError as error:
         raise InputError(_with_earlier(error, source, stage, options)) from None
-    return module, validate(module, source, stage, needs_main=needs_main)
 
 
 def _with_earlier(

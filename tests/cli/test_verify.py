@@ -167,6 +167,13 @@ def test_a_quick_verification_says_what_it_leaves_out(shell: Shell, many: Path) 
     assert {"sum += wave(p.yx * 7.0)", "tint * wave(p + 2.5)"} <= texts, "a branch, a vec3"
 
 
+def test_a_shader_without_a_value_to_check_is_told_so(shell: Shell, tmp_path: Path) -> None:
+    path = tmp_path / "plain.frag"
+    path.write_text("#version 330\nout vec4 o_color;\nvoid main() { o_color = vec4(0.5); }\n")
+    done = shell("verify", path, "--mapping", "screen")
+    assert done.status == 0 and "no value is offered, so laws 2-4 say nothing" in done.out
+
+
 @pytest.mark.parametrize("option", ["--all", "--every-node"])
 def test_everything_is_checked_on_request(shell: Shell, many: Path, option: str) -> None:
     how = ("--mapping", "screen", "--passes", "1", "--proof-only", "-j", 1, "--json")
