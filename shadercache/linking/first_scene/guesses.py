@@ -281,8 +281,3 @@ def _with_lone_matrix(guesses: list[Guess], inputs: ShaderInputs) -> Iterator[Gu
 def unknown(guesses: Sequence[Guess]) -> list[str]:
     """The names of those whose meaning is not known."""
     return [guess.name for guess in guesses if UNKNOWN in guess.why]
-
-
-def has_bones(guesses: Sequence[Guess]) -> bool:
-    """Does the shader move vertices by bones?"""
-    return any(guess.value == '"bones"' for guess in guesses)
