@@ -162,9 +162,8 @@ def _read_alike(fragment: Source, vertex: Source | None, reading: ReadOptions) -
     if vertex is None:
         return reading
     # A host such as Shadertoy's declares things around fragment shaders only.
-    other = replace(reading, dialect="glsl")
-    webgl = is_webgl(fragment, reading) or is_webgl(vertex, other)
-    return replace(reading, webgl=True) if webgl else reading
+    stages = (fragment, reading), (vertex, replace(reading, dialect="glsl"))
+    return replace(reading, webgl=is_webgl(stages))
 
 
 def _raised(

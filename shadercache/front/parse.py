@@ -94,7 +94,8 @@ def _default(source: Source, options: ReadOptions, host: Host | None) -> Version
     """What a file is that names no version."""
     if host is not None:
         return host.version
-    return WEBGL if options.webgl or is_webgl(source, options) else NO_VERSION
+    webgl = is_webgl([(source, options)]) if options.webgl is None else options.webgl
+    return WEBGL if webgl else NO_VERSION
 
 
 class _CannotEndError(Exception):

@@ -20,8 +20,8 @@ class ReadOptions:
     parameters, as in ``("F(x)", "x + x")``. ``undefined`` takes away predefined macros, such as
     those of extensions that the driver at hand lacks. ``#include`` finds files in
     ``include_folders`` and nowhere else, but for the folder of the file that includes. ``unroll``
-    takes loops of few trips apart, so that what they compute can be cached. ``webgl``: a file
-    without ``#version`` is GLSL ES 1.00, even where nothing in it says so.
+    takes loops of few trips apart, so that what they compute can be cached. ``webgl``: is a file
+    without ``#version`` GLSL ES 1.00? ``None``: where it says so.
     """
 
     defines: tuple[tuple[str, str], ...] = ()
@@ -30,7 +30,7 @@ class ReadOptions:
     max_tokens: int = MAX_TOKENS
     dialect: Dialect = "glsl"
     unroll: bool = False
-    webgl: bool = False
+    webgl: bool | None = None
 
     @property
     def words(self) -> Iterator[str]:

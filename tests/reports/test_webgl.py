@@ -1,4 +1,5 @@
-"""Files without ``#version``: a precision makes one GLSL ES 1.00, anything else GLSL 1.10."""
+"""Files without ``#version``: a precision makes one GLSL ES 1.00, even one that only WebGL sees,
+unless words of desktops are in it; anything else is GLSL 1.10."""
 
 from __future__ import annotations
 
@@ -15,8 +16,11 @@ from shadercache.source import Source
 
 FOLDER = Path(__file__).parent / "webgl"
 WEBGL = ("by_macro", "chosen_precision", "o07_webgl_without_version", "varyings")
-WEBGL += ("version_in_comment",)
-DESKTOP = ("guarded_1_10", "names_1_10", "vertex_tells")
+WEBGL += ("version_in_comment", "guarded", "guarded_derivatives", "guarded_lod")
+IN_PARTS = ("behind_extension", "guarded_by_two", "guarded_words", "vertex_tells", "pair_1_10")
+"""Fragment shaders of WebGL with varyings, without a vertex shader or with one of desktops."""
+
+DESKTOP = ("guarded_1_10", "guarded_colour_1_10", "names_1_10")
 PAIRS = ("varyings", "vertex_tells")
 
 
@@ -29,7 +33,7 @@ def analysed(name: str) -> Analysis:
     return analyse(source(f"{name}.frag"), vertex)
 
 
-@pytest.mark.parametrize("name", WEBGL)
+@pytest.mark.parametrize("name", WEBGL + IN_PARTS)
 def test_what_has_a_precision_is_webgl(name: str) -> None:
     module = parse(source(f"{name}.frag"))
     assert (module.version, module.profile) == (100, "es")
@@ -61,6 +65,19 @@ def test_a_file_of_1_10_is_rewritten_as_before() -> None:
 def test_both_stages_are_what_one_says(name: str) -> None:
     versions = {stage.module.profile for stage in analysed(name).raised}
     assert versions == {"es"}
+
+
+def test_a_desktop_stage_makes_its_program_one() -> None:
+    fragment, vertex = source("pair_1_10.frag"), source("pair_1_10.vert")
+    analysis = analyse(fragment, vertex)
+    assert {tree.module.profile for tree in analysis.raised} == {"core"}
+    named = Source("named.vert", f"#version 120\n{vertex.text}")
+    assert {tree.module.profile for tree in analyse(fragment, named).raised} == {"core"}
+
+
+def test_without_its_macro_it_is_not_webgl() -> None:
+    module = parse(source("guarded.frag"), ReadOptions(undefined=("GL_ES",)))
+    assert (module.version, module.profile) == (110, None)
 
 
 def test_a_version_is_believed() -> None:
