@@ -153,7 +153,7 @@ class Analysis:
     def shared_work(self) -> SharedWorkTable:
         """What both the payload's pass and the shading pass compute."""
         costs, table = CostTable(self.program.facts), EffectTable(self.program.module)
-        return SharedWorkTable(self.candidates.instances, table, costs, self.program.color)
+        return SharedWorkTable(self.candidates.instances, table, costs, self.program.colors)
 
     @cached_property
     def savings(self) -> Savings:

@@ -45,11 +45,12 @@ from shadercache.analysis.candidates import (
 from shadercache.analysis.costs.payload_sets import notes_on
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.mapping import MappingKind
+from shadercache.analysis.outputs import outputs_of
 from shadercache.analysis.restrictions import (
     check_depth,
+    check_program,
     check_size,
     check_user_mapping,
-    find_color,
 )
 from shadercache.analysis.screen.screen_inputs import Marks, screen_marks
 from shadercache.analysis.screen.screen_varyings import screen_varyings
@@ -139,7 +140,8 @@ def analyse(
             # Copies of a loop's body declare the same names again, and later passes work by name.
             flat = infer(unrolled.module, fragment)
             module, facts = _lowered(*_named(unrolled.module, flat, fragment, "fragment"), fragment)
-    color = find_color(module, fragment)
+    check_program(module, fragment)
+    outputs = outputs_of(module, facts, fragment)
     # Ids of nodes hash the text as it was parsed, so that no later pass can change them.
     printed = _printed(trees[0].module, module)
     if mapping is None:
@@ -152,7 +154,7 @@ def analyse(
         check_user_mapping(module, fragment, table)
     candidates = find_candidates(module, facts, table, Origin(fragment, printed), mapping)
     program = FragmentProgram(
-        raised[0].module, module, facts, candidates, color, prefix, original, mapping
+        raised[0].module, module, facts, candidates, outputs, prefix, original, mapping
     )
     return Analysis(fragment, vertex, candidates, program, raised, stage, reading, kept_loops)
 

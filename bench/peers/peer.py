@@ -16,9 +16,10 @@ from bench.peers.scene_programs import ScenePrograms
 from shadercache.gpu.cache_textures import CachePair
 from shadercache.gpu.resource import Resource
 from shadercache.render.bound_pass import BoundPass, FrameInputs
-from shadercache.render.bundle import Naming, PassSpec
+from shadercache.render.bundle import Naming
 from shadercache.render.drawable import Drawable
 from shadercache.render.pass_runners import OriginalRunner
+from shadercache.render.pass_spec import PassSpec
 from shadercache.render.render_scene import RenderScene
 from shadercache.scene.graphics_state import GraphicsState
 from shadercache.source import Source

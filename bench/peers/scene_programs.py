@@ -55,7 +55,7 @@ def color_node(analysis: Analysis) -> Candidate:
         for part in walk(analysis.program.module)
         if isinstance(part, n.Assign)
         and isinstance(part.target, n.Name)
-        and part.target.name == analysis.program.color
+        and part.target.name == analysis.program.colors[0]
     )
     found = [node for value in written for node in _values(value, by_expression)]
     if not found:

@@ -32,9 +32,9 @@ from shadercache.lang.types import Type
 from shadercache.linking.made_scene import made_scene
 from shadercache.manifest.reflection import inputs_of
 from shadercache.processes import spread
-from shadercache.render.bundle import PassSpec
 from shadercache.render.depth_spec import DepthSpec
 from shadercache.render.pass_runners import PassRunner
+from shadercache.render.pass_spec import PassSpec
 from shadercache.render.render_scene import RenderScene
 from shadercache.sema.facts import Facts
 from shadercache.source import Source

@@ -69,29 +69,17 @@ def check_depth(facts: Facts, source: Source) -> None:
     raise InputError(Diagnostic("SC401", message, source, span))
 
 
-def find_color(module: n.Module, source: Source) -> str:
-    """The name of the fragment shader's colour output.
+def check_program(module: n.Module, source: Source) -> None:
+    """Refuse what no variant could keep.
 
-    Raises :class:`InputError` where it has none or several (SC403), writes a built-in output
-    (SC404), asks for early fragment tests (SC405: the first pass must not write depth for a
-    fragment that it discards), uses memory that others write (SC413), counts pixels in another
-    way (SC422), or does something in the initialiser of a global (SC424).
+    Raises :class:`InputError` where the shader writes a built-in output (SC404), asks for early
+    fragment tests (SC405: the first pass must not write depth for a fragment that it discards),
+    uses memory that others write (SC413), counts pixels in another way (SC422), or does something
+    in the initialiser of a global (SC424).
     """
     problems = [*_unsupported(module, source), *busy_initialisers(module, source)]
-    outputs = [
-        (variable, decl)
-        for decl in module.decls
-        if isinstance(decl, n.VarDecl) and decl.qualifiers.has("out")
-        for variable in decl.declarators
-    ]
-    if len(outputs) != 1 or outputs[0][1].type.name != "vec4" or outputs[0][0].dims:
-        message = "a shader to cache in has exactly one output, a vec4 colour"
-        span = outputs[-1][0].span if outputs else None
-        hint = f"this one has {len(outputs)} outputs"
-        problems.append(Diagnostic("SC403", message, source, span, hint))
     if problems:
         raise InputError(problems)
-    return outputs[0][0].name
 
 
 def _unsupported(module: n.Module, source: Source) -> Iterator[Diagnostic]:

@@ -10,6 +10,7 @@ from shadercache.analysis.effect_table import EffectTable
 from shadercache.ast import nodes as n
 from shadercache.emit.assemble import Shader
 from shadercache.emit.builder import PassBuilder
+from shadercache.lang.types import Type
 from shadercache.sema.facts import Symbol
 from shadercache.source import NOWHERE
 
@@ -35,10 +36,12 @@ def left_changed(
     return tuple(s for s in declared if s.kind == "global" and s.name in written)
 
 
-def variable(kind: str, name: str, precision: str | None) -> n.VarDecl:
+def variable(kind: Type, name: str, precision: str | None) -> n.VarDecl:
     """A plain global variable."""
     words = n.Qualifiers(NOWHERE, (precision,)) if precision else n.NO_QUALIFIERS
-    return n.VarDecl(NOWHERE, words, n.TypeSpec(NOWHERE, kind), (n.Declarator(NOWHERE, name),))
+    dims = tuple(n.Literal(NOWHERE, str(size)) for size in kind.dims)
+    declarator = n.Declarator(NOWHERE, name, dims)
+    return n.VarDecl(NOWHERE, words, n.TypeSpec(NOWHERE, kind.name), (declarator,))
 
 
 def caller(

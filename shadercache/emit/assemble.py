@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
 from shadercache.ast import nodes as n
@@ -64,20 +64,20 @@ def without_main(module: n.Module) -> tuple[n.Decl, ...]:
     )
 
 
-def with_locations(module: n.Module, outputs: Sequence[str]) -> n.Module:
-    """The module with ``layout(location = n)`` on the given outputs, in their order."""
-    return replace(module, decls=tuple(_located(decl, outputs) for decl in module.decls))
+def with_locations(module: n.Module, locations: Mapping[str, int]) -> n.Module:
+    """The module with ``layout(location = n)`` on the outputs that are named."""
+    return replace(module, decls=tuple(_located(decl, locations) for decl in module.decls))
 
 
-def _located(decl: n.Decl, outputs: Sequence[str]) -> n.Decl:
+def _located(decl: n.Decl, locations: Mapping[str, int]) -> n.Decl:
     if not isinstance(decl, n.VarDecl) or not decl.qualifiers.has("out"):
         return decl
     names = [declarator.name for declarator in decl.declarators]
-    if not names or names[0] not in outputs:
+    if not names or names[0] not in locations:
         return decl
     # A pass has its targets at these places, whatever location the user's output had.
-    others = tuple(i for i in decl.qualifiers.layout or () if i.name != "location")
-    number = n.Literal(NOWHERE, str(outputs.index(names[0])))
+    others = tuple(i for i in decl.qualifiers.layout or () if i.name not in ("location", "index"))
+    number = n.Literal(NOWHERE, str(locations[names[0]]))
     layout = (n.LayoutItem(NOWHERE, "location", number), *others)
     return replace(decl, qualifiers=replace(decl.qualifiers, layout=layout))
 

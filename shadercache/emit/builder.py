@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from importlib import import_module
+from itertools import accumulate
 from typing import Any, TypeAlias
 
 from shadercache.analysis.candidates import Candidate, Candidates
@@ -15,10 +16,11 @@ from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.effects import Does
 from shadercache.analysis.loops import decided_loops
 from shadercache.analysis.mapping import CURRENT_CLIP, MappingKind
+from shadercache.analysis.outputs import MOST_TARGETS, Output, targets_of
 from shadercache.analysis.precision import PrecisionTable
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
-from shadercache.caching.algorithms import Algorithm
+from shadercache.caching.algorithms import CACHE, COLOR, Algorithm
 from shadercache.caching.configuration import Configuration
 from shadercache.caching.layout import layout_of
 from shadercache.caching.program_parts import program_part
@@ -55,11 +57,16 @@ class FragmentProgram:
     module: n.Module
     facts: Facts
     candidates: Candidates
-    color: str
+    outputs: tuple[Output, ...]
     prefix: str
     original: n.Module
     mapping: MappingKind = "surface"
     memo: Memo = field(default_factory=Memo)
+
+    @property
+    def colors(self) -> tuple[str, ...]:
+        """The names of the user's outputs, in the order of their locations."""
+        return tuple(output.name for output in self.outputs)
 
     @property
     def unrolled(self) -> bool:
@@ -101,7 +108,7 @@ class PassBuilder:
         )
         self.payloads = self.layout.variables(self.own("payload"))
         self.stores = [self.own("store"), *[self.own("store_2")] * self.layout.second]
-        self.color_and_stores = [program.color, *self.stores]
+        self.colors_and_stores = [*program.colors, *self.stores]
         # A pass writes no pixel that the original discards, so it must get as far as the discard.
         discards = EffectTable(program.module, program.memo).summary("main").does & Does.DISCARD
         self.whole = any(node.unsure for node in nodes) or bool(discards)
@@ -120,6 +127,11 @@ class PassBuilder:
     def carries(self) -> bool:
         """Does what is stored of a hit differ from what is shown?"""
         return self._configuration.filter.carries
+
+    @property
+    def free_targets(self) -> int:
+        """How many render targets a pass has left beside the user's and the cache."""
+        return MOST_TARGETS - targets_of(self.program.outputs) - len(self.stores)
 
     def made(self, maker: Maker) -> Shader:
         """What a maker builds, built once."""
@@ -186,7 +198,13 @@ class PassBuilder:
         module = replace(module, comments=(*module.comments, *part.comments))
         copies = {copy.name for group in clones for _, copy in group.pairs}
         module = contract(_shrink(module, outputs, copies, program.memo), program.memo)
-        return interface(with_locations(module, outputs))
+        return interface(with_locations(module, self._locations(outputs)))
+
+    def _locations(self, outputs: Sequence[str]) -> dict[str, int]:
+        """Where a pass has its outputs: the user's as many targets as they take, others one."""
+        targets = {output.name: output.targets for output in self.program.outputs}
+        places = accumulate((targets.get(name, 1) for name in outputs), initial=0)
+        return dict(zip(outputs, places, strict=False))
 
     def takes_derivatives(self, module: n.Module) -> bool:
         """Does the shading? (The look-up may, ahead of everything.)"""
@@ -217,8 +235,9 @@ def _fetches(candidates: Candidates, nodes: Sequence[Candidate]) -> list[SharedU
 
 def exact_original(program: FragmentProgram) -> Shader:
     """The user's shader with unique names and without what it does not need, for proof mode."""
-    needed = remove_dead(program.original, (program.color,), program.memo)
-    return interface(with_locations(contract(needed, program.memo), (program.color,)))
+    needed = remove_dead(program.original, program.colors, program.memo)
+    locations = {output.name: output.location for output in program.outputs}
+    return interface(with_locations(contract(needed, program.memo), locations))
 
 
 def _shrink(module: n.Module, wanted: Sequence[str], clones: set[str], memo: Memo) -> n.Module:
@@ -244,5 +263,11 @@ def function_named(text: str) -> Any:
 
 def unfit(builder: PassBuilder, algorithm: Algorithm) -> str | None:
     """Why the nodes cannot be cached by an algorithm, if so."""
+    together = any({COLOR, CACHE} <= set(record.targets) for record in algorithm.passes)
+    if together and builder.free_targets < 0:
+        return (
+            f"the shader writes {targets_of(builder.program.outputs)} render targets and the cache "
+            f"has {len(builder.stores)}, but a pass has {MOST_TARGETS}"
+        )
     reason: str | None = function_named(algorithm.unfit)(builder) if algorithm.unfit else None
     return reason

@@ -11,6 +11,7 @@ The payload's code runs before the shader proper, which must find every global a
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 from shadercache.analysis.effect_table import EffectTable
@@ -19,6 +20,7 @@ from shadercache.ast import nodes as n
 from shadercache.emit.ahead import LEVELS_SINCE, caller, left_changed, movable, variable
 from shadercache.emit.assemble import Shader
 from shadercache.emit.builder import PassBuilder
+from shadercache.lang.types import Type
 from shadercache.sema.facts import Symbol
 from shadercache.transform.hoist_fetches import type_ahead
 from shadercache.transform.reachable import names_in
@@ -32,7 +34,7 @@ _SHARED = Does.DERIVATIVE | Does.IMPLICIT_LOD
 def shade_or_reuse(builder: PassBuilder) -> Shader:
     """One pass: look up, else compute; then shade."""
     if builder.whole:
-        return builder.build("here", [builder.cut("fill")], builder.color_and_stores)
+        return builder.build("here", [builder.cut("fill")], builder.colors_and_stores)
     shader = _keeping(builder, ())
     # Only the finished pass shows what has to be kept: most of what the payload's code would change
     # has been removed as dead by then.
@@ -57,10 +59,11 @@ def _keeping(builder: PassBuilder, kept: tuple[Symbol, ...]) -> Shader:
     clones.append(builder.clone(names, compute, (*cuts, *builder.node_cuts("goal"))))
     # An output counts as needed, a variable only where something reads it: so what only feeds the
     # colour goes from the payload's code.
-    if _only_main_colors(builder):
-        precision = "highp" if builder.program.module.profile == "es" else None
-        extra.append(variable("vec4", builder.own("color"), precision))
-        clones = [_with_own_color(builder, group) for group in clones]
+    own = _written_by_main(builder)
+    precision = "highp" if builder.program.module.profile == "es" else None
+    extra += (variable(kind, name, precision) for kind, name in own.values())
+    new_names = {name: new for name, (_, new) in own.items()}
+    clones = [_renamed(group, new_names) for group in clones]
     if kept:
         extra.append(caller(builder, "compute", [builder.own(compute)], kept))
     clones.append(builder.clone(names, "shade", builder.node_cuts("use")))
@@ -68,23 +71,27 @@ def _keeping(builder: PassBuilder, kept: tuple[Symbol, ...]) -> Shader:
         fetch = use.place.expr
         kind = type_ahead(fetch, form, builder.program.facts.types)
         extra.append(variable(kind, name, builder.precisions.of(fetch)))
-    shader = builder.build("one", clones, builder.color_and_stores, extra)
+    shader = builder.build("one", clones, builder.colors_and_stores, extra)
     if any(form == "level" for *_, form in builder.fetches):
         version = max(shader.module.version, LEVELS_SINCE)
         return replace(shader, module=replace(shader.module, version=version))
     return shader
 
 
-def _only_main_colors(builder: PassBuilder) -> bool:
-    """Is the colour a matter of ``main`` alone?"""
-    # Only clones can be given a colour of their own, and other functions need not be cloned.
+def _written_by_main(builder: PassBuilder) -> dict[str, tuple[Type, str]]:
+    """The outputs that are a matter of ``main`` alone: name -> type, name of a variable for it."""
+    # Only clones can be given outputs of their own, and other functions need not be cloned.
     functions = (d for d in builder.program.module.decls if isinstance(d, n.FunctionDef))
-    return not any(builder.program.color in names_in(d) for d in functions if d.name != "main")
+    elsewhere = {name for d in functions if d.name != "main" for name in names_in(d)}
+    return {
+        output.name: (output.type, builder.own(f"color{output.location or ''}"))
+        for output in builder.program.outputs
+        if output.name not in elsewhere
+    }
 
 
-def _with_own_color(builder: PassBuilder, group: Clones) -> Clones:
-    """The payload's code with a variable for the colour."""
-    names = {builder.program.color: builder.own("color")}
+def _renamed(group: Clones, names: Mapping[str, str]) -> Clones:
+    """The payload's code with variables for outputs."""
     return replace(group, pairs=tuple((old, rename(new, names)) for old, new in group.pairs))
 
 

@@ -19,7 +19,7 @@ from shadercache.caching.read_template import parse_template
 from shadercache.emit.ahead import LEVELS_SINCE, caller, left_changed, movable, variable
 from shadercache.emit.assemble import Shader
 from shadercache.emit.builder import PassBuilder
-from shadercache.emit.parking import MOST_TARGETS, NotParkableError, Parking, parking_of, taking
+from shadercache.emit.parking import NotParkableError, Parking, parking_of, taking
 from shadercache.lang.types import Type, builtin_type
 from shadercache.sema.facts import Symbol
 from shadercache.transform.hoist_fetches import FetchForm, form_of, type_ahead
@@ -31,7 +31,7 @@ class _Ahead:
     """A derivative or fetch that is made ahead: the cut, and the type of its variable."""
 
     cut: Cut
-    kind: str
+    kind: Type
     precision: str | None
 
 
@@ -54,7 +54,7 @@ def fix_up(builder: PassBuilder) -> Shader:
 
 def unfit(builder: PassBuilder) -> str | None:
     """Why misses cannot be parked, if so."""
-    targets = MOST_TARGETS - len(builder.color_and_stores)
+    targets = builder.free_targets
     ahead = _ahead(builder)
     if len(ahead) > 4 * targets:
         return (
@@ -93,18 +93,16 @@ def _missing(builder: PassBuilder) -> Shader:
     uses = tuple(replace(one.cut, kind="use") for one in ahead)
     clones = builder.clone(builder.names(), "shade", (*uses, *builder.node_cuts(kind)))
     return _raised(
-        builder.build("fix_up", [clones], builder.color_and_stores, _variables(ahead)), ahead
+        builder.build("fix_up", [clones], builder.colors_and_stores, _variables(ahead)), ahead
     )
 
 
 def _parking(builder: PassBuilder) -> Parking:
     facts, prefix = builder.program.facts, builder.program.prefix
-    words = {one.cut.variable: one.kind for one in _ahead(builder)}
-    kinds: dict[str, Type] = {}
-    for name, word in (words | recalled(builder.layout, prefix)).items():
+    kinds = {one.cut.variable: one.kind for one in _ahead(builder)}
+    for name, word in recalled(builder.layout, prefix).items():
         kind = builtin_type(word)
-        if kind is None:
-            raise NotParkableError(f"a value of the type {word} cannot be parked")
+        assert kind is not None
         kinds[name] = kind
     return parking_of(builder.made(_missing), facts, prefix, kinds)
 
@@ -127,7 +125,7 @@ def _finding(builder: PassBuilder, kept: tuple[Symbol, ...]) -> Shader:
         caller(builder, "fetch_ahead", entries, kept),
         *parse_template(parking.parking_text(), prefix).decls,
     )
-    outputs = [*builder.color_and_stores, *parking.names("park")]
+    outputs = [*builder.colors_and_stores, *parking.names("park")]
     template = "find_here" if builder.whole else "find"
     return _raised(builder.build(template, clones, outputs, extra), ahead)
 

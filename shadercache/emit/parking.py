@@ -36,9 +36,6 @@ from shadercache.transform.rename import rename
 LANES = 4
 """Of a target."""
 
-MOST_TARGETS = 8
-"""Colour attachments that every OpenGL has (4.6 table 23.68), and GLSL ES 3.20's as a rule."""
-
 # Three channels need not be a render target (OpenGL 4.6 section 8.5.1).
 _FORMATS = {"uint": "r32ui", "uvec2": "rg32ui", "uvec3": "rgba32ui", "uvec4": "rgba32ui"}
 

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from shadercache.analysis.candidates import Candidate
+from shadercache.analysis.outputs import MOST_TARGETS, Output, targets_of
 from shadercache.caching import algorithms
 from shadercache.caching.algorithms import AlgorithmPass, LeftOut
 from shadercache.caching.configuration import Configuration, Mode
@@ -18,7 +19,7 @@ from shadercache.emit.builder import (
     function_named,
     unfit,
 )
-from shadercache.emit.parking import MOST_TARGETS, parked_formats
+from shadercache.emit.parking import parked_formats
 from shadercache.emit.printer import print_module
 from shadercache.emit.runtime import full_screen_vertex, group_vertex
 from shadercache.emit.vertex import VertexEmitter
@@ -65,7 +66,7 @@ class ProgramSet:
     unchanging: tuple[str, ...] = ()
     numbers: tuple[str, ...] = ()
     prefix: str = ""
-    color: str = ""
+    outputs: tuple[Output, ...] = ()
     whole: bool = False
 
     @property
@@ -107,7 +108,7 @@ def emit_programs(
         unchanging=vertex.unchanging(),
         numbers=vertex.numbers(),
         prefix=program.prefix,
-        color=program.color,
+        outputs=program.outputs,
     )
     about = ", ".join(f"node {node.id}" for node in nodes)
     write = _ProgramWriter(programs, vertex, configurations[0].mode, about)
@@ -147,7 +148,7 @@ def _builder(
 
 def emit_original(program: FragmentProgram, vertex: VertexEmitter, mode: Mode) -> ProgramSet:
     """The user's shaders themselves, printed: what variants are compared with."""
-    programs = ProgramSet(prefix=program.prefix, color=program.color)
+    programs = ProgramSet(prefix=program.prefix, outputs=program.outputs)
     programs.original = _ProgramWriter(programs, vertex, mode, "unchanged").original(program)
     return programs
 
@@ -160,10 +161,15 @@ def emit_needed(
 ) -> ProgramSet:
     """The program that tells which pixels have payloads of the nodes, and which of them are fit."""
     builder = _builder(program, nodes, configuration)
-    programs = ProgramSet(prefix=program.prefix, color=program.color, whole=builder.whole)
+    programs = ProgramSet(prefix=program.prefix, outputs=program.outputs, whole=builder.whole)
     write = _ProgramWriter(programs, vertex, configuration.mode, "what has its payloads")
     programs.debug = write.add(_NEEDED, builder)
     return programs
+
+
+def color_targets(count: int) -> tuple[str, ...]:
+    """The names of the targets of the user's outputs, location by location."""
+    return (algorithms.COLOR, *(f"{algorithms.COLOR}-{at}" for at in range(2, count + 1)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -211,12 +217,19 @@ class _ProgramWriter:
         return Pass(
             record,
             file,
-            self._each(record.targets, fragment.outputs, stores),
+            self._each(self._targets(record, fragment), fragment.outputs, stores),
             self._each(self._reads(record, uniforms), uniforms, read),
             uniforms,
             vertex.inputs,
             parked_formats(fragment.module, f"{self.programs.prefix}park_"),
         )
+
+    def _targets(self, record: AlgorithmPass, fragment: Shader) -> tuple[str, ...]:
+        """What a pass writes: of colours as many as the user's outputs take, if it writes these."""
+        own = f"{self.programs.prefix}value" in fragment.outputs
+        colors = color_targets(1 if own else targets_of(self.programs.outputs))
+        written = (colors if word == algorithms.COLOR else (word,) for word in record.targets)
+        return tuple(word for words in written for word in words)
 
     def _reads(self, record: AlgorithmPass, uniforms: tuple[str, ...]) -> tuple[str, ...]:
         """What a pass reads: with adaptive periods one that computes compares with what was."""

@@ -28,12 +28,12 @@ def needed(builder: PassBuilder) -> Shader:
 
 def found(builder: PassBuilder) -> Shader:
     """The first of two passes without its look-up: every pixel is a hit."""
-    return builder.build("found", [_reusing(builder)], builder.color_and_stores)
+    return builder.build("found", [_reusing(builder)], builder.colors_and_stores)
 
 
 def found_unstored(builder: PassBuilder) -> Shader:
     """The same, storing nothing for the next frame."""
-    return builder.build("found", [_reusing(builder)], [builder.program.color])
+    return builder.build("found", [_reusing(builder)], builder.program.colors)
 
 
 def _reusing(builder: PassBuilder) -> Clones:

@@ -24,7 +24,7 @@ def payload_only(builder: PassBuilder) -> Shader:
 
 def shade(builder: PassBuilder) -> Shader:
     """The colour from the payload."""
-    return builder.build("shade", [builder.cut("use")], [builder.program.color])
+    return builder.build("shade", [builder.cut("use")], builder.program.colors)
 
 
 def unfit(builder: PassBuilder) -> str | None:

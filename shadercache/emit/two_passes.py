@@ -13,17 +13,17 @@ def hit(builder: PassBuilder) -> Shader:
     """Shade hits; misses are discarded, where it matters at the end."""
     template = "here" if builder.whole else "hit"
     kind: CutKind = "need" if builder.whole else "use"
-    early = builder.build(template, [builder.cut(kind)], builder.color_and_stores)
+    early = builder.build(template, [builder.cut(kind)], builder.colors_and_stores)
     if not discards_late(builder, early):
         return early
     late: CutKind = "lack" if builder.whole else "use"
-    return builder.build(f"{template}_late", [builder.cut(late)], builder.color_and_stores)
+    return builder.build(f"{template}_late", [builder.cut(late)], builder.colors_and_stores)
 
 
 def miss(builder: PassBuilder) -> Shader:
     """The original, keeping the payload."""
     kind: CutKind = "keep" if builder.whole else "store"
-    return builder.build("miss", [builder.cut(kind)], builder.color_and_stores)
+    return builder.build("miss", [builder.cut(kind)], builder.colors_and_stores)
 
 
 def discards_late(builder: PassBuilder, early: Shader) -> bool:

@@ -10,7 +10,7 @@ from shadercache.emit.two_passes import discards_late
 
 def shade(builder: PassBuilder) -> Shader:
     """The colour from payloads of texels around the pixel; what none fits is discarded."""
-    clones, outputs = [builder.cut("use")], [builder.program.color]
+    clones, outputs = [builder.cut("use")], builder.program.colors
     early = builder.build("neighbours", clones, outputs)
     if not discards_late(builder, early):
         return early

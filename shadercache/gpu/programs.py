@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter, OrderedDict
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -101,11 +101,13 @@ class Programs:
         fragment: Source,
         inputs: Sequence[InputEntry] = (),
         captured: str = "",
+        locations: Mapping[str, int] | None = None,
     ) -> Program:
         """The program of two shaders; call ``release`` with it once for every ``acquire``.
 
         ``inputs`` are what it declares, as the manifest has it. ``captured`` is a varying: the
-        program is the vertex shader alone, and keeps that.
+        program is the vertex shader alone, and keeps that. ``locations``: of outputs that may have
+        none in the text.
 
         Raises:
             InputError: SC602 with the driver's log, SC524 for inputs the harness cannot give.
@@ -114,7 +116,9 @@ class Programs:
         key = (_HEADING.sub("//", vertex.text), _HEADING.sub("//", fragment.text), captured)
         program = self._by_text.get(key)
         if program is None:
-            program = self._by_text[key] = _link(self._gpu.ctx, vertex, fragment, key, inputs)
+            program = self._by_text[key] = _link(
+                self._gpu.ctx, vertex, fragment, key, inputs, locations or {}
+            )
         program.users += 1
         self._by_text.move_to_end(key)
         return program
@@ -140,13 +144,16 @@ def _link(
     fragment: Source,
     texts: tuple[str, str, str],
     inputs: Sequence[InputEntry],
+    locations: Mapping[str, int],
 ) -> Program:
     _check_names(fragment.name, inputs)
     try:
         if texts[2]:
             gl = ctx.program(vertex_shader=texts[0], varyings=(texts[2],))
         else:
-            gl = ctx.program(vertex_shader=texts[0], fragment_shader=texts[1])
+            gl = ctx.program(
+                vertex_shader=texts[0], fragment_shader=texts[1], fragment_outputs=dict(locations)
+            )
     except moderngl.Error as error:
         raise _refused(str(error), vertex, fragment) from None
     uniforms: dict[str, Uniform] = {}

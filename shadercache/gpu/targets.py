@@ -13,6 +13,14 @@ from numpy.typing import NDArray
 
 from shadercache.diagnostics import Diagnostic, GraphicsError, input_error
 from shadercache.gpu.cache_textures import CachePair, cache_texture
+from shadercache.gpu.color_targets import (
+    COLOR,
+    ColorTarget,
+    as_floats,
+    output_texture,
+    read_output,
+    shown,
+)
 from shadercache.gpu.fractions import WhichDepth, divided_size
 
 COLOR_FORMATS = {"rgba8": "f1", "rgba32f": "f4"}
@@ -55,6 +63,9 @@ class Targets:
         """Of what has another depth than the picture."""
         self._surface: moderngl.Texture | None = None
         self._parked: dict[tuple[str, str], moderngl.Texture] = {}
+        self.outputs: tuple[ColorTarget, ...] = (COLOR,)
+        """What is drawn in a frame: the first is what people see."""
+        self._outputs: dict[ColorTarget, moderngl.Texture] = {}
         try:
             self.color = ctx.texture(size, 4, dtype=COLOR_FORMATS[color])
             self.depth = _depth_texture(ctx, size) if sampled else ctx.depth_renderbuffer(size)
@@ -150,18 +161,62 @@ class Targets:
         """Keep a pair for the next runner."""
         self._idle.append(pair)
 
+    def output(self, target: ColorTarget) -> moderngl.Texture:
+        """The texture of one of the outputs; the first shares the colour target if it may.
+
+        Further ones hold half floats where colours have 8 bits: a G-buffer's are not in 0-1.
+        """
+        if (target.name, target.base) == (COLOR.name, COLOR.base):
+            return self.color
+        if target not in self._outputs:
+            floats = "f4" if self.color_format == "rgba32f" else "f2"
+            self._outputs[target] = output_texture(self.ctx, self.size, target, floats)
+        return self._outputs[target]
+
+    def clear_outputs(self) -> None:
+        """Start a frame: every output 0, depth empty."""
+        textures = [self.output(target) for target in self.outputs]
+        floats = [texture for texture in textures if texture.dtype[0] == "f"]
+        # The colour target among them, for who draws something else into it.
+        cleared = tuple(dict.fromkeys((self.color, *floats)))
+        self.framebuffer(cleared, True).clear(0.0, 0.0, 0.0, 0.0, depth=self._empty_depth)
+        for texture in textures:
+            # What glClear does to integers is undefined (OpenGL 4.6 section 17.4.3.1).
+            if texture.dtype[0] != "f":
+                texture.write(bytes(4 * texture.components * self.size[0] * self.size[1]))
+
+    def paint(self, value: float) -> None:
+        """Fill the first output with the bits of a float."""
+        first = self.output(self.outputs[0])
+        first.write(np.full((*self.size[::-1], first.components), value, np.float32).tobytes())
+
+    def painted(self, value: float) -> NDArray[np.bool_]:
+        """Where nothing was drawn over that, (h, w). For 32-bit targets."""
+        target = self.outputs[0]
+        drawn = as_floats(read_output(self.output(target), target))[..., : target.channels]
+        untouched: NDArray[np.bool_] = np.all(drawn == np.float32(value), axis=-1)
+        return untouched
+
     def pixels(self) -> NDArray[np.generic]:
         """The colour target as it is stored, (h, w, 4) uint8 or float32, row 0 at the bottom."""
-        width, height = self.size
-        dtype = np.uint8 if self.color_format == "rgba8" else np.float32
-        return np.frombuffer(self.color.read(), dtype).reshape(height, width, 4)
+        return read_output(self.color, COLOR)
+
+    def output_pixels(self) -> tuple[NDArray[np.generic], ...]:
+        """Every output as it is stored, (h, w, 4) each (:func:`read_output`)."""
+        return tuple(read_output(self.output(target), target) for target in self.outputs)
+
+    def shown(self) -> NDArray[np.generic]:
+        """The first output as people see it, (h, w, 4) uint8 or floats, row 0 at the bottom."""
+        first = self.outputs[0]
+        return shown(read_output(self.output(first), first))
 
     def image(self) -> NDArray[np.float32]:
-        """The colour target as float32 (h, w, 4), display-encoded 0-1, row 0 at the bottom."""
-        pixels = self.pixels()
-        if pixels.dtype == np.float32:
-            return pixels.astype(np.float32, copy=False)
-        return pixels.astype(np.float32) / np.float32(255.0)
+        """The outputs side by side as float32 (h, w, 4 each), row 0 at the bottom.
+
+        Floats are display-encoded 0-1; of integers these are the floats of the same bits.
+        """
+        images = [as_floats(pixels) for pixels in self.output_pixels()]
+        return images[0] if len(images) == 1 else np.concatenate(images, axis=-1)
 
     def mask_values(self, divisor: int = 1) -> NDArray[np.uint8]:
         """The mask target, rounded to whole numbers, (h, w), row 0 at the bottom."""
@@ -179,7 +234,14 @@ class Targets:
         for buffer in self._depths.values():
             buffer.release()
         parked = self._parked.values()
-        for texture in (self.color, self.depth, self._surface, *self._masks.values(), *parked):
+        for texture in (
+            self.color,
+            self.depth,
+            self._surface,
+            *self._masks.values(),
+            *parked,
+            *self._outputs.values(),
+        ):
             if texture is not None:
                 texture.release()
 

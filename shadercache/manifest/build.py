@@ -11,13 +11,14 @@ from msgspec import UNSET, convert
 from shadercache import __version__
 from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.costs.payload_sets import is_skipped
+from shadercache.analysis.outputs import targets_of
 from shadercache.analysis.refusals import FIRST_TEXEL
 from shadercache.caching.algorithms import PARKED
 from shadercache.caching.configuration import Configuration, Mode
 from shadercache.caching.layout import XYZW, Layout, empty_depth, layout_of
 from shadercache.caching.outcomes import outcomes
 from shadercache.caching.settings import written_settings
-from shadercache.emit.program_set import Pass, ProgramSet
+from shadercache.emit.program_set import Pass, ProgramSet, color_targets
 from shadercache.manifest import cache_model, model, pass_model
 from shadercache.manifest.interface import InputEntry
 from shadercache.manifest.kinds import TargetName
@@ -76,7 +77,7 @@ def build_manifest(
             _node(setting.fragment, node, place)
             for node, place in zip(nodes, layout.places, strict=True)
         ),
-        color=model.ColorEntry(output=programs.color, location=0),
+        outputs=_outputs(programs),
         cache=cache,
         targets=_targets(cache, configuration.divisor, programs),
         uniforms=tuple(
@@ -132,7 +133,8 @@ def original_manifest(
     """How to draw the unchanged shader."""
     assert programs.original is not None
     original = _pass(programs.original)
-    return model.OriginalManifest(**_head(programs, mode, inputs), original=original)
+    head = _head(programs, mode, inputs)
+    return model.OriginalManifest(**head, outputs=_outputs(programs), original=original)
 
 
 def needed_manifest(
@@ -155,19 +157,32 @@ def _head(programs: ProgramSet, mode: Mode, inputs: Iterable[InputEntry]) -> dic
     }
 
 
+def _outputs(programs: ProgramSet) -> tuple[model.OutputEntry, ...]:
+    names: Any = color_targets(targets_of(programs.outputs))
+    return tuple(
+        model.OutputEntry(
+            output=output.name,
+            type=str(output.type),
+            location=output.location,
+            targets=tuple(names[place] for place in output.places),
+        )
+        for output in programs.outputs
+    )
+
+
 def _targets(
     cache: cache_model.CacheEntry, divisor: int, programs: ProgramSet
 ) -> dict[TargetName, cache_model.TargetEntry]:
-    formats: dict[TargetName, Any] = {"color": None, "cache": cache.format}
+    colors: Any = color_targets(targets_of(programs.outputs))
+    formats: dict[TargetName, Any] = {**dict.fromkeys(colors), "cache": cache.format}
     if cache.second is not UNSET:
         formats["cache-2"] = cache.second.format
     formats["mask"] = "r32f"
     for emitted in programs.passes:
         names: list[Any] = [name for name in emitted.targets if name.startswith(PARKED)]
         formats |= dict(zip(names, emitted.parked, strict=True))
-    whole: TargetName = "color"
     return {
-        name: cache_model.TargetEntry(format=form, divisor=1 if name == whole else divisor)  # type: ignore[arg-type]
+        name: cache_model.TargetEntry(format=form, divisor=1 if name in colors else divisor)  # type: ignore[arg-type]
         for name, form in formats.items()
     }
 

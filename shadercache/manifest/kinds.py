@@ -29,7 +29,10 @@ StageName: TypeAlias = Literal["vertex", "fragment"]
 ParkedName: TypeAlias = Literal[
     "parked-1", "parked-2", "parked-3", "parked-4", "parked-5", "parked-6"
 ]
-TargetName: TypeAlias = Literal["color", "cache", "cache-2", "mask", ParkedName]
+ColorName: TypeAlias = Literal[
+    "color", "color-2", "color-3", "color-4", "color-5", "color-6", "color-7", "color-8"
+]
+TargetName: TypeAlias = Literal[ColorName, "cache", "cache-2", "mask", ParkedName]
 ReadName: TypeAlias = Literal[
     "previous-cache", "current-cache", "previous-cache-2", "current-cache-2", ParkedName
 ]

@@ -36,11 +36,16 @@ class SourcesEntry(kinds.ManifestPart, frozen=True, kw_only=True):
     vertex: SourceEntry
 
 
-class ColorEntry(kinds.ManifestPart, frozen=True, kw_only=True):
-    """The one colour output."""
+class OutputEntry(kinds.ManifestPart, frozen=True, kw_only=True):
+    """An output of the user's shader, and the targets that it is drawn into."""
 
     output: kinds.Identifier
-    location: Literal[0]
+    type: kinds.GlslType
+    location: Annotated[kinds.Unsigned, Meta(le=7, description="of the first target")]
+    targets: Annotated[
+        tuple[kinds.ColorName, ...],
+        Meta(description="one, or of an array one for each element", min_length=1),
+    ]
 
 
 class DependencyEntry(kinds.ManifestPart, frozen=True, kw_only=True):
@@ -108,7 +113,10 @@ class Manifest(kinds.ManifestPart, frozen=True, kw_only=True):
         ),
     ]
     mode: ModeName
-    color: ColorEntry
+    outputs: Annotated[
+        tuple[OutputEntry, ...],
+        Meta(description="the user's, in the order of their locations", min_length=1),
+    ]
     cache: CacheEntry
     targets: Annotated[
         dict[kinds.TargetName, TargetEntry],
@@ -210,6 +218,7 @@ class OriginalManifest(kinds.ManifestPart, frozen=True, kw_only=True):
     schema_version: Literal[2]
     mode: ModeName
     inputs: tuple[InputEntry, ...]
+    outputs: tuple[OutputEntry, ...]
     original: pass_model.PassEntry
 
 

@@ -33,9 +33,12 @@ class Setting:
     renamed: Mapping[str, str]
 
 
+FEWEST_ATTACHMENTS = 4
+"""Colour attachments that OpenGL ES 3.0 and WebGL 2 promise (3.0.6 table 6.34)."""
+
 FRAME = (
     "Swap the two caches: what was written in the last frame is the previous cache now.",
-    "Clear the depth buffer to 1, the colour target to the background, and the cache that is "
+    "Clear the depth buffer to 1, the colour targets to the background, and the cache that is "
     "written in this frame to cache.clear.",
     "Set the uniforms. A name among the values of 'previous' gets what its key had in the last "
     "frame (of a jittered projection: with the jitter of this frame, which is no motion); the "
@@ -162,8 +165,8 @@ RELIES_ON = (
     "opaque geometry, drawn without blending, alpha to coverage or multisampling",
     "the depth function 'less' in the application, with depth cleared to 1; for any other, "
     "depth_functions says what the passes' are and what depth is cleared to",
-    "one colour output; colours are written as the shader computes them, with no conversion to "
-    "sRGB between the passes",
+    "colours are written as the shader computes them, with no conversion to sRGB between the "
+    "passes",
     WHOLE_TARGET,
     "the same geometry, in the same order, in every pass of a frame",
     ONE_VIEW,
@@ -263,11 +266,12 @@ def relies_on(configuration: Configuration, programs: ProgramSet, setting: Setti
         relies.append(
             "isotropic texture filtering: levels of detail are asked for ahead, then fetched at"
         )
-    relies += [
-        f"{len(emitted.targets)} colour attachments in one pass: OpenGL has 8 or more, OpenGL ES "
-        "and WebGL may have 4"
-        for emitted in parks
-    ]
+    most = max(len(emitted.targets) for emitted in programs.passes)
+    if most > FEWEST_ATTACHMENTS:
+        relies.append(
+            f"{most} colour attachments in one pass: OpenGL has 8 or more, OpenGL ES and WebGL may "
+            f"have {FEWEST_ATTACHMENTS}"
+        )
     return [*relies, *_of_mapping(setting)]
 
 

@@ -214,7 +214,7 @@ class _GroupRun(Resource):
             if shown and isinstance(timed, TimedVariant):
                 self.shots.append(timed.shot(reference))
             elif shown:
-                self.pictures[timed.subject.label] = self._world.targets.pixels()
+                self.pictures[timed.subject.label] = self._world.targets.shown()
         for parts in self._parts.values():
             if options.times_payload(frame):
                 parts.time_payload(self._clock, frame)

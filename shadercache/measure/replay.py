@@ -101,7 +101,7 @@ class Watched:
         # In every frame, though few images are looked at: ages follow from the last frame's.
         mask = None if self._variant is None else self._variant.runner.outcomes(seen.frame)
         self.timed.subject.draw(seen.frame)
-        image = self._world.targets.pixels() if seen.measured or seen.kept else None
+        image = self._world.targets.shown() if seen.measured or seen.kept else None
         if mask is not None:
             self._ages = self._next_ages(mask, seen.motion)
         if image is not None:

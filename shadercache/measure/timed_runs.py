@@ -75,7 +75,7 @@ class TimedOriginal:
 
     def keep_image(self, frame: int) -> None:
         """Keep the original's pixels, which were just drawn, and the mask of covered pixels."""
-        self.pixels = self._world.targets.pixels()
+        self.pixels = self._world.targets.shown()
         self.covered = self._coverage.coverage(frame)
 
     def share(self, seconds: dict[int, float]) -> float:
@@ -120,7 +120,7 @@ class TimedSubject:
 
     def compare(self, reference: TimedOriginal) -> None:
         """Add the image in the colour target to the error."""
-        pixels = self._world.targets.pixels()
+        pixels = self._world.targets.shown()
         self._frame_rmse.append(self._error.add(reference.pixels, pixels, reference.covered))
 
     def speedup(self, reference: TimedOriginal) -> Ratio:
@@ -170,7 +170,7 @@ class TimedVariant(TimedSubject):
 
     def shot(self, reference: TimedOriginal) -> results.Shot:
         """The pictures of the frame that was just drawn and looked at."""
-        subject, cached = self.variant, self._world.targets.pixels()
+        subject, cached = self.variant, self._world.targets.shown()
         return results.Shot(
             subject.label, subject.configuration, reference.pixels, cached, self._outcome
         )

@@ -16,8 +16,9 @@ from shadercache.gpu.fractions import Viewport, divided
 from shadercache.gpu.textures import GlTexture, texture_kind
 from shadercache.gpu.uniform_blocks import Uniform
 from shadercache.manifest.interface import UniformInput
-from shadercache.render.bundle import Naming, PassSpec
+from shadercache.render.bundle import Naming
 from shadercache.render.drawable import Drawable
+from shadercache.render.pass_spec import PassSpec
 from shadercache.render.render_scene import RenderScene
 from shadercache.scene.camera import Values
 from shadercache.scene.object_inputs import root_of
@@ -90,7 +91,11 @@ class BoundPass:
         self._world, self._drawable, self._spec = world, drawable, spec
         self._values: list[tuple[Uniform, Literal["now", "before", "numbers"], str]] = []
         self._units: list[tuple[Uniform, GlTexture | str]] = []
-        self._program = world.programs.acquire(spec.vertex, spec.fragment, spec.inputs, captured)
+        if spec.colors:
+            world.targets.outputs = spec.colors
+        self._program = world.programs.acquire(
+            spec.vertex, spec.fragment, spec.inputs, captured, spec.locations
+        )
         try:
             self._array = drawable.vertex_array(self._program, self.over_screen)
             self._bind(naming)
@@ -163,6 +168,7 @@ class BoundPass:
     def _targets(self, caches: CachePair | None) -> tuple[moderngl.Texture, ...]:
         shared = self._world.targets
         by_name = {"color": shared.color}
+        by_name |= {color.name: shared.output(color) for color in self._spec.colors}
         if caches is not None:
             # A cache has one texture or two.
             by_name |= dict(zip(CACHE_TARGETS, caches.current, strict=False))

@@ -10,20 +10,22 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal
 
 from msgspec import UNSET, structs
 
 from shadercache import foreign_files as foreign
-from shadercache.caching.algorithms import PARKED, USUAL, Drawn
+from shadercache.caching.algorithms import PARKED, USUAL
 from shadercache.caching.configuration import DEFAULT_EPSILON, DIVISORS, Configuration
 from shadercache.caching.settings import with_settings
 from shadercache.diagnostics import input_error, usage_error
+from shadercache.gpu.color_targets import ColorTarget, output_kind
 from shadercache.manifest.codec import decode, unusable
-from shadercache.manifest.interface import InputEntry, declared_of
+from shadercache.manifest.interface import declared_of
 from shadercache.manifest.model import AnyManifest, Manifest, NeededManifest
 from shadercache.manifest.pass_model import PassEntry
 from shadercache.render.depth_spec import DepthSpec, depth_spec
+from shadercache.render.pass_spec import NeededPass, PassSpec
 from shadercache.scene.object_inputs import root_of
 from shadercache.source import Source
 
@@ -32,37 +34,6 @@ RATES = {divisor: rate for rate, divisor in DIVISORS.items()}
 """Payload rates by their divisors."""
 
 _VERSION_LINE = re.compile(r"^\s*#\s*version\b.*$", re.MULTILINE)
-
-
-@dataclass(frozen=True, eq=False)
-class PassSpec:
-    """One draw of all objects, or of one triangle over the screen for all of them, or for those of
-    a group.
-
-    Targets stand at their index. ``looks``: does it look up what the last frame stored?
-    ``parked``: the formats of what is parked. ``inputs``: what it declares of the user's, and the
-    twins. ``divisor``: how many times smaller than the picture the targets are, in each direction.
-    """
-
-    name: str
-    vertex: Source
-    fragment: Source
-    targets: tuple[str, ...] = ("color",)
-    depth: DepthSpec = field(default_factory=DepthSpec)
-    on_reset: bool = False
-    looks: bool = False
-    draws: Drawn = "objects"
-    parked: Mapping[str, str] = field(default_factory=dict)
-    inputs: tuple[InputEntry, ...] = ()
-    divisor: int = 1
-
-
-class NeededPass(NamedTuple):
-    """Tells which pixels have payloads (1), do without (2), or have some that a guard keeps from
-    being reused (3). ``by_some``: may there be pixels without?"""
-
-    spec: PassSpec
-    by_some: bool
 
 
 @dataclass(frozen=True)
@@ -183,7 +154,7 @@ class Bundle:
         """
         for variant in self._variants.variants:
             if variant.algorithm == algorithm:
-                return tuple(map(self._pass, variant.passes))
+                return tuple(map(self._drawing, variant.passes))
         reason = self.refused.get(algorithm)
         message = f"node {self.node('id')} has no {algorithm} variant here"
         message += f": {reason}" if reason else ""
@@ -228,7 +199,9 @@ class Bundle:
         """The unchanged shader."""
         if isinstance(self.manifest, NeededManifest):
             raise unusable("it tells of no original")
-        return self._pass(self.manifest.original)
+        # The text is the user's own: what has no location in it is given one.
+        outputs = {output.output: output.location for output in self.manifest.outputs}
+        return replace(self._drawing(self.manifest.original), locations=outputs)
 
     @cached_property
     def payload(self) -> PassSpec:
@@ -319,6 +292,11 @@ class Bundle:
         apart = divisor > 1 or (self.enlarged > 1 and "color" not in entry.targets)
         return depth_spec(entry.depth, apart)
 
+    def _drawing(self, entry: PassEntry) -> PassSpec:
+        """A pass that draws the user's outputs, or none of them."""
+        spec = self._pass(entry)
+        return replace(spec, colors=self.colors) if "color" in spec.targets else spec
+
     def _pass(self, entry: PassEntry) -> PassSpec:
         divisor = self._divisor(entry)
         return PassSpec(
@@ -333,6 +311,16 @@ class Bundle:
             parked=self._parked,
             divisor=divisor,
             inputs=declared_of(self.manifest.inputs, entry.uniforms, entry.attributes),
+        )
+
+    @cached_property
+    def colors(self) -> tuple[ColorTarget, ...]:
+        """The targets of the user's outputs."""
+        outputs = () if isinstance(self.manifest, NeededManifest) else self.manifest.outputs
+        return tuple(
+            ColorTarget(name, *output_kind(output.type))
+            for output in outputs
+            for name in output.targets
         )
 
     def _divisor(self, entry: PassEntry) -> int:

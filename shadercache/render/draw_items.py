@@ -20,11 +20,11 @@ from shadercache.render.bundle import (
     CacheSpec,
     LinkedObject,
     Naming,
-    PassSpec,
 )
 from shadercache.render.depth_spec import DepthSpec
 from shadercache.render.drawable import Drawable
 from shadercache.render.pass_runners import Runner
+from shadercache.render.pass_spec import PassSpec
 from shadercache.render.render_scene import RenderScene
 
 OLDEST_IN_HALF = 1024

@@ -13,10 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.diagnostics import DiagnosticError
+from shadercache.gpu.color_targets import as_floats
 from shadercache.gpu.resource import Resource
 from shadercache.render.bound_pass import BoundPass, plain_inputs
-from shadercache.render.bundle import NO_NAMES, Bundle, LinkedObject, Naming, PassSpec
+from shadercache.render.bundle import NO_NAMES, Bundle, LinkedObject, Naming
 from shadercache.render.drawable import Drawable
+from shadercache.render.pass_spec import PassSpec
 from shadercache.render.render_scene import RenderScene
 from shadercache.scene.graphics_state import ORIGINALS
 
@@ -39,7 +41,7 @@ class Runner(Resource):
         """Draw one frame (counted from 0) into the render scene's colour target."""
 
     def image(self, frame: int) -> NDArray[np.float32]:
-        """Draw one frame and read it: (h, w, 4), display-encoded."""
+        """Draw one frame and read it: (h, w, 4 for each output), as :meth:`Targets.image`."""
         self.draw(frame)
         return self.world.targets.image()
 
@@ -155,7 +157,7 @@ class CoverageRunner(PassRunner):
         self._draw_objects(frame, depth_test="==")
         context.disable(moderngl.BLEND)
         # Each fragment adds 1/4: more than 3/8 is two at least.
-        return targets.image()[..., 0] > 0.375
+        return as_floats(targets.pixels())[..., 0] > 0.375
 
 
 def render_original(

@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.render.bound_pass import BoundPass, FrameInputs
-from shadercache.render.bundle import Naming, PassSpec
+from shadercache.render.bundle import Naming
 from shadercache.render.drawable import Drawable
+from shadercache.render.pass_spec import PassSpec
 from shadercache.render.render_scene import RenderScene
 
 Positions = NDArray[np.float32]

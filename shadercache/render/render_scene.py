@@ -135,7 +135,7 @@ class RenderScene(Resource):
         )
         self.gpu.ctx.enable_only(flags)
         apply_state(self.gpu.ctx, self.scene.view.engine)
-        self.targets.clear(self.targets.color)
+        self.targets.clear_outputs()
 
     def set_culling(self, drawable: Drawable) -> None:
         """Draw back faces of this object or not, where objects differ in that."""

@@ -188,14 +188,11 @@ class VariantRunner(Runner):
         for turn in frame_turns:
             if turn.bound.name != last:
                 turn.draw()
-        targets.framebuffer((targets.color,), None).clear(
-            _UNWRITTEN, _UNWRITTEN, _UNWRITTEN, _UNWRITTEN
-        )
+        targets.paint(_UNWRITTEN)
         for turn in frame_turns:
             if turn.bound.name == last:
                 turn.draw()
-        written: NDArray[np.bool_] = (targets.image() != np.float32(_UNWRITTEN)).any(axis=-1)
-        return written
+        return ~targets.painted(_UNWRITTEN)
 
     def note_hits(self, frame: int, rate: float) -> None:
         """Tell the run the share of hits of the frame that is about to be drawn: where it falls

@@ -189,7 +189,7 @@ class TrialRoom(Resource):
         world = self._opened[2]
         with PayloadRunner(world, *subject.objects) as runner:
             runner.draw(options.picture_frame)
-            return world.targets.pixels()
+            return world.targets.shown()
 
     def _close(self) -> None:
         if self._opened is not None:

@@ -16,7 +16,7 @@ from collections.abc import Mapping
 from typing import Literal, TypeAlias
 
 from shadercache.ast import nodes as n
-from shadercache.lang.types import Type
+from shadercache.lang.types import FLOAT, Type
 from shadercache.source import NOWHERE
 
 FetchForm: TypeAlias = Literal["whole", "level"]
@@ -37,9 +37,9 @@ def form_of(fetch: n.Expr, wanted: FetchForm, types: Mapping[n.Expr, Type]) -> F
     return wanted if types[fetch.args[0]].name in _SPLIT else "whole"
 
 
-def type_ahead(fetch: n.Expr, form: FetchForm, types: Mapping[n.Expr, Type]) -> str:
+def type_ahead(fetch: n.Expr, form: FetchForm, types: Mapping[n.Expr, Type]) -> Type:
     """The type of the variable that holds what was done ahead."""
-    return "float" if form == "level" else str(types[fetch])
+    return FLOAT if form == "level" else types[fetch]
 
 
 def hoisted_part(fetch: n.Expr, form: FetchForm) -> n.Expr:

@@ -18,8 +18,9 @@ from shadercache.caching.layout import Layout
 from shadercache.compiler import emit_needed
 from shadercache.diagnostics import InputError
 from shadercache.render.bound_pass import BoundPass, FrameInputs, plain_inputs
-from shadercache.render.bundle import Bundle, Naming, PassSpec
+from shadercache.render.bundle import Bundle, Naming
 from shadercache.render.draw_items import DrawItem
+from shadercache.render.pass_spec import PassSpec
 from shadercache.render.position_pass import PositionPass, Positions
 from shadercache.render.surfaces import Mask
 from shadercache.render.variant_runner import VariantRunner

@@ -28,7 +28,7 @@ def check(analysis: Analysis) -> int:
     """Every node costs what a walk of the whole shader says; how many were compared."""
     program = analysis.program
     table, costs = EffectTable(program.module), CostTable(program.facts)
-    overlaps = SharedWorkTable(analysis.candidates.instances, table, costs, program.color)
+    overlaps = SharedWorkTable(analysis.candidates.instances, table, costs, program.colors)
     nodes = [node for node in analysis.nodes if node.legal]
     for node in nodes[:: 1 + len(nodes) // MOST]:
         assert overlaps.parts([node]) == overlaps.parts_of_set([node]), (node.path, node.text)

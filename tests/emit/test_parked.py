@@ -17,7 +17,7 @@ from shadercache.caching.algorithms import algorithm
 from shadercache.caching.configuration import Mode
 from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import InputError
-from shadercache.emit.parking import MOST_TARGETS
+from shadercache.analysis.outputs import MOST_TARGETS
 from shadercache.source import Source
 from tests.configured import configured, rewritten
 from tests.glslang import needs_glslang, objections

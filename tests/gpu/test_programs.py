@@ -19,8 +19,8 @@ from shadercache.gpu.context import APT_LINE, Gpu, open_context
 from shadercache.gpu.targets import Targets
 from shadercache.gpu.textures import load_pixels
 from shadercache.manifest.interface import InputEntry
-from shadercache.render.bundle import PassSpec
 from shadercache.render.pass_runners import PassRunner
+from shadercache.render.pass_spec import PassSpec
 from shadercache.render.render_scene import RenderScene
 from shadercache.scene.description import Scene
 from shadercache.scene.mesh import load_mesh

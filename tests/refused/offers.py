@@ -107,8 +107,9 @@ def programs(analysis: Analysis) -> dict[str, dict[str, str]]:
 
 def _original(analysis: Analysis) -> Shader:
     """The shader as the analyses see it, without what it does not need."""
-    color = analysis.program.color
-    return interface(with_locations(remove_dead(analysis.program.module, [color]), (color,)))
+    program = analysis.program
+    locations = {output.name: output.location for output in program.outputs}
+    return interface(with_locations(remove_dead(program.module, program.colors), locations))
 
 
 def _files(analysis: Analysis, fragment: Shader) -> dict[str, str]:

@@ -34,7 +34,12 @@ class Canvas:
         for texture in self.caches[0] + self.caches[1]:
             texture.filter = (FILTERS[cache["filter"]],) * 2
             texture.repeat_x = texture.repeat_y = False
-        self.color = ctx.texture(size, 4, dtype="f4")
+        self.outputs = {
+            name: self._output(size, output["type"])
+            for output in manifest["outputs"]
+            for name in output["targets"]
+        }
+        self.color = self.outputs["color"]
         self.depths = {edges: ctx.depth_renderbuffer(edges) for edges in (size, small)}
         self.empty = [ctx.framebuffer((), depth) for depth in self.depths.values()]
         self.marks = ctx.depth_renderbuffer(size)
@@ -59,6 +64,11 @@ class Canvas:
             kind = precision.removeprefix("rgba")
         return self.ctx.texture(size, CHANNELS[channels], dtype=DTYPES[kind])
 
+    def _output(self, size: tuple[int, int], kind: str) -> moderngl.Texture:
+        channels = int(kind.partition("[")[0][-1]) if "vec" in kind else 1
+        dtype = {"i": "i4", "u": "u4"}.get(kind[0], "f4")
+        return self.ctx.texture(size, 4 if channels == 3 else channels, dtype=dtype)
+
     def park(self, targets: Mapping[str, Any]) -> dict[str, moderngl.Texture]:
         """What a pass parks for a later one, by name; ``targets`` as the manifest has it."""
         for name, target in targets.items():
@@ -76,7 +86,8 @@ class Canvas:
         self._clear(current)
         for framebuffer in self.empty:
             framebuffer.clear(depth=1.0)
-        self.framebuffer(self.color, depth=False).clear(0.0, 0.0, 0.0, 0.0)
+        for texture in self.outputs.values():
+            texture.write(bytes(4 * texture.components * texture.width * texture.height))
 
     def holds(self, folder: Path, item: Mapping[str, Any]) -> bool:
         """Has this frame a pass over the screen already, since another object has drawn it?"""
@@ -87,10 +98,15 @@ class Canvas:
         return False
 
     def end(self) -> np.ndarray:
-        """Swap the caches; the colours, (h, w, 4) float32 with row 0 at the bottom."""
+        """Swap the caches; the first output, (h, w, channels) with row 0 at the bottom."""
         self.caches.reverse()
-        width, height = self.color.size
-        return np.frombuffer(self.color.read(), "f4").reshape(height, width, 4)
+        return self.read("color")
+
+    def read(self, name: str) -> np.ndarray:
+        """One of the outputs, (h, w, channels) with row 0 at the bottom."""
+        texture = self.outputs[name]
+        width, height = texture.size
+        return np.frombuffer(texture.read(), texture.dtype).reshape(height, width, -1)
 
     def _clear(self, cache: list[moderngl.Texture]) -> None:
         for texture, layer in zip(cache, self.layers, strict=True):

@@ -104,7 +104,7 @@ class IndependentRunner:
             numbers |= {i["role"]: i["on_reset"] for i in uniforms if "on_reset" in i}
         parked = self.canvas.park(self.manifest["targets"])
         previous, current = self.canvas.caches
-        targets = {"color": self.canvas.color, **_named("cache", current), **parked}
+        targets = {**self.canvas.outputs, **_named("cache", current), **parked}
         caches = parked | _named("previous-cache", previous) | _named("current-cache", current)
         self.ctx.enable_only(self.flags)
         used = (targets[name] for name in item["targets"])

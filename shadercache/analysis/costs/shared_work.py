@@ -56,10 +56,14 @@ class SharedWorkTable:
     """Splits one shader at any of its nodes."""
 
     def __init__(
-        self, instances: tuple[Instance, ...], table: EffectTable, costs: CostTable, color: str
+        self,
+        instances: tuple[Instance, ...],
+        table: EffectTable,
+        costs: CostTable,
+        outputs: Iterable[str],
     ) -> None:
         self._main, self._table, self._costs = instances[0], table, costs
-        self._outputs = frozenset((color,))
+        self._outputs = frozenset(outputs)
         self._bodies: dict[n.FunctionDef, Body] = {}
         self._mentions: dict[n.FunctionDef, Names] = {}
         self.whole = self._cost((), goal=False)
