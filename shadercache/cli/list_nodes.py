@@ -46,7 +46,7 @@ def command(
         typer.Option(help="The table by call path and place, or by P/T; --all if nothing is said."),
     ] = None,
     reading: ShaderOptions = READ,
-    as_json: Annotated[bool, typer.Option("--json", help="The same as JSON.")] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="Everything as JSON.")] = False,
 ) -> None:
     """Say which values of a shader are worth caching, or list them all.
 

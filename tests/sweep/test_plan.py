@@ -195,3 +195,11 @@ def test_a_setting_that_is_not_known(rings: SceneFile) -> None:
         planned(rings, cache=("filter=none",))
     with pytest.raises(UsageError, match="SC010"):
         planned(rings, nodes=("nothing",))
+
+
+def test_a_node_by_its_text_is_that_node(rings: SceneFile) -> None:
+    [by_text] = planned(rings, nodes=("rings( v_position )",), passes=("2",))
+    assert by_text.payload.label == "rings( v_position )"
+    assert by_text.payload.text == "rings(v_position)"
+    [by_id] = planned(rings, nodes=by_text.payload.ids, passes=("2",))
+    assert by_text.configurations == by_id.configurations
