@@ -162,7 +162,22 @@ def result_table(
     more = tuple(_PERCEIVED) if measurement.options.perceptual else ()
     header = ("node", "P/T", "static", "variant", *figures, *more)
     right = " ".join(("P/T static ratio tail hits RMSE eff.", *more))
-    return format_table(header, rows, right=right)
+    return "\n".join([format_table(header, rows, right=right), *_outputs(measurement, label)])
+
+
+def _outputs(measurement: Measurement, label: Callable[[NodeResult], str]) -> Iterator[str]:
+    """The error of each output, where the shader has several."""
+    for node in measurement.nodes:
+        for variant in node.variants:
+            told = (
+                f"{one.output} {one.error:.2%} changed"
+                if one.integers
+                else f"{one.output} {one.error:.4f}"
+                for one in variant.outputs
+            )
+            if variant.outputs:
+                name = measurement.name(variant.configuration)
+                yield f"error by output, {label(node)}, {name}: {', '.join(told)}"
 
 
 def _perceived(variant: VariantResult) -> tuple[str, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
@@ -70,6 +71,11 @@ def read_output(texture: moderngl.Texture, target: ColorTarget) -> NDArray[np.ge
         filled[..., 1] = filled[..., 2] = pixels[..., 0]
     filled[..., 3] = 255 if dtype == np.uint8 else 1
     return filled
+
+
+def first_seen(outputs: Sequence[ColorTarget]) -> int:
+    """Which of the outputs people look at: the first of floats, or else the first."""
+    return next((at for at, output in enumerate(outputs) if output.base == "float"), 0)
 
 
 def shown(pixels: NDArray[np.generic]) -> NDArray[np.generic]:

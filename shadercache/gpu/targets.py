@@ -17,6 +17,7 @@ from shadercache.gpu.color_targets import (
     COLOR,
     ColorTarget,
     as_floats,
+    first_seen,
     output_texture,
     read_output,
     shown,
@@ -64,7 +65,7 @@ class Targets:
         self._surface: moderngl.Texture | None = None
         self._parked: dict[tuple[str, str], moderngl.Texture] = {}
         self.outputs: tuple[ColorTarget, ...] = (COLOR,)
-        """What is drawn in a frame: the first is what people see."""
+        """What is drawn in a frame."""
         self._outputs: dict[ColorTarget, moderngl.Texture] = {}
         try:
             self.color = ctx.texture(size, 4, dtype=COLOR_FORMATS[color])
@@ -206,9 +207,9 @@ class Targets:
         return tuple(read_output(self.output(target), target) for target in self.outputs)
 
     def shown(self) -> NDArray[np.generic]:
-        """The first output as people see it, (h, w, 4) uint8 or floats, row 0 at the bottom."""
-        first = self.outputs[0]
-        return shown(read_output(self.output(first), first))
+        """What people see of the outputs, (h, w, 4) uint8 or floats, row 0 at the bottom."""
+        seen = self.outputs[first_seen(self.outputs)]
+        return shown(read_output(self.output(seen), seen))
 
     def image(self) -> NDArray[np.float32]:
         """The outputs side by side as float32 (h, w, 4 each), row 0 at the bottom.

@@ -14,7 +14,7 @@ from shadercache.manifest import kinds, pass_model
 from shadercache.manifest.cache_model import CacheEntry, NodeEntry, TargetEntry
 from shadercache.manifest.interface import InputEntry
 
-SCHEMA_VERSION: Literal[2] = 2
+SCHEMA_VERSION: Literal[3] = 3
 
 ModeName: TypeAlias = Annotated[
     Literal["plain", "proof"],
@@ -100,7 +100,7 @@ class Manifest(kinds.ManifestPart, frozen=True, kw_only=True):
     are cached together. A renderer that knows only this file and the shaders it names can run them.
     """
 
-    schema_version: Literal[2]
+    schema_version: Literal[3]
     generator: Annotated[kinds.Words, Meta(description="program and version that wrote the files")]
     source: SourcesEntry
     nodes: Annotated[
@@ -215,7 +215,7 @@ class Manifest(kinds.ManifestPart, frozen=True, kw_only=True):
 class OriginalManifest(kinds.ManifestPart, frozen=True, kw_only=True):
     """How the unchanged shader is drawn: what the harness compares variants with."""
 
-    schema_version: Literal[2]
+    schema_version: Literal[3]
     mode: ModeName
     inputs: tuple[InputEntry, ...]
     outputs: tuple[OutputEntry, ...]
@@ -225,7 +225,7 @@ class OriginalManifest(kinds.ManifestPart, frozen=True, kw_only=True):
 class NeededManifest(kinds.ManifestPart, frozen=True, kw_only=True):
     """How it is drawn which pixels have payloads."""
 
-    schema_version: Literal[2]
+    schema_version: Literal[3]
     mode: ModeName
     inputs: tuple[InputEntry, ...]
     needed: pass_model.NeededEntry

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from shadercache.caching.configuration import Assignment, Configuration
 from shadercache.measure.image_error import ErrorStats, Pixels
 from shadercache.measure.metrics.perceived import Perceived
+from shadercache.measure.output_errors import OutputError
 from shadercache.measure.statistics import (
     Ratio,
     Reached,
@@ -153,7 +154,8 @@ class SubjectResult:
 
     ``timing`` of all frames but reset frames. ``speedup`` is original / this, frame by frame.
     ``error`` over all images that were compared, ``frame_rmse`` of each of them. ``perceived``:
-    None unless it was asked for (``MeasureOptions.perceptual``).
+    None unless it was asked for (``MeasureOptions.perceptual``). ``outputs``: the error of each
+    output, where the shader has several.
     """
 
     timing: Timing
@@ -161,6 +163,7 @@ class SubjectResult:
     error: ErrorStats
     frame_rmse: tuple[float, ...]
     perceived: Perceived | None
+    outputs: tuple[OutputError, ...]
 
 
 @dataclass(frozen=True, slots=True)

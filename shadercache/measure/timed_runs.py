@@ -12,9 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.gpu.clock import Clock
+from shadercache.gpu.color_targets import first_seen, shown
 from shadercache.measure import measurement as results
-from shadercache.measure.image_error import ErrorSum, Pixels
+from shadercache.measure.image_error import Pixels
 from shadercache.measure.metrics.perceived import Perceived
+from shadercache.measure.output_errors import OutputErrors
 from shadercache.measure.statistics import Ratio, Timing, paired_ratio, timing
 from shadercache.measure.subjects import Subject, VariantSubject
 from shadercache.render import pass_runners
@@ -38,6 +40,8 @@ class TimedOriginal:
         self.original: dict[int, float] = {}
         self.geometry: dict[int, float] = {}
         self.pixels: Pixels = np.zeros((0, 0, 4), np.uint8)
+        self.outputs: tuple[Pixels, ...] = ()
+        self.output_names = bundles[0].output_names
         self.covered: NDArray[np.bool_] = np.zeros((0, 0), np.bool_)
 
     def warm_up(self, frame: int) -> None:
@@ -75,7 +79,8 @@ class TimedOriginal:
 
     def keep_image(self, frame: int) -> None:
         """Keep the original's pixels, which were just drawn, and the mask of covered pixels."""
-        self.pixels = self._world.targets.shown()
+        self.outputs = self._world.targets.output_pixels()
+        self.pixels = shown(self.outputs[first_seen(self._world.targets.outputs)])
         self.covered = self._coverage.coverage(frame)
 
     def share(self, seconds: dict[int, float]) -> float:
@@ -98,7 +103,7 @@ class TimedSubject:
         self.subject = subject
         self.times: dict[int, float] = {}
         self._world = world
-        self._error = ErrorSum()
+        self._error = OutputErrors()
         self._frame_rmse: list[float] = []
         self.perceived: Perceived | None = None
         subject.prepare(world)
@@ -120,8 +125,8 @@ class TimedSubject:
 
     def compare(self, reference: TimedOriginal) -> None:
         """Add the image in the colour target to the error."""
-        pixels = self._world.targets.shown()
-        self._frame_rmse.append(self._error.add(reference.pixels, pixels, reference.covered))
+        outputs = self._world.targets.output_pixels()
+        self._frame_rmse.append(self._error.add(reference.outputs, outputs, reference.covered))
 
     def speedup(self, reference: TimedOriginal) -> Ratio:
         """The original's time over this one's, without the reset frame."""
@@ -138,6 +143,7 @@ class TimedSubject:
             error=self._error.stats(),
             frame_rmse=tuple(self._frame_rmse),
             perceived=self.perceived,
+            outputs=self._error.each(reference.output_names),
         )
 
 
@@ -220,6 +226,7 @@ class TimedVariant(TimedSubject):
             error=whole.error,
             frame_rmse=whole.frame_rmse,
             perceived=whole.perceived,
+            outputs=whole.outputs,
             floor=None if floor is None else floor * float(original),
             # The floor is a share of the original: times original / time, it is floor / time.
             efficiency=None if floor is None else floor * whole.speedup.median,

@@ -314,6 +314,16 @@ class Bundle:
         )
 
     @cached_property
+    def output_names(self) -> tuple[str, ...]:
+        """The user's name of what is drawn into each of ``colors``."""
+        outputs = () if isinstance(self.manifest, NeededManifest) else self.manifest.outputs
+        return tuple(
+            f"{output.output}[{at}]" if "[" in output.type else output.output
+            for output in outputs
+            for at, _ in enumerate(output.targets)
+        )
+
+    @cached_property
     def colors(self) -> tuple[ColorTarget, ...]:
         """The targets of the user's outputs."""
         outputs = () if isinstance(self.manifest, NeededManifest) else self.manifest.outputs

@@ -36,6 +36,7 @@ def variant(perceived: Perceived | None = None) -> VariantResult:
         floor=None,
         efficiency=None,
         bytes_per_pixel=16.0,
+        outputs=(),
     )
 
 

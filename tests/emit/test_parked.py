@@ -13,11 +13,11 @@ from shaders import INTERFACE, analysed, find
 
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.effects import Does
+from shadercache.analysis.outputs import MOST_TARGETS
 from shadercache.caching.algorithms import algorithm
 from shadercache.caching.configuration import Mode
 from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import InputError
-from shadercache.analysis.outputs import MOST_TARGETS
 from shadercache.source import Source
 from tests.configured import configured, rewritten
 from tests.glslang import needs_glslang, objections

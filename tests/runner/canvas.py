@@ -34,6 +34,7 @@ class Canvas:
         for texture in self.caches[0] + self.caches[1]:
             texture.filter = (FILTERS[cache["filter"]],) * 2
             texture.repeat_x = texture.repeat_y = False
+        self.written: dict[int, int] = {}
         self.outputs = {
             name: self._output(size, output["type"])
             for output in manifest["outputs"]
@@ -67,7 +68,9 @@ class Canvas:
     def _output(self, size: tuple[int, int], kind: str) -> moderngl.Texture:
         channels = int(kind.partition("[")[0][-1]) if "vec" in kind else 1
         dtype = {"i": "i4", "u": "u4"}.get(kind[0], "f4")
-        return self.ctx.texture(size, 4 if channels == 3 else channels, dtype=dtype)
+        made = self.ctx.texture(size, 4 if channels == 3 else channels, dtype=dtype)
+        self.written[made.glo] = channels
+        return made
 
     def park(self, targets: Mapping[str, Any]) -> dict[str, moderngl.Texture]:
         """What a pass parks for a later one, by name; ``targets`` as the manifest has it."""
@@ -98,15 +101,22 @@ class Canvas:
         return False
 
     def end(self) -> np.ndarray:
-        """Swap the caches; the first output, (h, w, channels) with row 0 at the bottom."""
+        """Swap the caches; the outputs side by side, (h, w, 4 each) with row 0 at the bottom."""
         self.caches.reverse()
-        return self.read("color")
+        return np.concatenate([self._read(texture) for texture in self.outputs.values()], axis=-1)
 
-    def read(self, name: str) -> np.ndarray:
-        """One of the outputs, (h, w, channels) with row 0 at the bottom."""
-        texture = self.outputs[name]
+    def _read(self, texture: moderngl.Texture) -> np.ndarray:
+        """The floats of an output, or those of an integer's bits; what it has not is filled."""
         width, height = texture.size
-        return np.frombuffer(texture.read(), texture.dtype).reshape(height, width, -1)
+        raw = np.frombuffer(texture.read(), texture.dtype).reshape(height, width, -1)
+        written = self.written[texture.glo]
+        read = np.zeros((height, width, 4), raw.dtype)
+        read[..., :written] = raw[..., :written]
+        if written == 1:
+            read[..., 1] = read[..., 2] = raw[..., 0]
+        if written < 4:
+            read[..., 3] = 1
+        return read.view("f4")
 
     def _clear(self, cache: list[moderngl.Texture]) -> None:
         for texture, layer in zip(cache, self.layers, strict=True):
