@@ -21,7 +21,12 @@ from shadercache.sema.facts import Facts
 FIRST_TEXEL, SECOND_TEXEL = 3, 4
 """Channels for the payload in the two texels that a cache can have; the eighth holds the depth."""
 
-STORABLE = frozenset[str | None](("float", "int", "uint", "bool"))
+STORABLE = frozenset[str | None](
+    (
+        *("float", "int", "uint", "bool"),
+        *("float16_t", "int16_t", "uint16_t", "int8_t", "uint8_t"),
+    )
+)
 """Scalar types that a channel of 32 bits can hold."""
 
 

@@ -22,6 +22,8 @@ from shadercache.caching.configuration import CacheFormat, Configuration
 from shadercache.lang.types import FLOAT, INT, Type
 
 XYZW = "xyzw"
+FLOATING = frozenset(("float", "float16_t"))
+"""Scalars that lie in channels of floats, by their values."""
 TEXELS = (range(FIRST_TEXEL), range(FIRST_TEXEL, FIRST_TEXEL + SECOND_TEXEL))
 """The channels of payloads that lie in each texel."""
 
@@ -145,7 +147,7 @@ class Layout:
         """Are the texels unsigned integers?"""
         # Bits of integers do not survive in floats: a driver may change NaNs and flush the smallest
         # numbers to zero (GLSL 4.60 section 4.7.1).
-        return any(kind.bases != {"float"} for kind in self.types)
+        return any(not kind.bases <= FLOATING for kind in self.types)
 
     @property
     def used(self) -> int:
@@ -189,7 +191,9 @@ class Layout:
     @cached_property
     def _discrete(self) -> tuple[bool, ...]:
         """Of each channel that is taken: does it hold an integer or a boolean?"""
-        return tuple(leaf.type.base != "float" for leaf in self.stored("") for _ in leaf.channels)
+        return tuple(
+            leaf.type.base not in FLOATING for leaf in self.stored("") for _ in leaf.channels
+        )
 
     @property
     def read_back(self) -> tuple[tuple[int, bool], ...]:

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from itertools import groupby
 
 from shadercache.analysis.refusals import FIRST_TEXEL
-from shadercache.caching.layout import HALVINGS, TEXELS, XYZW, Layout, Leaf, place
+from shadercache.caching.layout import FLOATING, HALVINGS, TEXELS, XYZW, Layout, Leaf, place
 from shadercache.lang.types import Type
 
 
@@ -42,6 +42,7 @@ def payload_text(layout: Layout, prefix: str, whole: bool, numbers: tuple[str, s
     return "\n".join(lines)
 
 
+_SIGNED = ("int", "int16_t", "int8_t")
 _HUGE = "3.0e38"
 """More than any bound of a change."""
 
@@ -58,9 +59,16 @@ def _as_float(text: str, base: str | None, bits: bool) -> str:
     """A channel of a payload's type as a float."""
     if not bits:
         return text
-    if base == "float":
+    if base in FLOATING:
         return f"uintBitsToFloat({text})"
-    return f"float(int({text}))" if base == "int" else f"float({text})"
+    return f"float(int({text}))" if base in _SIGNED else f"float({text})"
+
+
+def _widened(text: str, base: str | None, count: int = 1) -> str:
+    """Half floats as floats, by their values."""
+    if base != "float16_t":
+        return text
+    return f"float({text})" if count == 1 else f"vec{count}({text})"
 
 
 def _largest(texts: Sequence[str]) -> str:
@@ -136,7 +144,7 @@ class _Text:
         # A vector may lie across both texels, as a `vec4` alone does.
         for texel, channels in groupby(map(place, leaf.channels), key=lambda where: where[0]):
             text = f"{self.texels[texel]}.{''.join(channel for _, channel in channels)}"
-            as_float = self.layout.bits and leaf.type.base == "float"
+            as_float = self.layout.bits and leaf.type.base in FLOATING
             parts.append(f"uintBitsToFloat({text})" if as_float else text)
         return parts
 
@@ -176,8 +184,8 @@ class _Text:
         ]
         # An integer or a boolean that is another has changed, however much.
         apart = [
-            f"abs({text} - {old}{at})"
-            if base == "float"
+            f"abs({_widened(text, base)} - {old}{at})"
+            if base in FLOATING
             else f"(float({text}) == {old}{at} ? 0.0 : {_HUGE})"
             for at, (text, base) in enumerate(zip(now, kinds, strict=True))
         ]
@@ -240,10 +248,11 @@ class _Text:
         return zero if count == 1 else f"{vector}{count}({zero})"
 
     def _to_channel(self, text: str, base: str | None, count: int) -> str:
+        text = _widened(text, base, count)
         if not self.layout.bits:
-            return text if base == "float" else f"float({text})"
+            return text if base in FLOATING else f"float({text})"
         if base == "uint":
             return text
-        if base == "float":
+        if base in FLOATING:
             return f"floatBitsToUint({text})"
         return f"uint({text})" if count == 1 else f"uvec{count}({text})"

@@ -24,6 +24,9 @@ FOLDER = Path(__file__).with_name("glsl")
 TYPE_WORDS = ("TEXEL", "TEXELS", "SAMPLERS", "SUMS", "CHANNEL")
 """Types that the layout of the payloads decides (:mod:`shadercache.caching.per_target`)."""
 
+# Payloads may be of these.
+_SMALL_TYPES = "#extension GL_EXT_shader_explicit_arithmetic_types : enable"
+
 # Up to an empty line: a comment right above a declaration belongs to that.
 _HEAD = re.compile(r"\A(?://.*\n)+(?=\n)")
 _LONGEST = 1_000_000  # Places of one file lie before those of the next.
@@ -49,8 +52,9 @@ def parse_template(text: str, prefix: str, structs: Sequence[str] = ()) -> Templ
     """A text that may use the user's structs of these names."""
     # The parser has to know that these are types; what is in them is declared elsewhere.
     types = (*(prefix + word for word in TYPE_WORDS), *structs)
-    head = ["#version 330", *(f"struct {name} {{ float unknown; }};" for name in types)]
-    module = parse(Source("template.glsl", "\n".join([*head, text])))
+    unknown = (f"struct {name} {{ float unknown; }};" for name in types)
+    whole = "\n".join(["#version 330", _SMALL_TYPES, *unknown, text])
+    module = parse(Source("template.glsl", whole))
     placed = _Placed(-next(_numbers) * _LONGEST)
     decls = placed.rewrite(replace(module, directives=())).decls[len(types) :]
     return Template(decls, tuple(placed.comment(comment) for comment in module.comments))

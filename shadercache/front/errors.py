@@ -18,7 +18,7 @@ from shadercache.front.declaration_callbacks import DeclaredHead, FullType
 from shadercache.front.preprocess import is_word
 from shadercache.front.tokens import Edition, Token, TokenStream
 from shadercache.front.unexpected import CLOSERS, PAIRS, Unexpected, gather
-from shadercache.lang import unsupported
+from shadercache.lang import extension_words
 from shadercache.lang.words import STATEMENT_WORDS, keyword_since, keywords, type_names
 
 _STATEMENT_ENDS = frozenset((";", "{", "}", ")", ":", ""))
@@ -67,8 +67,10 @@ def _of_extension(mistake: Unexpected) -> Diagnostic | None:
         return None
     here, before = (mistake.text, mistake.span), (mistake.before, mistake.before_span)
     # The word before comes first: an unknown type is met only at the name behind it.
+    known = keywords(*mistake.language)
     for text, span in (before, here):
-        if of_extension := unsupported.explained(text):
+        # Where the extension is on, the word is known, and the mistake another.
+        if text not in known and (of_extension := extension_words.explained(text)):
             return mistake.at(span, *of_extension, "SC111")
     return None
 

@@ -18,7 +18,7 @@ from lark.parsers.lalr_parser_state import ParserState
 from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.front.preprocess import MAX_WORD, Lexemes, is_number, is_word
 from shadercache.lang import words
-from shadercache.lang.unsupported import extension_of_number
+from shadercache.lang.extension_words import suffix_problem
 from shadercache.source import Source, Span
 
 MAX_OPERATORS = 1000
@@ -157,6 +157,8 @@ class TokenLexer(Lexer):
         for text, start, end in zip(lexemes.texts, lexemes.starts, lexemes.ends, strict=True):
             stream.index += 1
             kind = find(text)
+            if text == words.NONUNIFORM and _is_called(stream):
+                kind = "NAME"
             if kind is None:
                 kind = kinds[text] = _kind_of(text, stream)
             # The row of the state on top of the stack has the terminals that the parser can take.
@@ -182,6 +184,11 @@ class TokenLexer(Lexer):
                 if text in known or not is_word(text)
             }
         return kinds
+
+
+def _is_called(stream: TokenStream) -> bool:
+    """Does a bracket follow?"""
+    return stream.lexemes.texts[stream.index + 1 : stream.index + 2] == ["("]
 
 
 def _name_kind(text: str, scopes: TypeScopes, acceptable: Container[str]) -> str:
@@ -225,10 +232,6 @@ def _kind_of(text: str, stream: TokenStream) -> str:
         if is_number(text):
             _check_suffix(text, stream)
             return "LITERAL"
-        extension = extension_of_number(text)
-        if extension is not None:
-            message = f"'{text}' is of the extension {extension}, which is not supported"
-            raise stream.error("SC111", message)
         raise stream.error("SC102", f"'{text}' is not a number of GLSL")
     shown = f"'{text}'" if text.isprintable() else f"U+{ord(text):04X}"
     kind = "" if text.isascii() else ", which is not ASCII and may stand in comments only"
@@ -246,8 +249,11 @@ _SUFFIXES: dict[str, tuple[int | None, int | None, tuple[str, ...]]] = {
 
 def _check_suffix(text: str, stream: TokenStream) -> None:
     """Refuse the suffix of a literal where the version has none such (section 4.1)."""
+    if (problem := suffix_problem(text, stream.language.extensions)) is not None:
+        raise stream.error("SC111", *problem)
     # The last f of a hexadecimal number is a digit.
-    if text[-1] not in "fFuU" or (text[:2] in ("0x", "0X") and text[-1] in "fF"):
+    hexadecimal = text[:2] in ("0x", "0X") and text[-1] in "fF"
+    if text[-1] not in "fFuU" or text[-2:] in ("hf", "HF") or hexadecimal:
         return
     suffix = text[-2:] if text[-2] in "lL" else text[-1]
     desktop, es, extensions = _SUFFIXES[suffix.lower()]

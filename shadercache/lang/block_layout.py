@@ -8,6 +8,12 @@ from shadercache.lang.types import Type
 
 LAID_OUT = ("std140", "std430")
 _VEC4 = 16
+_BYTES = {
+    **dict.fromkeys(("double", "int64_t", "uint64_t"), 8),
+    **dict.fromkeys(("float16_t", "int16_t", "uint16_t"), 2),
+    **dict.fromkeys(("int8_t", "uint8_t"), 1),
+}
+"""Of scalars that have not four."""
 
 
 def alignment(kind: Type, packing: str, by_rows: bool = False) -> tuple[int, int]:
@@ -25,7 +31,7 @@ def alignment(kind: Type, packing: str, by_rows: bool = False) -> tuple[int, int
         for step, size in units:
             end = up(end, step) + size
         return unit, up(end, unit)
-    scalar = 8 if kind.base in ("double", "int64_t", "uint64_t") else 4
+    scalar = _BYTES.get(kind.base or "", 4)
     if kind.cols > 1:
         # A matrix is laid out as an array of its columns, or of its rows (rules 5 and 7).
         vectors, numbers = (kind.rows, kind.cols) if by_rows else (kind.cols, kind.rows)

@@ -20,7 +20,7 @@ from shadercache.lang.availability import (
 )
 from shadercache.lang.generics import expanded
 from shadercache.lang.types import Type, array_of, builtin_type, struct_type
-from shadercache.lang.words import type_names
+from shadercache.lang.words import NONUNIFORM, type_names
 
 _FILE = Path(__file__).with_name("builtins.txt")
 
@@ -111,6 +111,12 @@ def functions(
 def overloads(name: str) -> tuple[Signature, ...]:
     """The overloads of a built-in function in all versions, stages and extensions."""
     return _distinct(signature for signature, _ in _all_signatures(name))
+
+
+@cache
+def nonuniform(kind: Type) -> Signature:
+    """``nonuniformEXT`` of any type: it says of a value that fragments may differ in it."""
+    return Signature(NONUNIFORM, kind, (Parameter(kind),), foldable=False)
 
 
 def _distinct(signatures: Iterator[Signature]) -> tuple[Signature, ...]:

@@ -9,15 +9,34 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-_GENERIC = re.compile(r"gen(?:[IU]64|[IUBD])?Type|d?mat(?:CR|RC)|(?:[iu]64|[iubd])?vec[NCR]")
+_GENERIC = re.compile(
+    r"gen(?:[IU](?:64|16|8)|F16|[IUBD])?Type|(?:f16|d)?mat(?:CR|RC)"
+    r"|(?:[iu](?:64|16|8)|f16|[iubd])?vec[NCR]"
+)
 _KINDS = re.compile(r"\bg(?=vec4|sampler|image|Image)")
 _PLACED_IMAGE = re.compile(r"([iu]?)Image\b")
 _SCALARS = {
     **{"": "float", "i": "int", "u": "uint", "b": "bool", "d": "double"},
-    **{"i64": "int64_t", "u64": "uint64_t"},
+    **{"i64": "int64_t", "u64": "uint64_t", "f16": "float16_t"},
+    **{"i16": "int16_t", "u16": "uint16_t", "i8": "int8_t", "u8": "uint8_t"},
 }
 _GEN_NAMES = {f"gen{prefix.upper()}Type": prefix for prefix in _SCALARS}
 _SIZES = ("2", "3", "4")
+
+_HALF = ("genF16Type", "float16_t")
+_SIZED = {
+    "genFDType": (("genType", "float"), ("genDType", "double"), _HALF),
+    "genFHType": (("genType", "float"), _HALF),
+    "genISType": (("genI8Type", "int8_t"), ("genI16Type", "int16_t")),
+    "genUSType": (("genU8Type", "uint8_t"), ("genU16Type", "uint16_t")),
+}
+"""Generic types that stand for several others, with the scalar of each."""
+_SCALAR_OF = {
+    "genFDType": "floatD",
+    "genFHType": "floatH",
+    "genISType": "intS",
+    "genUSType": "uintS",
+}
 
 # What follows an image of each shape in the functions of images (section 8.12 of 4.60).
 _IMAGE_PLACES = {
@@ -40,19 +59,21 @@ def expanded(text: str) -> Iterator[tuple[tuple[str, ...], bool]]:
 
     Each has its types, and whether it has a ``bias``, which only fragment shaders know.
     """
-    for single in _single_or_double(text):
+    for single in _of_each_size(text):
         for sized in _sized_all(single):
             for kind in _kinds(sized):
                 for placed in _placed(kind):
                     yield from _optional(placed)
 
 
-def _single_or_double(text: str) -> tuple[str, ...]:
-    if "genFDType" not in text:
-        return (text,)
-    single = text.replace("genFDType", "genType").replace("floatD", "float")
-    double = text.replace("genFDType", "genDType").replace("floatD", "double")
-    return single, double.replace("genType", "genDType")
+def _of_each_size(text: str) -> Iterator[str]:
+    """Replace floats and integers of several sizes by those of each."""
+    for generic, sizes in _SIZED.items():
+        if generic in text:
+            for kind, scalar in sizes:
+                yield text.replace(generic, kind).replace(_SCALAR_OF[generic], scalar)
+            return
+    yield text
 
 
 def _sized_all(text: str) -> Iterator[str]:

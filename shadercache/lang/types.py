@@ -13,7 +13,15 @@ from math import prod
 _PREFIX = {
     **{"float": "", "int": "i", "uint": "u", "bool": "b", "double": "d"},
     **{"int64_t": "i64", "uint64_t": "u64"},
+    **{"float16_t": "f16", "int16_t": "i16", "uint16_t": "u16", "int8_t": "i8", "uint8_t": "u8"},
 }
+FLOATS = ("float", "double", "float16_t")
+"""Scalars of which there are matrices."""
+_EXPLICIT = {
+    **{"float": ("float32_t", "f32"), "double": ("float64_t", "f64")},
+    **{"int": ("int32_t", "i32"), "uint": ("uint32_t", "u32")},
+}
+"""Other names of scalars and of their vectors, which say how many bits they have."""
 SCALARS = tuple(_PREFIX)
 
 _SHADOW_SHAPES = ("1D", "2D", "Cube", "2DRect", "1DArray", "2DArray", "CubeArray")
@@ -79,7 +87,7 @@ class Type:
 
     @property
     def is_scalar(self) -> bool:
-        """``float``, ``int``, ``uint``, ``bool``, ``double`` or an integer of 64 bits."""
+        """A ``bool`` or a number of any size."""
         return self.base is not None and self.rows == 1 and self.cols == 1 and not self.dims
 
     @property
@@ -218,13 +226,26 @@ def _numeric_types() -> dict[str, Type]:
         for n in (2, 3, 4):
             name = f"{prefix}vec{n}"
             types[name] = Type(name, base, rows=n)
-    for base in ("float", "double"):
+    for base in FLOATS:
         for cols in (2, 3, 4):
             for rows in (2, 3, 4):
                 long = f"{_PREFIX[base]}mat{cols}x{rows}"
                 name = long.split("x")[0] if cols == rows else long
                 types[name] = types[long] = Type(name, base, rows, cols)
-    return types
+    return {**types, **_explicit_names(types)}
+
+
+def _explicit_names(types: dict[str, Type]) -> dict[str, Type]:
+    """``f32vec2``, which is ``vec2`` (GL_EXT_shader_explicit_arithmetic_types)."""
+    others: dict[str, Type] = {}
+    for base, (scalar, prefix) in _EXPLICIT.items():
+        others[scalar] = types[base]
+        own = _PREFIX[base]
+        shapes = ("vec", "mat") if base in FLOATS else ("vec",)
+        for name, kind in types.items():
+            if kind.base == base and name.startswith(tuple(own + shape for shape in shapes)):
+                others[prefix + name.removeprefix(own)] = kind
+    return others
 
 
 def _opaque_types() -> dict[str, Type]:
@@ -250,3 +271,6 @@ BOOL = _BY_NAME["bool"]
 DOUBLE = _BY_NAME["double"]
 INT64 = _BY_NAME["int64_t"]
 UINT64 = _BY_NAME["uint64_t"]
+HALF = _BY_NAME["float16_t"]
+INT16 = _BY_NAME["int16_t"]
+UINT16 = _BY_NAME["uint16_t"]

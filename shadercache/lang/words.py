@@ -74,6 +74,9 @@ STATEMENT_WORDS: frozenset[str] = frozenset().union(
 VERSIONS = (110, 120, 130, 140, 150, 330, 400, 410, 420, 430, 440, 450, 460)
 ES_VERSIONS = (100, 300, 310, 320)
 
+NONUNIFORM = "nonuniformEXT"
+"""A qualifier of variables, and before a bracket a function (GL_EXT_nonuniform_qualifier)."""
+
 QUALIFIER_ORDER: dict[str, int] = {
     word: rank
     for rank, group in enumerate(
@@ -83,6 +86,7 @@ QUALIFIER_ORDER: dict[str, int] = {
             ("smooth", "flat", "noperspective"),
             ("pervertexEXT", "pervertexNV", "__explicitInterpAMD"),
             ("const", "centroid", "patch", "sample"),
+            (NONUNIFORM,),
             MEMORY_QUALIFIERS,
             ("in", "out", "inout", "uniform", "buffer", "shared", "attribute", "varying"),
             ("highp", "mediump", "lowp"),

@@ -6,8 +6,9 @@ from collections.abc import Mapping, Sequence
 from typing import TypeAlias
 
 from shadercache.ast.nodes import Call
-from shadercache.lang.builtins import Signature
+from shadercache.lang.builtins import Signature, nonuniform
 from shadercache.lang.types import Type
+from shadercache.lang.words import NONUNIFORM
 from shadercache.sema.conversions import Conversions
 from shadercache.sema.inference_context import InferenceContext
 from shadercache.sema.problems import ERROR
@@ -63,6 +64,8 @@ class CallChecker:
         # An unknown function is told all the same; which overload is meant nobody can say.
         if ERROR in args:
             return None
+        if node.name == NONUNIFORM and builtin and len(args) == 1:
+            return nonuniform(args[0])
         # The shader's own functions hide the built-in ones of that name (section 6.1), but some
         # compilers still find a built-in overload that fits exactly.
         exact = own.get(args) or _exact_match(builtin, args)
@@ -134,7 +137,7 @@ def _convertible(
     if len(viable) < 2 or not conversions.ranked:
         return viable
     for one in viable:
-        if all(other is one or _better(one, other, args) for other in viable):
+        if all(other is one or _better(one, other, args, conversions) for other in viable):
             return [one]
     return viable
 
@@ -153,20 +156,12 @@ def _accepts(candidate: Candidate, args: tuple[Type, ...], conversions: Conversi
     return True
 
 
-def _better(one: Candidate, two: Candidate, args: tuple[Type, ...]) -> bool:
+def _better(
+    one: Candidate, two: Candidate, args: tuple[Type, ...], conversions: Conversions
+) -> bool:
     """Is some conversion to ``one`` better, and none worse?"""
     ranks = [
-        (_rank(arg, first), _rank(arg, second))
+        (conversions.rank(arg, first), conversions.rank(arg, second))
         for arg, (first, _), (second, _) in zip(args, parameters(one), parameters(two), strict=True)
     ]
     return all(a <= b for a, b in ranks) and any(a < b for a, b in ranks)
-
-
-def _rank(arg: Type, param: Type) -> int:
-    """Exact, float to double, to float, anything else."""
-    if arg is param:
-        return 0
-    if arg.base == "float" and param.base == "double":
-        return 1
-    # From an int, uint is no nearer than float (4.00 section 6.1).
-    return 3 if param.base == "double" else 2

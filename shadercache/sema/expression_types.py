@@ -14,7 +14,7 @@ from typing import Any
 from shadercache.ast import nodes as n
 from shadercache.ast.nodes import Expr, Node
 from shadercache.ast.walk import CHILDREN
-from shadercache.lang.types import BOOL, INT, INT64, UINT, UINT64, Type, array_of
+from shadercache.lang.types import BOOL, INT, INT64, UINT64, Type, array_of
 from shadercache.sema.calls import CallChecker
 from shadercache.sema.constants import FOLDED
 from shadercache.sema.facts import Kind, Symbol
@@ -22,6 +22,7 @@ from shadercache.sema.fold import literal
 from shadercache.sema.inference_context import InferenceContext
 from shadercache.sema.operators import (
     EQUALITY,
+    INDICES,
     INTEGER_ONLY,
     binary_type,
     construct_problem,
@@ -217,7 +218,7 @@ class ExpressionChecker:
     def _index(self, node: n.Index, whole: Type, at: Type) -> Type:
         if not (whole.dims or whole.rows > 1):
             return self._problems.error("SC214", f"{whole} cannot be indexed", node)
-        if at is not INT and at is not UINT:
+        if not (at.is_scalar and at.base in INDICES):
             return self._problems.error("SC214", f"the index is {at}, not int or uint", node.index)
         return whole.element
 

@@ -15,7 +15,8 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import lru_cache
 from typing import Any, TypeAlias
 
-from shadercache.lang.types import BOOL, DOUBLE, FLOAT, INT, INT64, UINT, UINT64, Type
+from shadercache.lang import types as lang
+from shadercache.lang.types import BOOL, DOUBLE, FLOAT, HALF, Type
 from shadercache.sema.facts import Scalar
 
 Value: TypeAlias = "Scalar | tuple[Value, ...]"
@@ -23,10 +24,16 @@ Value: TypeAlias = "Scalar | tuple[Value, ...]"
 MAX_COMPONENTS = 1 << 16
 """Scalars of a value that is kept: structs of structs can ask for billions."""
 
-_FLOAT32 = struct.Struct("f")
-_BITS = {"int": 32, "uint": 32, "int64_t": 64, "uint64_t": 64}
-_SIGNED = ("int", "int64_t")
-_INTEGERS = {"": INT, "u": UINT, "l": INT64, "ul": UINT64}
+_FLOATS = {"float": struct.Struct("f"), "float16_t": struct.Struct("e")}
+_BITS = {
+    **{"int": 32, "uint": 32, "int64_t": 64, "uint64_t": 64},
+    **{"int16_t": 16, "uint16_t": 16, "int8_t": 8, "uint8_t": 8},
+}
+_SIGNED = ("int", "int64_t", "int16_t", "int8_t")
+_INTEGERS = {
+    **{"": lang.INT, "u": lang.UINT, "l": lang.INT64, "ul": lang.UINT64},
+    **{"s": lang.INT16, "us": lang.UINT16},
+}
 
 
 @lru_cache(1 << 12)
@@ -37,9 +44,11 @@ def literal(text: str) -> tuple[Type, Scalar | None]:
     low = text.lower()
     if low.endswith("lf") and not low.startswith("0x"):
         return DOUBLE, float(low[:-2])
+    if low.endswith("hf") and not low.startswith("0x"):
+        return HALF, convert(float(low[:-2]), "float16_t")
     if not low.startswith("0x") and any(char in low for char in ".ef"):
         return FLOAT, convert(float(low.removesuffix("f")), "float")
-    digits = low.rstrip("ul")
+    digits = low.rstrip("uls")
     kind = _INTEGERS[low[len(digits) :]]
     # Python writes octal numbers as `0o17`, and refuses `017`.
     octal = digits.startswith("0") and digits.isdigit()
@@ -63,9 +72,9 @@ def convert(value: Scalar, base: str | None) -> Scalar | None:
         return bool(value)
     if base == "double":
         return float(value)
-    if base == "float":
+    if base in _FLOATS:
         try:
-            return float(_FLOAT32.unpack(_FLOAT32.pack(value))[0])
+            return float(_FLOATS[base].unpack(_FLOATS[base].pack(value))[0])
         except OverflowError:
             # A literal too large for a float is infinite (4.60 section 4.1.4), and so is a result.
             return math.copysign(math.inf, value)
@@ -102,10 +111,13 @@ def _remainder(left: int, right: int) -> int:
     return left % right
 
 
+def _too_far(steps: Value, kind: Type) -> bool:
+    """Is a number shifted by more than its bits, which is undefined (section 5.9)?"""
+    bits = min(32, _BITS.get(kind.base or "", 32))
+    return not all(0 <= step < bits for step in flattened(steps))
+
+
 def _shift(left: int, right: int, sign: int) -> int:
-    # Undefined from the number of bits on (section 5.9), which is 32 at the least.
-    if not 0 <= right < 32:
-        raise ArithmeticError
     return left << right if sign > 0 else left >> right
 
 
@@ -154,6 +166,8 @@ def fold_binary(
     """An operator on two values of the types ``operands``, with a result of type ``kind``; both are
     first converted to scalar ``base``."""
     left, right = values
+    if op in ("<<", ">>") and _too_far(right, kind):
+        return None
     # The operands of a shift need not agree: the result has the type of the left one (section 5.9).
     if base is not None and op not in ("<<", ">>"):
         one, two = converted(left, base), converted(right, base)

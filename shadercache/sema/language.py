@@ -105,7 +105,7 @@ def language_of(module: Module, stage: Stage) -> Language:
         extensions=extensions,
         interface_version=_lifted(version, extensions, _INTERFACE_VERSIONS),
         qualifier_version=_lifted(version, extensions, _QUALIFIER_VERSIONS),
-        conversions=Conversions(max(version, 400 if converts else 0), es),
+        conversions=Conversions(max(version, 400 if converts else 0), es, extensions),
     )
 
 

@@ -17,7 +17,8 @@ SHIFTS = frozenset(("<<", ">>"))
 RELATIONAL = frozenset(("<", ">", "<=", ">="))
 EQUALITY = frozenset(("==", "!="))
 INTEGER_ONLY = frozenset(("%", "~")) | BITWISE | SHIFTS
-INTEGERS = frozenset(("int", "uint", "int64_t", "uint64_t"))
+INDICES = frozenset(("int", "uint", "int16_t", "uint16_t", "int8_t", "uint8_t"))
+INTEGERS = INDICES | {"int64_t", "uint64_t"}
 LOGICAL = frozenset(("&&", "||", "^^"))
 SWIZZLES = ("xyzw", "rgba", "stpq")
 

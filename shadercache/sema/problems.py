@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable
 
 from shadercache.ast.nodes import Member, Node
 from shadercache.diagnostics import Diagnostic, InputError, Severity
-from shadercache.lang import unsupported
+from shadercache.lang import extension_words
 from shadercache.lang.types import Type
 from shadercache.source import Source
 
@@ -44,7 +44,7 @@ class Problems:
         if name in self._undeclared:
             return ERROR
         self._undeclared.add(name)
-        if of_extension := unsupported.explained(name):
+        if of_extension := extension_words.explained(name):
             message, hint = of_extension
             return self.error("SC111", message, node, hint)
         # Looking for similar names is slow, and nobody reads the hundredth hint.

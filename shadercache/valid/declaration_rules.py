@@ -9,10 +9,11 @@ from typing import TypeAlias
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import EXPRESSIONS, children
 from shadercache.lang.types import FLOAT, INT, Type
-from shadercache.lang.words import MEMORY_QUALIFIERS, PRECISIONS
+from shadercache.lang.words import MEMORY_QUALIFIERS, NONUNIFORM, PRECISIONS
 from shadercache.sema.declarations import BUILTIN_BLOCK
 from shadercache.sema.facts import Kind, Symbol
 from shadercache.sema.language import NEVER
+from shadercache.sema.operators import INDICES
 from shadercache.sema.problems import ERROR
 from shadercache.valid.qualifier_words import (
     STORAGE,
@@ -23,7 +24,7 @@ from shadercache.valid.qualifier_words import (
 )
 from shadercache.valid.suspect import Finding, Suspect
 
-_LOCAL_WORDS = frozenset((*PRECISIONS, "const", "precise"))
+_LOCAL_WORDS = frozenset((*PRECISIONS, "const", "precise", NONUNIFORM))
 _ANY_INITIALISER = "GL_EXT_shader_non_constant_global_initializers"
 _IO_EXTENSIONS = ("GL_EXT_shader_io_blocks", "GL_OES_shader_io_blocks")
 # First desktop and ES versions of the blocks of each storage, and the extensions that have them.
@@ -125,7 +126,7 @@ def _passed_problem(symbol: Symbol, storage: Kind, suspect: Suspect) -> str | No
     passed = storage == "in" or suspect.language.es_version == 300
     # Integers that are built in, such as gl_Layer, are flat by themselves.
     smooth = passed and not symbol.qualifiers.has("flat") and not name.startswith("gl_")
-    if smooth and not kind.bases.isdisjoint(("int", "uint", "double")):
+    if smooth and not kind.bases.isdisjoint((*INDICES, "double")):
         return f"'{name}' of type {kind} needs the qualifier 'flat'"
     return None
 

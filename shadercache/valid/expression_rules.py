@@ -110,11 +110,20 @@ def _elements(array: n.Expr, whole: Type) -> int | None:
     return whole.dims[0] or most
 
 
+def _is_resource_array(array: n.Expr, whole: Type, suspect: Suspect) -> bool:
+    """Is it an array of samplers, images or blocks that is as long as what is bound to it?"""
+    if "GL_EXT_nonuniform_qualifier" not in suspect.language.extensions:
+        return False
+    symbol = suspect.tables.symbols.get(array) if isinstance(array, n.Name) else None
+    return symbol is not None and (whole.holds_opaque or symbol.kind == "block")
+
+
 def _dynamic(array: n.Expr, whole: Type, suspect: Suspect) -> str | None:
     """Why only a constant may index it."""
     language = suspect.language
     if whole.is_unsized and whole.dims[0] is None:
-        if not is_runtime_array(array, suspect.tables.symbols):
+        symbols = suspect.tables.symbols
+        if not (is_runtime_array(array, symbols) or _is_resource_array(array, whole, suspect)):
             return f"{whole} has no size yet: only a constant may index it"
     elif whole.holds_opaque and not language.indexes_samplers:
         return "before GLSL 4.00 only a constant may index an array of samplers"

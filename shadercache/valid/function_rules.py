@@ -6,15 +6,15 @@ from collections.abc import Iterator
 
 from shadercache.ast import nodes as n
 from shadercache.lang.types import VOID, Type
-from shadercache.lang.words import MEMORY_QUALIFIERS, PRECISIONS
+from shadercache.lang.words import MEMORY_QUALIFIERS, NONUNIFORM, PRECISIONS
 from shadercache.sema.problems import ERROR
 from shadercache.sema.scopes import Overload
 from shadercache.valid.qualifier_words import words_problem
 from shadercache.valid.suspect import Finding, Suspect
 
-_RESULT_WORDS = frozenset((*PRECISIONS, "precise"))
+_RESULT_WORDS = frozenset((*PRECISIONS, "precise", NONUNIFORM))
 _PARAM_WORDS = frozenset(
-    (*PRECISIONS, *MEMORY_QUALIFIERS, "precise", "const", "in", "out", "inout")
+    (*PRECISIONS, *MEMORY_QUALIFIERS, NONUNIFORM, "precise", "const", "in", "out", "inout")
 )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from shadercache.ast import nodes as n
-from shadercache.lang import unsupported
+from shadercache.lang import extension_words
 from shadercache.lang.block_layout import LAID_OUT, alignment, up
 from shadercache.lang.types import INT, UINT
 from shadercache.sema.language import NEVER
@@ -54,7 +54,7 @@ class _Layouts:
             # Compilers do not tell small letters from capitals, in GLSL ES neither.
             word = entry.name.lower()
             problem = word_problem(word, entry.value is not None, place, self._suspect.language)
-            of_extension = unsupported.explained(word) if word not in WORDS else None
+            of_extension = extension_words.explained(word) if word not in WORDS else None
             if of_extension is not None:
                 self.findings.append(Finding("SC111", of_extension[0], entry, of_extension[1]))
             elif problem is not None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from shadercache.lang.words import NONUNIFORM
 from shadercache.sema.language import Language
 
 _INTERPOLATION = (
@@ -18,6 +19,7 @@ _RANKS = {
     "invariant": 1,
     **dict.fromkeys(_INTERPOLATION, 2),
     **dict.fromkeys(_AUXILIARY, 3),
+    NONUNIFORM: 3,
     **dict.fromkeys(STORAGE, 5),
     # Behind STORAGE, which it belongs to, but it comes first: `const in float x`.
     "const": 4,

@@ -134,6 +134,7 @@ def test_every_qualifier_has_its_place_in_the_order() -> None:
         for name in (
             "AMD_shader_explicit_vertex_parameter",
             "EXT_fragment_shader_barycentric",
+            "EXT_nonuniform_qualifier",
             "NV_fragment_shader_barycentric",
         )
     )

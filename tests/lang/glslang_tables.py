@@ -17,15 +17,19 @@ _PARAMETERS = re.compile(r"\s*,\s*(?=(?:in|out|inout|const)\b)")
 _ARRAY = re.compile(r"(\d+)-element array of (.*)")
 _VECTOR = re.compile(r"(\d)-component vector of (\w+)")
 _MATRIX = re.compile(r"(\d)X(\d) matrix of (\w+)")
-_PREFIXES = {"float": "", "int": "i", "uint": "u", "bool": "b", "double": "d"}
+_PREFIXES = {
+    **{"float": "", "int": "i", "uint": "u", "bool": "b", "double": "d"},
+    **{"int64_t": "i64", "uint64_t": "u64", "float16_t": "f16"},
+    **{"int16_t": "i16", "uint16_t": "u16", "int8_t": "i8", "uint8_t": "u8"},
+}
 
 
-def table(version: str, stage: str, folder: Path) -> dict[str, set[str]]:
-    """Signatures (``vec4(sampler2D, vec2)``) by name; those of extensions are left out."""
+def table(version: str, stage: str, folder: Path, *, extended: bool = False) -> dict[str, set[str]]:
+    """Signatures (``vec4(sampler2D, vec2)``) by name; with or without those of extensions."""
     found: dict[str, set[str]] = {}
     for entry in filter(None, map(_ENTRY.match, _dump(version, stage, folder))):
         name, result, params, extensions = entry.groups()
-        if extensions is None:
+        if extended or extensions is None:
             kinds = [_kind(part) for part in _PARAMETERS.split(params) if part.strip()]
             found.setdefault(name, set()).add(f"{_kind(result)}({', '.join(kinds)})")
     return found

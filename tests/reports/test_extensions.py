@@ -1,4 +1,4 @@
-"""What only an unsupported extension has is told with the extension's name."""
+"""What only an extension has that is off or unsupported is told with the extension's name."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def told(text: str, stage: str = "fragment") -> tuple[str, str]:
     return first.code, first.message
 
 
-@pytest.mark.parametrize(
+NAMED = pytest.mark.parametrize(
     ("name", "word", "extension"),
     [
         ("float16", "float16_t", f"{TYPES}_float16"),
@@ -30,10 +30,21 @@ def told(text: str, stage: str = "fragment") -> tuple[str, str]:
         ("sparse", "sparseTextureARB", "GL_ARB_sparse_texture2"),
     ],
 )
-def test_files(name: str, word: str, extension: str) -> None:
-    text = (FOLDER / f"{name}.frag").read_text(encoding="utf-8")
-    wanted = f"'{word}' is of the extension {extension}, which is not supported"
+
+
+@NAMED
+def test_without_its_extension_a_file_is_refused(name: str, word: str, extension: str) -> None:
+    lines = (FOLDER / f"{name}.frag").read_text(encoding="utf-8").splitlines(keepends=True)
+    text = "".join(line for line in lines if not line.startswith("#extension"))
+    wanted = f"'{word}' is of the extension {extension}, which is not turned on"
     assert told(text) == ("SC111", wanted)
+
+
+@NAMED
+def test_with_its_extension_it_is_read(name: str, word: str, extension: str) -> None:
+    text = (FOLDER / f"{name}.frag").read_text(encoding="utf-8")
+    assert word in text and extension in text
+    read(Source(f"{name}.frag", text))
 
 
 DECLARATIONS = {
@@ -55,15 +66,10 @@ DECLARATIONS = {
 @pytest.mark.parametrize("line", DECLARATIONS)
 def test_types_of_other_sizes(line: str) -> None:
     code, message = told(f"#version 450\n{line}\nvoid main() {{}}\n")
-    assert code == "SC111" and f"{TYPES}{DECLARATIONS[line]}, which is not" in message
+    assert code == "SC111" and f"{TYPES}{DECLARATIONS[line]}, which is not turned on" in message
 
 
 STATEMENTS = {
-    "float x = float(float16_t(1.0));": f"{TYPES}_float16",
-    "for (int16_t i; ;) {}": f"{TYPES}_int16",
-    "vec4 t = textureClampARB(s, v.xy, 1.0);": "GL_ARB_sparse_texture_clamp",
-    "vec4 t; int c = sparseTextureClampARB(s, v.xy, 1.0, t);": "GL_ARB_sparse_texture_clamp",
-    "bool b = sparseTexelsResidentARB(1);": "GL_ARB_sparse_texture2",
     "float x = subgroupAdd(v.x);": "GL_KHR_shader_subgroup_arithmetic",
     "uint x = gl_SubgroupInvocationID;": "GL_KHR_shader_subgroup_basic",
     "float x = min3(v.x, v.y, v.z);": "GL_AMD_shader_trinary_minmax",
@@ -78,6 +84,30 @@ def test_what_stands_in_functions(line: str) -> None:
     head = "#version 450\nin vec3 v;\nuniform sampler2D s;\n"
     code, message = told(f"{head}void main() {{ {line} }}\n")
     assert code == "SC111" and f"{STATEMENTS[line]}, which is not supported" in message
+
+
+OFF = {
+    "float x = float(float16_t(1.0));": f"{TYPES}_float16",
+    "for (int16_t i; ;) {}": f"{TYPES}_int16",
+    "vec4 t = textureClampARB(s, v.xy, 1.0);": "GL_ARB_sparse_texture_clamp",
+    "vec4 t; int c = sparseTextureClampARB(s, v.xy, 1.0, t);": "GL_ARB_sparse_texture_clamp",
+    "bool b = sparseTexelsResidentARB(1);": "GL_ARB_sparse_texture2",
+    "vec3 b = gl_BaryCoordEXT;": "GL_EXT_fragment_shader_barycentric",
+    "vec4 t = texture(ss[nonuniformEXT(1)], v.xy);": "GL_EXT_nonuniform_qualifier",
+}
+
+
+@pytest.mark.parametrize("line", OFF)
+def test_what_is_not_turned_on(line: str) -> None:
+    head = "#version 450\nin vec3 v;\nuniform sampler2D s, ss[4];\n"
+    code, message = told(f"{head}void main() {{ {line} }}\n")
+    assert code == "SC111" and f"{OFF[line]}, which is not turned on" in message
+
+
+def test_a_type_that_is_turned_on_is_no_name() -> None:
+    extension = f"#extension {TYPES} : enable\n"
+    code, message = told(f"#version 450\n{extension}void main() {{ float float16_t = 1.0; }}\n")
+    assert (code, message) == ("SC106", "'float16_t' is a keyword and cannot be a name")
 
 
 def test_names_of_ones_own_are_no_extension() -> None:

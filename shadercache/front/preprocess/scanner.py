@@ -35,8 +35,8 @@ _LEXEME = re.compile(
 )
 _BLANKS = " \t\n\r\f\v"
 _NUMBER = re.compile(
-    r"(?:0[xX][0-9a-fA-F]+|0[0-7]*|[1-9]\d*)[uU]?[lL]?"
-    r"|(?:(?:\d+\.\d*|\.\d+)(?:[eE][+-]?\d+)?|\d+[eE][+-]?\d+)(?:[fF]|lf|LF)?",
+    r"(?:0[xX][0-9a-fA-F]+|0[0-7]*|[1-9]\d*)[uU]?[lLsS]?"
+    r"|(?:(?:\d+\.\d*|\.\d+)(?:[eE][+-]?\d+)?|\d+[eE][+-]?\d+)(?:[fF]|lf|LF|hf|HF)?",
     re.ASCII,
 )
 
@@ -146,7 +146,7 @@ def is_word(lexeme: str) -> bool:
 
 
 def is_number(lexeme: str) -> bool:
-    """Is it a well-formed literal? (An integer suffix ``u``; ``f`` and, from 4.00 on, ``lf``.)"""
+    """Is it a well-formed literal? (Suffixes: ``u``, ``l``, ``s``, ``f``, ``lf``, ``hf``.)"""
     return _NUMBER.fullmatch(lexeme) is not None
 
 

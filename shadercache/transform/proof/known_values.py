@@ -12,7 +12,7 @@ from typing import TypeAlias
 
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import postorder
-from shadercache.lang.types import builtin_type
+from shadercache.lang.types import FLOATS, builtin_type
 
 _FOLDED = frozenset(
     (
@@ -51,7 +51,7 @@ def known_values(root: n.Node, constants: Constants) -> dict[n.Node, Known]:
 def is_floating(kind: n.TypeSpec) -> bool:
     """A scalar, vector or matrix of floating-point numbers, or an array of them."""
     built_in = builtin_type(kind.name)
-    return built_in is not None and built_in.base in ("float", "double")
+    return built_in is not None and built_in.base in FLOATS
 
 
 def is_boolean(kind: n.TypeSpec) -> bool:

@@ -30,7 +30,7 @@ from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.rewriter import Rewriter, replace_expressions
 from shadercache.ast.walk import children, walk
-from shadercache.lang.types import builtin_type
+from shadercache.lang.types import FLOATS, builtin_type
 from shadercache.sema.facts import Stage
 from shadercache.source import NOWHERE
 from shadercache.transform.proof.write_out_matrices import Types, rewrite_linked
@@ -117,7 +117,7 @@ def _has_value(spec: n.TypeSpec) -> bool:
 
 def _is_float(spec: n.TypeSpec) -> bool:
     kind = builtin_type(spec.name)
-    return kind is None or kind.base in ("float", "double")
+    return kind is None or kind.base in FLOATS
 
 
 def _computes(expr: n.Expr) -> bool:

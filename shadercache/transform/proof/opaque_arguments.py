@@ -26,7 +26,8 @@ from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.rewriter import Rewriter
 from shadercache.ast.walk import walk
-from shadercache.lang.types import builtin_type
+from shadercache.front.preprocess import enabled_extensions
+from shadercache.lang.types import HALF, builtin_type
 from shadercache.source import NOWHERE
 from shadercache.transform.proof.known_values import (
     Constants,
@@ -49,12 +50,23 @@ INEXACT = frozenset(
 )
 """Built-in functions with more than one right result (GLSL 4.60, sections 4.7.1 and 8.4)."""
 
+_HALVES = frozenset(
+    (
+        "GL_AMD_gpu_shader_half_float",
+        "GL_EXT_shader_explicit_arithmetic_types",
+        "GL_EXT_shader_explicit_arithmetic_types_float16",
+    )
+)
+"""Extensions that have half floats."""
+
 _COMPARISONS = ("<", ">", "<=", ">=", "==", "!=")
 
 
 def make_arguments_opaque(module: n.Module, memo: Memo) -> n.Module:
     """The module with first arguments of such functions, and zeros, that no compiler knows."""
     names = INEXACT.difference(d.name for d in module.decls if isinstance(d, n.FunctionDef))
+    # The smallest type there is, for it becomes any other, and none becomes it.
+    number = "float" if _HALVES.isdisjoint(enabled_extensions(module)) else HALF.name
     constants = _constants({}, module.decls)
 
     def variable(decl: n.Decl) -> n.Decl:
@@ -63,11 +75,12 @@ def make_arguments_opaque(module: n.Module, memo: Memo) -> n.Module:
             return decl
         if decl.qualifiers.has("const", "uniform", "in", "out", "buffer"):
             return decl
-        return _OpaqueArguments(names, constants, decl).rewrite(decl)
+        return _OpaqueArguments(names, constants, decl, number).rewrite(decl)
 
     def hidden(function: n.FunctionDef) -> n.FunctionDef:
         local = (node.decl for node in walk(function) if isinstance(node, n.DeclStmt))
-        return _OpaqueArguments(names, _constants(constants, local), function).rewrite(function)
+        known = _constants(constants, local)
+        return _OpaqueArguments(names, known, function, number).rewrite(function)
 
     module = change_functions(module, hidden, memo.table("hidden arguments"))
     return change_declarations(module, variable)
@@ -91,8 +104,8 @@ def _constants(constants: Constants, decls: Iterable[n.Node]) -> Constants:
 
 
 class _OpaqueArguments(Rewriter):
-    def __init__(self, names: Set[str], constants: Constants, decl: n.Decl) -> None:
-        self._names, self._constants = names, constants
+    def __init__(self, names: Set[str], constants: Constants, decl: n.Decl, number: str) -> None:
+        self._names, self._constants, self._number = names, constants, number
         self._known = known_values(decl, constants)
         self._kept: set[n.Node] = set()
         self._floats: set[n.Node] = set()
@@ -134,10 +147,10 @@ class _OpaqueArguments(Rewriter):
             case n.Unary():
                 return None
             case n.Literal() if known.floating or node in self._floats:
-                return _zero()
+                return self._zero(known)
         # Not "-": what is taken from a zero becomes a negation, which turns the sign of a NaN.
         hidden = known.floating or (node in self._floats and not known.boolean)
-        return n.Binary(NOWHERE, "+", cast("n.Expr", node), _zero()) if hidden else node
+        return n.Binary(NOWHERE, "+", cast("n.Expr", node), self._zero(known)) if hidden else node
 
     def _is_boolean(self, node: n.Expr) -> bool:
         known = self._known.get(node)
@@ -150,18 +163,22 @@ class _OpaqueArguments(Rewriter):
                 if known is None or not (known.zero and known.floating):
                     # Taking 0.0 off changes no number; adding it would make 0.0 of -0.0. One
                     # unknown argument is enough: no compiler evaluates the call.
-                    less = n.Binary(NOWHERE, "-", args[0], _zero())
+                    less = n.Binary(NOWHERE, "-", args[0], _zero(self._number))
                     return replace(node, args=(less, *args[1:]))
             # The array must stay constant; what is read of it need not.
             case n.Index(object=n.Name(name=text)), _ if text in self._constants:
                 known = self._constants[text]
                 if known.array and known.floating and known.zero:
-                    return n.Binary(NOWHERE, "+", node, _zero())
+                    return n.Binary(NOWHERE, "+", node, _zero(self._number))
         return node
 
+    def _zero(self, beside: Known) -> n.Expr:
+        """What whole numbers become is no half float."""
+        return _zero(self._number if beside.floating else "float")
 
-def _zero() -> n.Expr:
-    """A zero that no compiler knows."""
+
+def _zero(number: str) -> n.Expr:
+    """A zero of this type that no compiler knows."""
     x = n.Member(NOWHERE, n.Name(NOWHERE, "gl_FragCoord"), "x")
     outside = n.Binary(NOWHERE, "<", x, n.Literal(NOWHERE, "0.0"))
-    return n.Construct(NOWHERE, n.TypeSpec(NOWHERE, "float"), (outside,))
+    return n.Construct(NOWHERE, n.TypeSpec(NOWHERE, number), (outside,))

@@ -25,7 +25,7 @@ from shadercache.analysis.effects import Linked
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.rewriter import Rewriter
-from shadercache.lang.types import Type
+from shadercache.lang.types import Type, matrix
 from shadercache.sema.facts import Stage
 from shadercache.sema.infer import infer
 from shadercache.source import NOWHERE, Source
@@ -35,8 +35,12 @@ from shadercache.transform.trees import change_declarations, change_functions
 Types: TypeAlias = Mapping[n.Expr, Type]
 
 _SIZES = ("2", "3", "4", *(f"{columns}x{rows}" for columns in "234" for rows in "234"))
-_MATRICES = {f"{kind}{size}" for kind in ("mat", "dmat") for size in _SIZES} | {"outerProduct"}
+_MATRICES = {f"{kind}{size}" for kind in ("mat", "dmat", "f16mat") for size in _SIZES} | {
+    "outerProduct"
+}
 """What a program names that works with matrices: their types, and what makes one without."""
+
+_BASES = ("double", "float", "float16_t")
 
 _WORDS = {"+": "plus", "-": "minus", "*": "times", "/": "over"}
 
@@ -123,16 +127,16 @@ class _MatrixWriter(Rewriter):
         self, op: str, originals: tuple[n.Expr, n.Expr], args: tuple[n.Expr, n.Expr]
     ) -> n.Call:
         left, right = (self._types[side] for side in originals)
-        double = "double" in (left.base, right.base)
-        # Whole numbers become floating-point ones.
-        kinds = [_type_name(side.cols, side.rows, double) for side in (left, right)]
+        # Whole numbers become floating-point ones, and smaller ones larger.
+        base = next(base for base in _BASES if base in (left.base, right.base))
+        kinds = [_type_name(side.cols, side.rows, base) for side in (left, right)]
         name = f"{self._prefix}{kinds[0]}_{_WORDS[op]}_{kinds[1]}"
         if name not in self._helpers:
             params = tuple(
                 n.Param(NOWHERE, self._words, n.TypeSpec(NOWHERE, kind), param)
                 for kind, param in zip(kinds, "ab", strict=True)
             )
-            kind, value = _result(op, left, right, double)
+            kind, value = _result(op, left, right, base)
             proto = n.FunctionProto(NOWHERE, self._words, n.TypeSpec(NOWHERE, kind), name, params)
             body = n.Block(NOWHERE, (n.Return(NOWHERE, value),))
             self._helpers[name] = n.FunctionDef(NOWHERE, proto, body)
@@ -149,19 +153,16 @@ def _is_place(target: n.Expr) -> bool:
     return isinstance(target, n.Name)
 
 
-def _type_name(columns: int, rows: int, double: bool) -> str:
-    if columns == 1 == rows:
-        return "double" if double else "float"
-    size = f"{columns}x{rows}" if columns not in (1, rows) else f"{rows}"
-    return f"{'d' if double else ''}{'vec' if columns == 1 else 'mat'}{size}"
+def _type_name(columns: int, rows: int, base: str) -> str:
+    return matrix(base, columns, rows).name
 
 
-def _result(op: str, left: Type, right: Type, double: bool) -> tuple[str, n.Expr]:
+def _result(op: str, left: Type, right: Type, base: str) -> tuple[str, n.Expr]:
     """The type of an operation on ``a`` and ``b``, and its value by columns."""
     a, b = n.Name(NOWHERE, "a"), n.Name(NOWHERE, "b")
     if op != "*" or left.is_scalar or right.is_scalar:
         kind = left if left.is_matrix else right
-        name = _type_name(kind.cols, kind.rows, double)
+        name = _type_name(kind.cols, kind.rows, base)
         columns = tuple(
             n.Binary(
                 NOWHERE,
@@ -172,11 +173,11 @@ def _result(op: str, left: Type, right: Type, double: bool) -> tuple[str, n.Expr
             for column in range(kind.cols)
         )
     elif right.is_vector:
-        return _type_name(1, left.rows, double), _sum(left.cols, a, b)
+        return _type_name(1, left.rows, base), _sum(left.cols, a, b)
     else:
         # A vector on the left is a row, and so is what it is multiplied to.
         size = (right.cols, left.rows) if left.is_matrix else (1, right.cols)
-        name = _type_name(*size, double)
+        name = _type_name(*size, base)
         columns = tuple(_sum(right.rows, a, _at(b, column)) for column in range(right.cols))
     return name, n.Construct(NOWHERE, n.TypeSpec(NOWHERE, name), columns)
 

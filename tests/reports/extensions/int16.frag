@@ -3,5 +3,4 @@
 in vec3 v;
 out vec4 o;
 int16_t f(i16vec2 q) { return q.x; }
-f16mat2x3 m;
 void main() { o = vec4(0); }

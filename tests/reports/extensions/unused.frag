@@ -1,5 +1,4 @@
 #version 450
-#extension GL_EXT_shader_explicit_arithmetic_types_float16 : enable
 #extension GL_ARB_sparse_texture2 : enable
 in vec3 v;
 out vec4 o;
