@@ -197,6 +197,8 @@ class Analysis:
             hint = "caching it anyway takes --unprofitable" if refusal.unprofitable else None
             if refusal.code is Code.LOOP and not self.reading.unroll:
                 hint = "with --unroll, loops of few trips are taken apart"
+            elif refusal.approximable and not self.reading.approximate:
+                hint = "with --approximate it may be cached: reuse is exact at rest, not in motion"
             message = f"'{node.text}' {refusal.sentence}"
             about = refusal.code.code, message, self.fragment, node.expr.span
             raise InputError(Diagnostic(*about, hint))

@@ -152,7 +152,8 @@ def analyse(
     table = EffectTable(module, marks=_marks(side, mapping, stage))
     if mapping == "user":
         check_user_mapping(module, fragment, table)
-    candidates = find_candidates(module, facts, table, Origin(fragment, printed), mapping)
+    origin = Origin(fragment, printed)
+    candidates = find_candidates(module, facts, table, origin, mapping, reading.approximate)
     program = FragmentProgram(
         raised[0].module, module, facts, candidates, outputs, prefix, original, mapping
     )

@@ -23,7 +23,15 @@ from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.mapping import MappingKind
 from shadercache.analysis.node_ids import NodeIds
 from shadercache.analysis.reaching_definitions import written_anywhere
-from shadercache.analysis.refusals import Code, Evidence, Refusal, Trial, refusal_of
+from shadercache.analysis.refusals import (
+    AT_REST,
+    Code,
+    Evidence,
+    Refusal,
+    Trial,
+    bound_to_screen,
+    refusal_of,
+)
 from shadercache.analysis.slices import DERIVATIVE, SliceTable
 from shadercache.ast import nodes as n
 from shadercache.ast.large import without_collector
@@ -51,7 +59,8 @@ class Candidate:
     ``cost`` is the static cost P of computing its value alone (its backward slice), in scalar
     operations; ``ratio`` is P/T with T the cost of the whole shader. ``inputs`` are the uniforms,
     varyings and built-in variables that the value depends on; ``text`` the expression as written,
-    on one line, cut off behind :data:`MAX_TEXT` characters.
+    on one line, cut off behind :data:`MAX_TEXT` characters. ``on_screen``: does it depend on where
+    or how large a surface is seen?
     """
 
     id: str
@@ -65,6 +74,7 @@ class Candidate:
     ratio: float
     inputs: frozenset[str]
     refusal: Refusal | None
+    on_screen: bool = False
 
     @property
     def unsure(self) -> bool:
@@ -83,6 +93,11 @@ class Candidate:
     def legal(self) -> bool:
         """May it be cached, whether or not it pays?"""
         return self.refusal is None or self.refusal.unprofitable
+
+    @property
+    def approximate(self) -> bool:
+        """May it be cached only because that was asked for, since reuse is exact at rest alone?"""
+        return self.on_screen and self.legal
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -113,15 +128,16 @@ def find_candidates(
     table: EffectTable,
     origin: Origin,
     mapping: MappingKind = "surface",
+    approximate: bool = False,
 ) -> Candidates:
     """Judge every expression of ``main`` and of every function it reaches.
 
-    ``module`` has unique names. Raises :class:`InputError` SC401 on too many call paths.
+    ``module`` has unique names. ``approximate`` offers values of the screen too. Raises :class:`InputError` SC401 on too many call paths.
     """
     instances = find_instances(table, origin.source)
     costs = CostTable(facts)
     slices = SliceTable(module, instances, table, costs)
-    evidence = _evidence(module, facts, slices, table, mapping)
+    evidence = _evidence(module, facts, slices, table, mapping, approximate)
     total = costs.function(table.functions["main"]) or 1.0
     ids = NodeIds(instances, origin.printed)
     texts: dict[n.Expr, str] = {}
@@ -149,6 +165,7 @@ def find_candidates(
                     ratio=cost / total,
                     inputs=_inputs(slices.leaves.names(value.leaves)),
                     refusal=refusal_of(trial),
+                    on_screen=bool(bound_to_screen(evidence, value.leaves)),
                 )
             )
     nodes.extend(_initialisers(module, facts, origin.source, ids))
@@ -158,10 +175,17 @@ def find_candidates(
 
 
 def _evidence(
-    module: n.Module, facts: Facts, slices: SliceTable, table: EffectTable, mapping: MappingKind
+    module: n.Module,
+    facts: Facts,
+    slices: SliceTable,
+    table: EffectTable,
+    mapping: MappingKind,
+    approximate: bool,
 ) -> Evidence:
     instances, bit = slices.instances, slices.leaves.bit
     reused = reused_builtins(module, mapping)
+    # What differs from fragment to fragment and may be reused.
+    different = varyings(module) | reused | (AT_REST if approximate else frozenset())
     structs = (decl.type.struct for decl in module.decls if isinstance(decl, n.VarDecl))
     return Evidence(
         facts=facts,
@@ -174,8 +198,9 @@ def _evidence(
         # Each name has a bit of its own, so that a sum over a set is its union.
         mutable=sum({bit(name) for name in written_anywhere(module, table)}),
         derivative=bit(DERIVATIVE),
-        varying=sum({bit(name) for name in varyings(module) | reused}),
+        varying=sum({bit(name) for name in different}),
         reused=reused,
+        approximate=approximate,
     )
 
 

@@ -21,6 +21,10 @@ from shadercache.sema.facts import Facts
 FIRST_TEXEL, SECOND_TEXEL = 3, 4
 """Channels for the payload in the two texels that a cache can have; the eighth holds the depth."""
 
+AT_REST = frozenset(("gl_FragCoord", "gl_FrontFacing", "gl_PrimitiveID"))
+"""Built-in inputs that the same pixel has again where nothing moves. (Not those of points, samples,
+layers and viewports, of which a cache knows nothing.)"""
+
 STORABLE = frozenset[str | None](
     (
         *("float", "int", "uint", "bool"),
@@ -88,6 +92,14 @@ class Refusal:
         return self.code is Code.CHEAP
 
     @property
+    def approximable(self) -> bool:
+        """Would it be right at rest? (What else is in the way, the option does not tell.)"""
+        if self.code is Code.SCREEN:
+            names = self.detail.split(", ")
+            return AT_REST.issuperset(name for name in names if name.startswith("gl_"))
+        return self.code is Code.DERIVATIVE
+
+    @property
     def sentence(self) -> str:
         """The reason as a sentence without its subject, with the culprit."""
         return self.code.sentence + (f" ({self.detail})" if self.detail else "")
@@ -97,7 +109,8 @@ class Refusal:
 class Evidence:
     """What the rules know of the shader. ``mutable``, ``derivative`` and ``varying`` are leaves as
     bit sets; ``structs`` those that are declared outside of functions; ``reused`` the built-in
-    inputs that do not bind a value to its place on the screen."""
+    inputs that do not bind a value to its place on the screen; ``approximate``: are values that are
+    bound to it offered, where they are the same again at rest?"""
 
     facts: Facts
     table: EffectTable
@@ -110,6 +123,7 @@ class Evidence:
     derivative: int
     varying: int
     reused: frozenset[str]
+    approximate: bool = False
 
 
 class Trial(NamedTuple):
@@ -188,17 +202,25 @@ def by_inputs(trial: Trial) -> Refusal | None:
     names = evidence.slices.leaves.names
     if leaves & evidence.mutable:
         return Refusal(Code.MUTABLE_GLOBAL, ", ".join(sorted(names(leaves & evidence.mutable))))
-    if leaves & evidence.derivative:
+    if leaves & evidence.derivative and not evidence.approximate:
         return Refusal(Code.DERIVATIVE)
-    bound = {name for name in names(leaves) if name.startswith(("gl_", "%"))}
-    screen = sorted(name.removeprefix("%") for name in bound - evidence.reused)
+    screen = bound_to_screen(evidence, leaves)
+    if evidence.approximate:
+        screen = {name for name in screen if not name.startswith("%")} - AT_REST
     if screen:
-        return Refusal(Code.SCREEN, ", ".join(screen))
+        told = sorted(name.removeprefix("%") for name in screen)
+        return Refusal(Code.SCREEN, ", ".join(told))
     if not leaves and not evidence.table.of(trial.place.expr).does:
         return Refusal(Code.CONSTANT)
     if not leaves & evidence.varying:
         return Refusal(Code.UNIFORM, ", ".join(sorted(names(leaves))))
     return None
+
+
+def bound_to_screen(evidence: Evidence, leaves: int) -> frozenset[str]:
+    """The inputs and marks that bind a value to its place on the screen, derivatives among them."""
+    names = evidence.slices.leaves.names(leaves)
+    return frozenset(name for name in names if name.startswith(("gl_", "%"))) - evidence.reused
 
 
 def by_use(trial: Trial) -> Refusal | None:

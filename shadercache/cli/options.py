@@ -141,9 +141,17 @@ class ShaderOptions(SourceOptions):
         bool,
         typer.Option("--unroll", help="Take loops of few trips apart; their sums are nodes."),
     ] = False
+    approximate: Annotated[
+        bool,
+        typer.Option(
+            "--approximate",
+            help="Also values of the screen (derivatives, gl_FragCoord, ...): exact at rest only.",
+        ),
+    ] = False
 
     def read_options(self) -> ReadOptions:
-        return replace(super().read_options(), unroll=self.unroll)
+        options = super().read_options()
+        return replace(options, unroll=self.unroll, approximate=self.approximate)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -20,8 +20,9 @@ class ReadOptions:
     parameters, as in ``("F(x)", "x + x")``. ``undefined`` takes away predefined macros, such as
     those of extensions that the driver at hand lacks. ``#include`` finds files in
     ``include_folders`` and nowhere else, but for the folder of the file that includes. ``unroll``
-    takes loops of few trips apart, so that what they compute can be cached. ``webgl``: is a file
-    without ``#version`` GLSL ES 1.00? ``None``: where it says so.
+    takes loops of few trips apart, so that what they compute can be cached. ``approximate`` offers
+    values of the screen as well. ``webgl``: is a file without ``#version`` GLSL ES 1.00? ``None``:
+    where it says so.
     """
 
     defines: tuple[tuple[str, str], ...] = ()
@@ -30,6 +31,7 @@ class ReadOptions:
     max_tokens: int = MAX_TOKENS
     dialect: Dialect = "glsl"
     unroll: bool = False
+    approximate: bool = False
     webgl: bool | None = None
 
     @property
@@ -45,6 +47,8 @@ class ReadOptions:
             yield from ("--dialect", self.dialect)
         if self.unroll:
             yield "--unroll"
+        if self.approximate:
+            yield "--approximate"
 
 
 DEFAULTS = ReadOptions()

@@ -58,7 +58,11 @@ def analyse_scene(
     names: the scene has what it gives under these as well. Raises as :func:`compiler.analyse`.
     """
     reading = reading or ReadOptions()
-    reading = replace(reading, unroll=reading.unroll or scene.unroll)
+    reading = replace(
+        reading,
+        unroll=reading.unroll or scene.unroll,
+        approximate=reading.approximate or scene.approximate,
+    )
     sources, wanted = read_shaders(scene), mapping or scene.mapping
     analysis = analyse(*sources, reading, wanted)
     named = with_new_names(scene, analysis.renamed)

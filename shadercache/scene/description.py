@@ -124,6 +124,7 @@ class Scene:
     changes: Mapping[str, str] = field(default_factory=dict)
     demo: Demo | None = None
     unroll: bool = False
+    approximate: bool = False
     mapping: MappingKind | None = None
 
     @property
@@ -189,6 +190,7 @@ def load_scene(path: Path) -> Scene:
         changes=read_changes(top.table("changes"), common.inputs),
         demo=_demo(top.table("demo")) if top.has("demo") else None,
         unroll=top.boolean("unroll", False),
+        approximate=top.boolean("approximate", False),
         mapping=cast(MappingKind | None, mapping),
     )
     top.finish()
