@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 
 from shadercache.analysis.candidates import Candidate, Candidates, varyings
 from shadercache.analysis.costs import payload_sets
@@ -20,6 +20,7 @@ from shadercache.analysis.refusals import Code
 from shadercache.analysis.screen.screen_varyings import ScreenVaryings
 from shadercache.analysis.stages import Pairs, StageSide, links_of, match_stages
 from shadercache.analysis.use_def import Definitions
+from shadercache.analysis.value_class import ValueClass, class_of
 from shadercache.analysis.value_numbering import ValueGroup, number_values
 from shadercache.ast import nodes as n
 from shadercache.diagnostics import Diagnostic, InputError, input_error
@@ -234,6 +235,32 @@ def depends_on(analysis: Analysis, nodes: Sequence[Candidate]) -> tuple[Dependen
     if analysis.vertex is not None:
         stages["vertex"] = analysis.vertex_emitter.sources(passed)
     return dependencies(stages, analysis.inputs)
+
+
+def of_vertex_stage(analysis: Analysis, passed: frozenset[str]) -> frozenset[str]:
+    """The uniforms and textures that the vertex shader makes these varyings from."""
+    stage = analysis.stage
+    if stage is None or not passed:
+        return frozenset()
+    kinds = input_kinds(stage.module, stage.facts)
+    sources = analysis.vertex_emitter.sources(passed)
+    return frozenset(name for name in sources if kinds.get(name) in ("uniforms", "textures"))
+
+
+def value_classes(
+    analysis: Analysis, changes: Mapping[str, str] | None
+) -> Callable[[Candidate], ValueClass]:
+    """What tells the class of a node; ``changes``: which inputs change, and with what."""
+    passed = varyings(analysis.program.module)
+    stage = analysis.stage
+    projection = frozenset[str]() if stage is None else stage.screen.projection
+
+    @cache
+    def of_inputs(on_screen: bool, inputs: frozenset[str]) -> ValueClass:
+        uniforms = inputs | of_vertex_stage(analysis, inputs & passed)
+        return class_of(on_screen, uniforms, projection, changes)
+
+    return lambda node: of_inputs(node.on_screen, node.inputs)
 
 
 def on_cpu(analysis: Analysis, node: Candidate) -> str | None:

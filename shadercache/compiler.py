@@ -62,7 +62,7 @@ from shadercache.ast.walk import walk
 from shadercache.caching.algorithms import LeftOut
 from shadercache.caching.configuration import Configuration, Mode
 from shadercache.caching.layout import layout_of
-from shadercache.diagnostics import Diagnostic, InputError, input_error
+from shadercache.diagnostics import Diagnostic, InputError, input_error, shortened
 from shadercache.emit import program_set
 from shadercache.emit.builder import FragmentProgram
 from shadercache.emit.depth_range import depth_warnings
@@ -91,6 +91,9 @@ from shadercache.valid.read import read
 
 _ES_WITH_PRIMITIVES = 320
 """The version of GLSL ES whose fragments know the number of their triangle."""
+
+_MOST_TOLD = 60
+"""Characters of a value in a sentence of the manifest."""
 
 USUAL_RANGE = (0.1, 100.0)
 """Near and far plane where no scene is known."""
@@ -257,6 +260,7 @@ def rewrite(
         depends_on(analysis, nodes),
         unchanged_for(analysis, nodes),
         analysis.renamed,
+        tuple(shortened(node.text, _MOST_TOLD) for node in nodes if node.approximate),
     )
     manifest = build_manifest(nodes, chosen, programs, setting)
     notes = notes_on(nodes, analysis.fragment)

@@ -132,7 +132,9 @@ def find_candidates(
 ) -> Candidates:
     """Judge every expression of ``main`` and of every function it reaches.
 
-    ``module`` has unique names. ``approximate`` offers values of the screen too. Raises :class:`InputError` SC401 on too many call paths.
+    ``module`` has unique names. ``approximate`` offers values of the screen too.
+
+    Raises :class:`InputError` SC401 on too many call paths.
     """
     instances = find_instances(table, origin.source)
     costs = CostTable(facts)

@@ -206,7 +206,7 @@ def by_inputs(trial: Trial) -> Refusal | None:
         return Refusal(Code.DERIVATIVE)
     screen = bound_to_screen(evidence, leaves)
     if evidence.approximate:
-        screen = {name for name in screen if not name.startswith("%")} - AT_REST
+        screen = frozenset(name for name in screen - AT_REST if not name.startswith("%"))
     if screen:
         told = sorted(name.removeprefix("%") for name in screen)
         return Refusal(Code.SCREEN, ", ".join(told))

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from shadercache.analysis.candidates import Candidate
     from shadercache.compiler import Analysis
 
-HEADER = ("id", "path", "at", "type", "cost", "P/T", "twice", "verdict", "inputs", "text")
+HEADER = ("id", "path", "at", "type", "cost", "P/T", "twice", "verdict", "class", "inputs", "text")
 INPUTS_WIDTH = 24
 TEXT_WIDTH = 60
 READ = ShaderOptions()
@@ -58,15 +58,22 @@ def command(
     --all and --offered print a table instead. P/T is the static cost of the value over that of the
     whole shader; "twice" is the share of the shader's cost that the payload and the shading that is
     left both compute. The verdict is "offered" or the code of the reason why the value may not be
-    cached. --json leaves nothing out, and says everything once: nodes have numbers of expressions,
-    paths, inputs and refusals in tables of these. Nodes that have the same value share a "group",
-    and values of uniforms only come with the GLSL to compute "on_cpu".
+    cached. The class is "surface", "view" (it changes with the camera) or "screen" (it depends on
+    where or how large a surface is seen: offered with --approximate, exact at rest).
+
+    --json leaves nothing out, and says everything once: nodes have numbers of expressions, paths,
+    inputs and refusals in tables of these. Nodes that have the same value share a "group", and
+    values of uniforms only come with the GLSL to compute "on_cpu".
     """
+    from shadercache.analysed import value_classes
     from shadercache.compiler import analyse
+    from shadercache.linking.scene_shaders import read_as_in
     from shadercache.scene.description import load_scene
 
     options, source = reading.read_options(), read_source(fragment)
     given = load_scene(find_scene(scene)) if scene else None
+    if given is not None:
+        options = read_as_in(given, options)
     changes = given.changes if given else None
     mapping = reading.mapping or (given.mapping if given else None)
     analysis = analyse(source, read_source(vert) if vert else None, options, mapping)
@@ -80,14 +87,17 @@ def command(
     if offered is None and sort is None:
         print(told_in_one_look(analysis, changes, [fragment, *(["--vert", vert] if vert else [])]))
         return
-    rows = [_row(analysis, node, changes) for node in shown]
+    classes = value_classes(analysis, changes)
+    rows = [_row(analysis, node, classes(node), changes) for node in shown]
     header = HEADER if changes is None else (*HEADER[:-1], "changes with", HEADER[-1])
     print(format_table(header, rows, right="at cost P/T twice", width=terminal_width()))
     print(f"\n{_summary(analysis.nodes)}")
     print(f"\nmapping: {analysis.mapping}, {MAPPINGS[analysis.mapping]}")
 
 
-def _row(analysis: Analysis, node: Candidate, changes: Mapping[str, str] | None) -> tuple[str, ...]:
+def _row(
+    analysis: Analysis, node: Candidate, value_class: str, changes: Mapping[str, str] | None
+) -> tuple[str, ...]:
     line, column = analysis.fragment.position(node.expr.span.start)
     parts = analysis.shared_work.parts((node,)) if node.legal else None
     causes = {} if changes is None else changes_of(node, changes)
@@ -101,6 +111,7 @@ def _row(analysis: Analysis, node: Candidate, changes: Mapping[str, str] | None)
         f"{node.ratio:.3f}",
         f"{parts.overlap / (parts.whole or 1.0):.3f}" if parts else "",
         node.refusal.code.code if node.refusal else "offered",
+        value_class,
         shorten(" ".join(sorted(node.inputs)), INPUTS_WIDTH),
         *(() if changes is None else (shorten(changing, INPUTS_WIDTH),)),
         shorten(node.text, TEXT_WIDTH),

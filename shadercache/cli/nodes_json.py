@@ -53,7 +53,10 @@ class _Writer:
     """Fills the tables while nodes are written."""
 
     def __init__(self, analysis: Analysis, changes: Changes | None) -> None:
+        from shadercache.analysed import value_classes
+
         self._analysis, self._changes = analysis, changes
+        self._class_of = value_classes(analysis, changes)
         names = ("expressions", "paths", "inputs", "refusals", "on_cpu")
         self.tables: dict[str, list[Any]] = {name: [] for name in names}
         self._numbers: dict[str, dict[Hashable, int]] = {name: {} for name in names}
@@ -70,6 +73,7 @@ class _Writer:
             **self._passes(node),
             "inputs": self._number("inputs", node.inputs, lambda: self._inputs(node)),
             "group": group,
+            "class": self._class_of(node),
             "offered": node.offered,
             **self._verdict(node),
         }

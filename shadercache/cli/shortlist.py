@@ -5,7 +5,7 @@ from __future__ import annotations
 import shlex
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from functools import lru_cache
+from functools import cache, partial
 from typing import TYPE_CHECKING
 
 from shadercache.analysis.mapping import PREVIOUS_CLIP
@@ -50,7 +50,7 @@ def told_in_one_look(analysis: Analysis, changes: Changes | None, files: Sequenc
         f"{len(shown)} of {len(ranked)} {values}, by what caching one saves of the shader at most "
         f"(static costs)\nmapping: {analysis.mapping}, {MAPPINGS[analysis.mapping]}"
     )
-    told = (_value(analysis, one, dependence.sentence(one.node)) for one in shown)
+    told = (_value(analysis, one, dependence.told(one.node)) for one in shown)
     best = min(
         (one for one in shown if one.share > 0.0 and one.share >= 0.5 * shown[0].share),
         key=lambda one: len(dependence.causes(one.node)),
@@ -82,12 +82,14 @@ class Dependence:
     """What values depend on: through varyings too, if their vertex shader is known."""
 
     def __init__(self, analysis: Analysis, changes: Changes | None) -> None:
+        from shadercache.analysed import of_vertex_stage, value_classes
         from shadercache.analysis.candidates import varyings
 
         self._analysis, self._changes = analysis, changes
+        self.value_class = value_classes(analysis, changes)
         self._varyings = varyings(analysis.program.module)
         # A shader has many values, and few sets of inputs.
-        self._through = lru_cache(None)(self._of_vertex)
+        self._through = cache(partial(of_vertex_stage, analysis))
 
     def causes(self, node: Candidate) -> frozenset[str]:
         """What changes the value: of what it depends on all that is not known to stay."""
@@ -105,11 +107,17 @@ class Dependence:
         causes: dict[str, list[str]] = {cause: [] for cause in sorted(set(changes.values()))}
         for name in sorted(self.causes(node)):
             causes[changes[name]].append(name)
-        told = [f"the {cause} ({', '.join(names)})" for cause, names in causes.items() if names]
+        told = ["where it is seen"] * node.on_screen
+        told += [f"the {cause} ({', '.join(names)})" for cause, names in causes.items() if names]
         if told:
             return f"changes with {' and '.join(told)}"
         place = ", ".join(kinds.get("varyings", ()))
         return _STAYS[self._analysis.mapping] + (f" ({place})" if place else "")
+
+    def told(self, node: Candidate) -> str:
+        """The class of the value, and what changes it."""
+        word = self.value_class(node)
+        return f"{word}{' (exact at rest)' * node.approximate}: {self.sentence(node)}"
 
     def _kinds(self, node: Candidate) -> dict[str, list[str]]:
         from shadercache.analysis.input_reads import by_kind, input_kinds
@@ -120,26 +128,24 @@ class Dependence:
         kinds.pop("globals", None)
         return kinds
 
-    def _of_vertex(self, varyings: frozenset[str]) -> frozenset[str]:
-        """The uniforms and textures that the vertex shader makes them from."""
-        stage = self._analysis.stage
-        if stage is None or not varyings:
-            return frozenset()
-        from shadercache.analysis.input_reads import input_kinds
-
-        kinds = input_kinds(stage.module, stage.facts)
-        sources = self._analysis.vertex_emitter.sources(varyings)
-        return frozenset(name for name in sources if kinds.get(name) in ("uniforms", "textures"))
-
 
 def _counts(analysis: Analysis) -> str:
     offered = [node for node in analysis.nodes if node.offered]
     values = len({analysis.groups[node] for node in offered})
     refused = len(analysis.nodes) - len(offered)
     different = "1 value" if values == 1 else f"{values} different values"
+    more = "" if analysis.reading.approximate else _told_of_screen(analysis)
     return (
-        f"{len(offered)} nodes of {different} are offered, {refused} are refused (--all lists them)"
+        f"{len(offered)} nodes of {different} are offered, {refused} are refused (--all lists them"
+        f"{more})"
     )
+
+
+def _told_of_screen(analysis: Analysis) -> str:
+    """How many values are refused only as of the screen."""
+    refusals = (node.refusal for node in analysis.nodes)
+    count = sum(refusal is not None and refusal.approximable for refusal in refusals)
+    return f"; {count} as values of the screen, which --approximate may offer" if count else ""
 
 
 def _next(analysis: Analysis, best: Saving, files: Sequence[str]) -> str:

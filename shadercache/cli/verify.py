@@ -190,6 +190,7 @@ def _text(whole: WholeScene, verdicts: Sequence[Verdict]) -> str:
     ]
     if not verdicts:
         lines.append("no value is offered, so laws 2-4 say nothing ('shadercache nodes' says why)")
+    lines += _of_screen([verdict for verdict in verdicts if verdict.approximate])
     ages = [age for verdict in verdicts for age in verdict.ages.values()]
     if ages:
         lines.append(f"law 7: the oldest payload was {max(ages):g} frames old, of {PERIOD}")
@@ -211,6 +212,26 @@ def _text(whole: WholeScene, verdicts: Sequence[Verdict]) -> str:
     if whole.ties > MAX_TIES:
         lines.append(f"{whole.ties:.2%} of the pixels are depth ties, which are left out")
     return "\n".join(lines)
+
+
+def _of_screen(verdicts: Sequence[Verdict]) -> list[str]:
+    """Which laws hold for values of the screen, and how far reuse of them is off."""
+    from shadercache.verify.verdict import PERIOD
+
+    if not verdicts:
+        return []
+    off = [(error, verdict.node) for verdict in verdicts for error in verdict.moving.values()]
+    lines = [
+        f"{len(verdicts)} of them are values of the screen: laws 2-4 are judged for these as for "
+        "all others (exact with all refreshed, exact at rest, the same by each algorithm)"
+    ]
+    if off:
+        worst, node = max(off)
+        lines.append(
+            "no law bounds how far their reuse is off in motion: here, at a period of "
+            f"{PERIOD}, an RMSE of up to {worst:.2g} ({node})"
+        )
+    return lines
 
 
 def _row(verdict: Verdict) -> tuple[str, ...]:

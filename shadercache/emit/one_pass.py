@@ -122,8 +122,8 @@ def _unfit_ahead(builder: PassBuilder) -> str | None:
         )
     if not all(movable(use) for use, *_ in builder.fetches):
         return (
-            "the payload fetches a texture with implicit level of detail at a place "
-            "from which the fetch cannot be moved before the branch"
+            "the payload takes a derivative, or fetches a texture with implicit level of detail, "
+            "at a place from which that cannot be moved before the branch"
         )
     return None
 

@@ -122,7 +122,7 @@ def emit_programs(
         reason = unfit(builder, algorithm)
         if configuration.payload_rate != "full":
             slower = algorithm.at_fraction()
-            reason = reason if slower else NO_RATE
+            reason = (reason or _unfit_at_fraction(nodes)) if slower else NO_RATE
             algorithm = slower or algorithm
         if reason is not None:
             programs.refused[algorithm.name] = reason
@@ -131,6 +131,16 @@ def emit_programs(
             write.add(record, builder, algorithm.file_of(record)) for record in algorithm.passes
         )
     return programs
+
+
+def _unfit_at_fraction(nodes: Sequence[Candidate]) -> str | None:
+    """Why payloads cannot be computed for a fraction of the pixels, if so."""
+    if any(node.on_screen for node in nodes):
+        return (
+            "the value depends on how large a surface is seen or where, which a smaller picture "
+            "shows otherwise"
+        )
+    return None
 
 
 def _builder(

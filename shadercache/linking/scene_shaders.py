@@ -57,18 +57,22 @@ def analyse_scene(
     Where shaders of an older version are raised some attributes, uniforms and textures get new
     names: the scene has what it gives under these as well. Raises as :func:`compiler.analyse`.
     """
-    reading = reading or ReadOptions()
-    reading = replace(
-        reading,
-        unroll=reading.unroll or scene.unroll,
-        approximate=reading.approximate or scene.approximate,
-    )
+    reading = read_as_in(scene, reading or ReadOptions())
     sources, wanted = read_shaders(scene), mapping or scene.mapping
     analysis = analyse(*sources, reading, wanted)
     named = with_new_names(scene, analysis.renamed)
     if wanted is None and analysis.mapping == "surface" and _rests(named, analysis):
         analysis = analyse(*sources, reading, "screen")
     return named, analysis
+
+
+def read_as_in(scene: Scene, reading: ReadOptions) -> ReadOptions:
+    """These options, and what a scene asks for besides."""
+    return replace(
+        reading,
+        unroll=reading.unroll or scene.unroll,
+        approximate=reading.approximate or scene.approximate,
+    )
 
 
 def _rests(scene: Scene, analysis: Analysis) -> bool:

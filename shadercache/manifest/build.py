@@ -240,6 +240,7 @@ def _node(source: Source, node: Candidate, place: tuple[str, str]) -> cache_mode
         ),
         channels=convert({k: v for k, v in places if v}, cache_model.PlacesEntry),
         conditional=is_skipped(node),
+        approximate=node.approximate,
     )
 
 

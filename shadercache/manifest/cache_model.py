@@ -130,3 +130,10 @@ class NodeEntry(kinds.ManifestPart, frozen=True, kw_only=True):
             "of the values is no use in the next frame"
         ),
     ]
+    approximate: Annotated[
+        bool,
+        Meta(
+            description="does it depend on where or how large a surface is seen? Reuse is exact "
+            "at rest, and an approximation in motion"
+        ),
+    ] = False

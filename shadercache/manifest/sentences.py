@@ -20,7 +20,7 @@ class Setting:
 
     ``inputs`` are those of the user's shaders; ``depends_on`` those of the payload; ``unchanged``:
     while which inputs do not change is reuse exact? (``None``: not said.) ``renamed`` leads from
-    the user's names to the variants'.
+    the user's names to the variants'. ``approximate``: the values of the screen among the payload.
     """
 
     fragment: Source
@@ -31,6 +31,7 @@ class Setting:
     depends_on: tuple[DependencyEntry, ...]
     unchanged: tuple[str, ...] | None
     renamed: Mapping[str, str]
+    approximate: tuple[str, ...] = ()
 
 
 FEWEST_ATTACHMENTS = 4
@@ -272,7 +273,17 @@ def relies_on(configuration: Configuration, programs: ProgramSet, setting: Setti
             f"{most} colour attachments in one pass: OpenGL has 8 or more, OpenGL ES and WebGL may "
             f"have {FEWEST_ATTACHMENTS}"
         )
-    return [*relies, *_of_mapping(setting)]
+    return [*relies, *_of_mapping(setting), *_of_screen(setting)]
+
+
+def _of_screen(setting: Setting) -> list[str]:
+    if not setting.approximate:
+        return []
+    texts = " and ".join(f"'{text}'" for text in setting.approximate)
+    return [
+        f"little motion in a period: {texts} depends on where or how large a surface is seen, and "
+        "is reused as it was then; reuse is exact only while neither camera nor objects move"
+    ]
 
 
 def _of_mapping(setting: Setting) -> list[str]:

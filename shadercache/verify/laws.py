@@ -12,7 +12,15 @@ from shadercache.render.bundle import Bundle
 from shadercache.render.surfaces import Mask
 from shadercache.verify.references import MOVING, References
 from shadercache.verify.reuse_checks import DEPTH, Look, Reuse
-from shadercache.verify.verdict import PERIOD, Difference, Image, Verdict, difference, worst_of
+from shadercache.verify.verdict import (
+    PERIOD,
+    Difference,
+    Image,
+    Verdict,
+    difference,
+    rmse,
+    worst_of,
+)
 
 ALWAYS = range(3)
 # The first frame, which is a reset, and one period, over which `at_rest` counts.
@@ -42,6 +50,10 @@ def judge(references: References, bundle: Bundle, verdict: Verdict) -> Image | N
         frames, moving_fault = _reusing(references, reuse, name)
         first = first or frames  # the first algorithm agrees with itself
         laws["agreeing"][name] = _agreement(references, frames, first)
+        if verdict.approximate:
+            # Behind the first frame, which is a reset.
+            shown, right = [image for image, _ in frames[1:]], references.images["proof"][1:]
+            verdict.moving[name] = rmse(shown, right, references.covered[1:])
         _note(verdict, name, resting_fault, moving_fault)
         if bundle.cache.age_channel is not None:
             verdict.ages[name] = _oldest(references, bundle, name, bundle.cache.age_channel)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from shadercache.measure.result_files import plain
 
 Image = NDArray[np.float32]
+Mask = NDArray[np.bool_]
 
 PERIOD = 4
 """Refresh period of the runs that reuse: short, so that few frames show every phase."""
@@ -45,7 +46,7 @@ class Difference:
         return f"{self.changed:.2%} of the pixels differ, by up to {self.maximum:.2g}"
 
 
-def difference(image: Image, reference: Image, covered: NDArray[np.bool_]) -> Difference:
+def difference(image: Image, reference: Image, covered: Mask) -> Difference:
     """Compare colours bit by bit where ``covered``; NaN equals NaN of the same bits only."""
     one, other = image[covered], reference[covered]
     # Bits, since NaN is not equal to itself, and -0 is equal to 0.
@@ -69,6 +70,13 @@ def worst_of(differences: Iterable[Difference]) -> Difference:
     )
 
 
+def rmse(images: Iterable[Image], others: Iterable[Image], judged: Iterable[Mask]) -> float:
+    """The root of the mean square by which images of two runs differ, in pixels that count."""
+    pairs = zip(images, others, judged, strict=False)
+    apart = [(image.astype(np.float64) - other)[counts] for image, other, counts in pairs]
+    return float(np.sqrt(np.mean(np.square(np.concatenate(apart)))))
+
+
 @dataclass(slots=True)
 class Verdict:
     """The laws for one node, or for several cached together.
@@ -79,7 +87,8 @@ class Verdict:
     frames that a payload reached at a period of :data:`PERIOD`, where the cache keeps ages.
     ``plain``: what plain mode changes. ``refused``: the algorithms that the compiler does not offer
     for the node, and why. ``failure``: why a variant could not be drawn at all. ``cause``: what of
-    the payload is not finite, and where.
+    the payload is not finite, and where. ``approximate``: is it a value of the screen, for which no
+    law says how far reuse is off in motion? ``moving``: that, as an RMSE, by algorithm.
     """
 
     node: str
@@ -95,6 +104,8 @@ class Verdict:
     refused: dict[str, str] = field(default_factory=dict)
     failure: str = ""
     faults: dict[str, str] = field(default_factory=dict)
+    approximate: bool = False
+    moving: dict[str, float] = field(default_factory=dict)
 
     @property
     def algorithms(self) -> set[str]:

@@ -46,10 +46,12 @@ _BY_COMPONENT = frozenset(
 @dataclass(frozen=True, slots=True)
 class ScreenVaryings:
     """``moves``: is the position another one when uniforms change? ``components``: of the outputs
-    that carry the place on the screen; keys are a variable, or a block's name and a member."""
+    that carry the place on the screen; keys are a variable, or a block's name and a member.
+    ``projection``: the uniforms that positions are multiplied by last."""
 
     moves: bool = True
     components: Mapping[Key, Components] = field(default_factory=dict)
+    projection: frozenset[str] = frozenset()
 
 
 def screen_varyings(module: n.Module, facts: Facts) -> ScreenVaryings:
@@ -65,7 +67,8 @@ def screen_varyings(module: n.Module, facts: Facts) -> ScreenVaryings:
         return ScreenVaryings(False)
     screen = _Screen(position)
     outputs = ((key, screen.of(term)) for key, term in _outputs(module, evaluator))
-    return ScreenVaryings(True, {key: components for key, components in outputs if components})
+    bound = {key: components for key, components in outputs if components}
+    return ScreenVaryings(True, bound, screen.projection)
 
 
 def _outputs(module: n.Module, evaluator: Evaluator) -> Iterator[tuple[Key, Term]]:
@@ -94,6 +97,13 @@ class _Screen:
         for term, whole in reached([(position, True)], lambda step: self._behind(*step)):
             if term.moves and term.op != "leaf" and (whole or term.op == "product"):
                 self._positions.add(term)
+
+    @property
+    def projection(self) -> frozenset[str]:
+        """The uniforms that positions are multiplied by last."""
+        factors = [factor for factor, _ in self._projections]
+        parts = reached(factors, lambda term: term.args)
+        return frozenset(str(part.data) for part in parts if part.op == "leaf" and part.moves)
 
     def _behind(self, term: Term, whole: bool) -> Iterator[tuple[Term, bool]]:
         """Terms that are a position if ``term`` is one (``whole``), or gives one its x and y."""
