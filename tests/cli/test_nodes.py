@@ -169,3 +169,26 @@ def test_loops_are_unrolled_on_request(shell: Shell) -> None:
     assert [node["path"] for node in sums] == ["main [i=0]", "main [i=1]", "main [i=2]"]
     assert all(node["offered"] for node in sums)
     assert "8:5: note: this loop is not unrolled: there is a break" in outcome.err
+
+
+SCREEN = """#version 330
+in vec3 v_position;
+out vec4 o_color;
+float wave(vec3 p) { return sin(p.x * 3.1) * cos(p.y * 2.3) + pow(abs(p.z), 1.3); }
+void main() { o_color = vec4(wave(dFdx(v_position)), wave(v_position), 0.0, 1.0); }
+"""
+
+
+def test_values_of_the_screen_are_offered_on_request(shell: Shell) -> None:
+    plain = shell("nodes", "-", stdin=SCREEN.encode()).out
+    assert "as values of the screen, which --approximate may offer); " in plain
+    nodes = {n["text"]: n for n in shell("nodes", "-", "--json", stdin=SCREEN.encode()).nodes}
+    faced, still = nodes["wave(dFdx(v_position))"], nodes["wave(v_position)"]
+    assert (faced["class"], still["class"]) == ("screen", "surface")
+    assert faced["refusal"]["code"] == "SC312" and still["offered"]
+    asked = shell("nodes", "-", "--approximate", stdin=SCREEN.encode()).out
+    assert "        screen (exact at rest): depends on " in asked
+    assert "--approximate --node " in asked.splitlines()[-1]
+    table = shell("nodes", "-", "--approximate", "--all", stdin=SCREEN.encode()).out
+    row = next(line for line in table.splitlines() if line.endswith("wave(dFdx(v_position))"))
+    assert "  offered  screen " in row

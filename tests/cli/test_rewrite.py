@@ -332,3 +332,23 @@ def test_an_id_that_is_short_for_several_nodes(
     assert outcome.status == 0
     manifest = json.loads((tmp_path / "out" / "manifest.json").read_text())
     assert [item["id"] for item in manifest["nodes"]] == [node.id]
+
+
+def test_a_value_of_the_screen(shell: Shell, tmp_path: Path) -> None:
+    shader, out = tmp_path / "face.frag", tmp_path / "out"
+    face = "normalize(cross(dFdx(v_position), dFdy(v_position)))"
+    shader.write_text(
+        "#version 330\nin vec3 v_position;\nout vec4 o_color;\n"
+        f"void main() {{\n    o_color = vec4({face}, 1.0);\n}}\n"
+    )
+    line = ["rewrite", shader, "--vert", Path(__file__).parent / "shaders" / "small.vert"]
+    refused = shell(*line, "--node", face, "-o", out)
+    assert refused.status == 1 and "[SC312]" in refused.err
+    assert "hint: with --approximate it may be cached" in refused.err
+    assert shell(*line, "--node", face, "--approximate", "-o", out).status == 0
+    manifest = json.loads((out / "manifest.json").read_text())
+    assert manifest["nodes"][0]["approximate"] is True
+    relied = [text for text in manifest["relies_on"] if text.startswith("little motion")]
+    assert len(relied) == 1 and f"'{face}' depends on where" in relied[0]
+    rate = shell(*line, "--node", face, "--approximate", "--rate", "half", "-o", out)
+    assert rate.status == 1 and "a smaller picture shows otherwise" in rate.err

@@ -55,16 +55,18 @@ def test_of_alike_values_one_is_shown(shell: Shell) -> None:
 def test_what_changes_a_value_by_the_scene(shell: Shell) -> None:
     first, second, third, *_ = values(shell("nodes", *PAIR, "--scene", "dragon").out)
     assert first[3].split(" and ") == [
-        "        changes with the light (u_light)",
+        "        view: changes with the light (u_light)",
         "the view (u_eye, u_model)",
     ]
     assert second[3].endswith("the light (u_light) and the view (u_model)"), "through v_normal"
-    assert third[3] == "        stays the same on the surface (v_position)"
+    assert third[3] == "        surface: stays the same on the surface (v_position)"
 
 
 def test_what_a_value_depends_on_through_the_vertex_shader(shell: Shell) -> None:
     lone = next(value for value in values(shell("nodes", DRAGON).out) if "albedo *" in value[1])
-    assert lone[3].startswith("        depends on varyings v_normal, v_position; uniforms u_light;")
+    assert lone[3].startswith(
+        "        surface: depends on varyings v_normal, v_position; uniforms u_light;"
+    )
     pair = next(value for value in values(shell("nodes", *PAIR).out) if "albedo *" in value[1])
     assert pair[3].endswith("; in the vertex shader u_model")
 

@@ -194,3 +194,22 @@ def test_the_pixel_of_what_is_not_finite_is_told(shell: Shell, tmp_path: Path) -
     done = shell("verify", path, "--mapping", "screen", "--node", ":6", "--proof-only", "-j", 1)
     assert done.status == 0, done.out
     assert ": the payload is NaN in 1 of 9,216 pixels, the first of them at (7, 3)" in done.out
+
+
+def test_of_values_of_the_screen_the_laws_and_the_error_are_told(
+    shell: Shell, scene: Path, tmp_path: Path
+) -> None:
+    text = FRAGMENT.replace(
+        "float b = (wave(v_position))", "float b = wave(dFdx(v_position) * 9.0)"
+    )
+    (tmp_path / "square.frag").write_text(text)
+    asked = ("--node", "wave(dFdx(v_position) * 9.0)", "--proof-only", "-j", 1)
+    assert shell("verify", scene, *asked).status == 1
+    done = shell("verify", scene, *asked, "--approximate")
+    assert done.status == 0, done.out
+    told = "1 of them are values of the screen: laws 2-4 are judged for these as for all others"
+    assert told in done.out
+    assert "no law bounds how far their reuse is off in motion: here, at a period of 4" in done.out
+    (node,) = shell("verify", scene, *asked, "--approximate", "--json").json["nodes"]
+    assert node["approximate"] and set(node["moving"]) == {"1-pass", "2-pass", "3-pass"}
+    assert "values of the screen" not in shell("verify", scene, "--proof-only", "-j", 1).out

@@ -34,6 +34,14 @@ def test_a_scene_may_ask_for_unrolled_loops(scene: Scene, scene_folder: Path) ->
     assert analyse_scene(scene, ReadOptions(unroll=True))[1].reading.unroll
 
 
+def test_a_scene_may_ask_for_values_of_the_screen(scene: Scene, scene_folder: Path) -> None:
+    assert not analyse_scene(scene)[1].reading.approximate
+    path = scene_folder / "approximate.toml"
+    path.write_text("approximate = true\n" + (scene_folder / "scene.toml").read_text())
+    assert analyse_scene(load_scene(path))[1].reading.approximate
+    assert analyse_scene(scene, ReadOptions(approximate=True))[1].reading.approximate
+
+
 def test_a_folder_stands_for_its_scene_file(scene: Scene, scene_folder: Path) -> None:
     assert scene.path == scene_folder / "scene.toml"
     assert scene.name == "torus"

@@ -11,9 +11,7 @@ void main() {
     float away = wave(vec3(seen.far));
     float linear = wave(vec3(v_linear, 2.0));
     float level = wave(vec3(textureQueryLod(u_map, v_uv * 3.0), 1.0));
-    float centre = wave(interpolateAtCentroid(v_position));
-    float beside = wave(interpolateAtOffset(v_position, vec2(0.25)));
     float both = wave(vec3(fwidth(gl_FragCoord.z) * 99.0, dFdx(screen)));
     o_color = vec4(dither * 0.1 + deep, lit, number, clip);
-    o_color += vec4(block, away, linear, level) + vec4(centre, beside, both, 0.0);
+    o_color += vec4(block, away, linear, level) + vec4(both);
 }
