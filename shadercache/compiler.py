@@ -38,6 +38,7 @@ from shadercache.analysed import Analysis, VertexStage, depends_on, unchanged_fo
 from shadercache.analysis.candidates import (
     Candidate,
     Origin,
+    ReuseMode,
     find_candidates,
     reused_builtins,
     varyings,
@@ -155,8 +156,8 @@ def analyse(
     table = EffectTable(module, marks=_marks(side, mapping, stage))
     if mapping == "user":
         check_user_mapping(module, fragment, table)
-    origin = Origin(fragment, printed)
-    candidates = find_candidates(module, facts, table, origin, mapping, reading.approximate)
+    how = ReuseMode(mapping, reading.approximate)
+    candidates = find_candidates(module, facts, table, Origin(fragment, printed), how)
     program = FragmentProgram(
         raised[0].module, module, facts, candidates, outputs, prefix, original, mapping
     )

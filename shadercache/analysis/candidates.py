@@ -10,6 +10,7 @@ import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from shadercache.analysis.call_paths import Instance, Place, Use, find_instances, path_to
 from shadercache.analysis.costs.cost import CostTable
@@ -121,25 +122,29 @@ class Origin:
     printed: Mapping[str, str]
 
 
+class ReuseMode(NamedTuple):
+    """How values are found again, and whether those of the screen may be (``approximate``)."""
+
+    mapping: MappingKind = "surface"
+    approximate: bool = False
+
+
 @without_collector()
 def find_candidates(
     module: n.Module,
     facts: Facts,
     table: EffectTable,
     origin: Origin,
-    mapping: MappingKind = "surface",
-    approximate: bool = False,
+    reuse: ReuseMode,
 ) -> Candidates:
     """Judge every expression of ``main`` and of every function it reaches.
 
-    ``module`` has unique names. ``approximate`` offers values of the screen too.
-
-    Raises :class:`InputError` SC401 on too many call paths.
+    ``module`` has unique names. Raises :class:`InputError` SC401 on too many call paths.
     """
     instances = find_instances(table, origin.source)
     costs = CostTable(facts)
     slices = SliceTable(module, instances, table, costs)
-    evidence = _evidence(module, facts, slices, table, mapping, approximate)
+    evidence = _evidence(module, facts, slices, table, reuse)
     total = costs.function(table.functions["main"]) or 1.0
     ids = NodeIds(instances, origin.printed)
     texts: dict[n.Expr, str] = {}
@@ -177,17 +182,12 @@ def find_candidates(
 
 
 def _evidence(
-    module: n.Module,
-    facts: Facts,
-    slices: SliceTable,
-    table: EffectTable,
-    mapping: MappingKind,
-    approximate: bool,
+    module: n.Module, facts: Facts, slices: SliceTable, table: EffectTable, reuse: ReuseMode
 ) -> Evidence:
     instances, bit = slices.instances, slices.leaves.bit
-    reused = reused_builtins(module, mapping)
+    reused = reused_builtins(module, reuse.mapping)
     # What differs from fragment to fragment and may be reused.
-    different = varyings(module) | reused | (AT_REST if approximate else frozenset())
+    different = varyings(module) | reused | (AT_REST if reuse.approximate else frozenset())
     structs = (decl.type.struct for decl in module.decls if isinstance(decl, n.VarDecl))
     return Evidence(
         facts=facts,
@@ -202,7 +202,7 @@ def _evidence(
         derivative=bit(DERIVATIVE),
         varying=sum({bit(name) for name in different}),
         reused=reused,
-        approximate=approximate,
+        approximate=reuse.approximate,
     )
 
 

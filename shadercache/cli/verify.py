@@ -220,7 +220,7 @@ def _of_screen(verdicts: Sequence[Verdict]) -> list[str]:
 
     if not verdicts:
         return []
-    off = [(error, verdict.node) for verdict in verdicts for error in verdict.moving.values()]
+    off = [(error, one.node) for one in verdicts for error in (one.moving or {}).values()]
     lines = [
         f"{len(verdicts)} of them are values of the screen: laws 2-4 are judged for these as for "
         "all others (exact with all refreshed, exact at rest, the same by each algorithm)"

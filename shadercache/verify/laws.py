@@ -50,7 +50,7 @@ def judge(references: References, bundle: Bundle, verdict: Verdict) -> Image | N
         frames, moving_fault = _reusing(references, reuse, name)
         first = first or frames  # the first algorithm agrees with itself
         laws["agreeing"][name] = _agreement(references, frames, first)
-        if verdict.approximate:
+        if verdict.moving is not None:
             # Behind the first frame, which is a reset.
             shown, right = [image for image, _ in frames[1:]], references.images["proof"][1:]
             verdict.moving[name] = rmse(shown, right, references.covered[1:])

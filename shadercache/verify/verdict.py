@@ -87,8 +87,8 @@ class Verdict:
     frames that a payload reached at a period of :data:`PERIOD`, where the cache keeps ages.
     ``plain``: what plain mode changes. ``refused``: the algorithms that the compiler does not offer
     for the node, and why. ``failure``: why a variant could not be drawn at all. ``cause``: what of
-    the payload is not finite, and where. ``approximate``: is it a value of the screen, for which no
-    law says how far reuse is off in motion? ``moving``: that, as an RMSE, by algorithm.
+    the payload is not finite, and where. ``moving``: of a value of the screen, whose reuse in motion
+    no law bounds, the RMSE of that by algorithm.
     """
 
     node: str
@@ -104,8 +104,12 @@ class Verdict:
     refused: dict[str, str] = field(default_factory=dict)
     failure: str = ""
     faults: dict[str, str] = field(default_factory=dict)
-    approximate: bool = False
-    moving: dict[str, float] = field(default_factory=dict)
+    moving: dict[str, float] | None = None
+
+    @property
+    def approximate(self) -> bool:
+        """Is it a value of the screen, exact at rest alone?"""
+        return self.moving is not None
 
     @property
     def algorithms(self) -> set[str]:
@@ -136,6 +140,7 @@ class Verdict:
         """JSON values, with the list of broken laws. Differences without end are null."""
         data: dict[str, Any] = plain(self)
         data.update(data.pop("laws"), broken=self.broken, reasons=self.reasons)
+        data["approximate"] = self.approximate
         return data
 
     def _reasons(self) -> dict[str, list[str]]:

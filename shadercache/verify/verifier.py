@@ -81,7 +81,7 @@ class Verifier:
             " | ".join(node.path for node in nodes),
             " | ".join(node.text for node in nodes),
             all(node.offered for node in nodes),
-            approximate=any(node.approximate for node in nodes),
+            moving={} if any(node.approximate for node in nodes) else None,
         )
         try:
             bundle = self.rewritten(nodes, "proof")
