@@ -87,8 +87,8 @@ class Verdict:
     frames that a payload reached at a period of :data:`PERIOD`, where the cache keeps ages.
     ``plain``: what plain mode changes. ``refused``: the algorithms that the compiler does not offer
     for the node, and why. ``failure``: why a variant could not be drawn at all. ``cause``: what of
-    the payload is not finite, and where. ``moving``: of a value of the screen, whose reuse in motion
-    no law bounds, the RMSE of that by algorithm.
+    the payload is not finite, and where. ``moving``: of a value of the screen, the RMSE of its
+    reuse in motion, which no law bounds, by algorithm.
     """
 
     node: str
