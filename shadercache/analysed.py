@@ -15,6 +15,7 @@ from shadercache.analysis.costs.shared_work import SharedWorkTable
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.input_reads import input_kinds
 from shadercache.analysis.mapping import MappingKind
+from shadercache.analysis.moving import NO_GUESS, moving_inputs
 from shadercache.analysis.naming import NO_NAMES, NodeNames
 from shadercache.analysis.refusals import Code
 from shadercache.analysis.screen.screen_varyings import ScreenVaryings
@@ -22,8 +23,9 @@ from shadercache.analysis.stages import Pairs, StageSide, links_of, match_stages
 from shadercache.analysis.use_def import Definitions
 from shadercache.analysis.value_class import ValueClass, class_of
 from shadercache.analysis.value_numbering import ValueGroup, number_values
+from shadercache.analysis.vertex_inputs import POSITION
 from shadercache.ast import nodes as n
-from shadercache.diagnostics import Diagnostic, InputError, input_error
+from shadercache.diagnostics import Diagnostic, InputError, Severity, input_error
 from shadercache.emit.builder import FragmentProgram, PassBuilder
 from shadercache.emit.printer import print_node
 from shadercache.emit.runtime import full_screen_vertex
@@ -34,10 +36,11 @@ from shadercache.front.read_options import ReadOptions
 from shadercache.front.webgl import WEBGL, names_version
 from shadercache.manifest.interface import InputEntry
 from shadercache.manifest.model import DependencyEntry
-from shadercache.manifest.reflection import dependencies, inputs_of
+from shadercache.manifest.reflection import dependencies, inputs_of, twin_bindings
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.infer import infer
 from shadercache.source import Source
+from shadercache.transform.remove_dead import remove_dead
 from shadercache.transform.versions.raise_version import Raised
 
 _INCLUDE = re.compile(r"#[ \t]*include\b")
@@ -101,7 +104,8 @@ class Analysis:
         shared = program.prefix, program.memo, program.mapping
         if self.stage is not None:
             links = links_of(self.stage.pairs)
-            return VertexEmitter(self.raised[1].module, self.stage.module, *shared, links)
+            about = (links, self.moving, twin_bindings(self.inputs))
+            return VertexEmitter(self.raised[1].module, self.stage.module, *shared, *about)
         if not self.full_screen:
             raise input_error(
                 "SC402", "a vertex shader is needed to rewrite a shader", "give --vert"
@@ -113,6 +117,19 @@ class Analysis:
             StageSide(module, infer(module, source, "vertex"), source),
         )
         return VertexEmitter(module, module, *shared)
+
+    @cached_property
+    def moving(self) -> frozenset[str]:
+        """The attributes, textures and buffers that decide the position and have twins, since they
+        are said or taken to move.
+
+        Raises :class:`InputError` SC464 for a name that the vertex shader does not have.
+        """
+        if self.stage is None or self.vertex is None or self.mapping != "surface":
+            return frozenset()
+        asked = [self.renamed.get(name, name) for name in self.reading.moving]
+        module = self.stage.module
+        return moving_inputs(remove_dead(module, (POSITION,)), asked, module, self.vertex)
 
     @property
     def vertex_source(self) -> Source:
@@ -129,8 +146,21 @@ class Analysis:
 
     @property
     def notes(self) -> tuple[Diagnostic, ...]:
-        """What became of the stages where they were of an older version, and of loops."""
-        return (*(note for stage in self.raised for note in stage.notes), *self.kept_loops)
+        """What became of the stages where they were of an older version, of loops, and what is
+        taken to move."""
+        raised = (note for stage in self.raised for note in stage.notes)
+        return (*raised, *self.kept_loops, *self._taken_to_move)
+
+    @property
+    def _taken_to_move(self) -> tuple[Diagnostic, ...]:
+        old = {new: name for name, new in self.renamed.items()}
+        taken = sorted(old.get(name, name) for name in self.moving)
+        unasked = [name for name in taken if name not in self.reading.moving]
+        if not unasked:
+            return ()
+        message = f"taken to move, and given what it was in the last frame: {', '.join(unasked)}"
+        hint = f"'--moving {NO_GUESS}' if it rests; '--moving NAME' for what else moves"
+        return (Diagnostic("SC465", message, self.vertex, hint=hint, severity=Severity.NOTE),)
 
     @property
     def renamed(self) -> dict[str, str]:

@@ -18,6 +18,7 @@ from shadercache.analysis.effect_table import EffectTable
 from shadercache.ast import nodes as n
 from shadercache.compiler import Analysis, Emission, analyse
 from shadercache.front.parse import parse
+from shadercache.front.read_options import ReadOptions
 from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import with_new_names
 from shadercache.render.bundle import Bundle
@@ -54,9 +55,9 @@ def sources(folder: Path, name: str) -> tuple[Source, Source]:
     return tuple(Source(path.name, path.read_text("utf-8")) for path in paths)
 
 
-def analysed(folder: Path, name: str) -> Analysis:
+def analysed(folder: Path, name: str, reading: ReadOptions | None = None) -> Analysis:
     """The analysis of a pair."""
-    return analyse(*sources(folder, name))
+    return analyse(*sources(folder, name), reading)
 
 
 def without_position(emission: Emission) -> Iterator[str]:

@@ -8,9 +8,9 @@ list; a test holds it against the tables of the language.
 ========================================  =========================================================
 uniforms and members of uniform blocks    twinned
 globals, and outputs that are read back   twinned: computed anew from what is twinned
-attributes                                named
-samplers, textures, images that are read  named
-storage buffers that are read             named, by the name of the block
+attributes                                twinned where they move, or named
+samplers, textures, images that are read  twinned where they move, or named
+storage buffers that are read             twinned where they move, or named, by the block's name
 numbers of vertices, instances, draws     named (:data:`NAMED`)
 atomic counters that are read             refused where they decide the position
 clocks, other invocations, devices        refused where they decide the position (:data:`UNSTEADY`)

@@ -148,10 +148,24 @@ class ShaderOptions(SourceOptions):
             help="Also values of the screen (derivatives, gl_FragCoord, ...): exact at rest only.",
         ),
     ] = False
+    moving: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--moving",
+            metavar="NAME",
+            help="An attribute, texture or buffer that moves vertices and changes from frame to "
+            "frame, beside those that are guessed; none: nothing is guessed.",
+        ),
+    ] = None
 
     def read_options(self) -> ReadOptions:
         options = super().read_options()
-        return replace(options, unroll=self.unroll, approximate=self.approximate)
+        return replace(
+            options,
+            unroll=self.unroll,
+            approximate=self.approximate,
+            moving=tuple(self.moving or ()),
+        )
 
 
 @dataclass(frozen=True, kw_only=True)

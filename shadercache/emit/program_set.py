@@ -22,7 +22,7 @@ from shadercache.emit.builder import (
 from shadercache.emit.parking import parked_formats
 from shadercache.emit.printer import print_module
 from shadercache.emit.runtime import full_screen_vertex, group_vertex
-from shadercache.emit.vertex import VertexEmitter
+from shadercache.emit.vertex import LastFrame, VertexEmitter
 from shadercache.sema.facts import Stage
 from shadercache.transform.proof.make_precise import make_precise
 from shadercache.transform.proof.opaque_arguments import make_arguments_opaque
@@ -62,9 +62,7 @@ class ProgramSet:
     debug: Pass | None = None
     payload: Pass | None = None
     refused: dict[str, str] = field(default_factory=dict)
-    previous: dict[str, str] = field(default_factory=dict)
-    unchanging: tuple[str, ...] = ()
-    numbers: tuple[str, ...] = ()
+    last_frame: LastFrame = field(default_factory=LastFrame)
     prefix: str = ""
     outputs: tuple[Output, ...] = ()
     whole: bool = False
@@ -104,9 +102,7 @@ def emit_programs(
     program.memo.trim()
     builder = _builder(program, nodes, configurations[0])
     programs = ProgramSet(
-        previous=vertex.previous_twins(),
-        unchanging=vertex.unchanging(),
-        numbers=vertex.numbers(),
+        last_frame=vertex.last_frame(),
         prefix=program.prefix,
         outputs=program.outputs,
     )

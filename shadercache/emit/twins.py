@@ -5,15 +5,15 @@ What becomes of each input is in :mod:`shadercache.analysis.vertex_inputs`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
+from shadercache.analysis.moving import is_texture, may_move
 from shadercache.analysis.vertex_inputs import OUTPUTS
 from shadercache.ast import nodes as n
 from shadercache.emit.packing import with_layouts
 from shadercache.front.preprocess import enabled_extensions
 from shadercache.lang.builtins import MOST_ELEMENTS, variable
-from shadercache.lang.types import builtin_type
 from shadercache.source import NOWHERE
 from shadercache.transform.reachable import declared_names, names_in
 from shadercache.transform.rename import rename
@@ -27,24 +27,44 @@ _PLACES = ("location", "component", "binding", "xfb_buffer", "xfb_offset", "xfb_
 class Twins:
     """The twins of the declarations of a slice that computes the position."""
 
-    def __init__(self, sliced: n.Module, prefix: str) -> None:
-        self._slice, self._prefix = sliced, prefix
+    def __init__(
+        self,
+        sliced: n.Module,
+        prefix: str,
+        moving: frozenset[str] = frozenset(),
+        bindings: Mapping[str, int] | None = None,
+    ) -> None:
+        """Args: ``moving``: what of :mod:`shadercache.analysis.moving` has a twin; ``bindings``:
+        those of twins, by the name of what has one."""
+        self._slice, self._prefix, self._moving = sliced, prefix, moving
+        self._bindings = bindings or {}
         # Sorted: a set of texts has another order in each process, the emitted text has not.
         self._read_back = sorted((names_in(sliced) & OUTPUTS) - {POSITION})
 
-    def uniforms(self) -> dict[str, str]:
-        """The uniforms of the slice, and their twins for the previous frame."""
+    def inputs(self) -> dict[str, str]:
+        """What an engine gives of the slice that has a twin for the previous frame, and that."""
         return {
             old: new
             for decl in self._slice.decls
-            if _is_twinned_uniform(decl)
+            if _is_twinned_uniform(decl) or self._moves(decl)
             for old, new in self._names(decl).items()
         }
+
+    def resting(self) -> Iterator[str]:
+        """The attributes, textures and buffers of the slice that have none."""
+        for decl in self._slice.decls:
+            if may_move(decl) and not self._moves(decl):
+                if isinstance(decl, n.BlockDecl):
+                    yield decl.name
+                else:
+                    yield from declared_names(decl)
 
     def decls(self) -> Iterator[n.Decl]:
         """The slice with everything in it renamed that is its own in each frame."""
         laid_out = with_layouts(self._slice.decls)
-        twinned = [_unplaced(decl) for decl in laid_out if _is_twinned(decl)]
+        twinned = [
+            self._placed(decl) for decl in laid_out if _is_twinned(decl) or self._moves(decl)
+        ]
         names = {name: self._twin(name) for name in self._read_back}
         for decl in twinned:
             names |= self._names(decl)
@@ -52,6 +72,24 @@ class Twins:
         names[POSITION] = self._prefix + "previous"
         yield from map(self._output, self._read_back)
         yield from (rename(decl, names) for decl in twinned)
+
+    def _moves(self, decl: n.Decl) -> bool:
+        own = (decl.name,) if isinstance(decl, n.BlockDecl) else declared_names(decl)
+        return may_move(decl) and not self._moving.isdisjoint(own)
+
+    def _placed(self, decl: n.Decl) -> n.Decl:
+        """A declaration at the place of its twin, if it has a binding: a free one."""
+        twin = _unplaced(decl)
+        if not isinstance(decl, n.BlockDecl | n.VarDecl):
+            return twin
+        own = (decl.name,) if isinstance(decl, n.BlockDecl) else declared_names(decl)
+        binding = next((self._bindings[name] for name in own if name in self._bindings), None)
+        if binding is None:
+            return twin
+        assert isinstance(twin, n.BlockDecl | n.VarDecl)
+        item = n.LayoutItem(NOWHERE, "binding", n.Literal(NOWHERE, str(binding)))
+        layout = (item, *(twin.qualifiers.layout or ()))
+        return replace(twin, qualifiers=replace(twin.qualifiers, layout=layout))
 
     def _twin(self, name: str) -> str:
         return f"{self._prefix}previous_{name}"
@@ -90,14 +128,6 @@ class Twins:
         return next(sizes, None)
 
 
-def is_opaque_uniform(decl: n.Decl) -> bool:
-    """Is it a sampler, an image or an array of them?"""
-    if not isinstance(decl, n.VarDecl) or not decl.qualifiers.has("uniform"):
-        return False
-    kind = builtin_type(decl.type.name)
-    return kind is not None and kind.is_opaque
-
-
 def is_builtin_output(decl: n.Decl) -> bool:
     """Does it declare built-in outputs again?"""
     if isinstance(decl, n.BlockDecl):
@@ -107,7 +137,7 @@ def is_builtin_output(decl: n.Decl) -> bool:
 
 def _is_twinned_uniform(decl: n.Decl) -> bool:
     declares = isinstance(decl, n.BlockDecl | n.VarDecl) and decl.qualifiers.has("uniform")
-    return declares and not is_opaque_uniform(decl)
+    return declares and not is_texture(decl)
 
 
 def _is_twinned(decl: n.Decl) -> bool:
@@ -120,7 +150,7 @@ def _is_twinned(decl: n.Decl) -> bool:
             return False  # `_output` makes the twin of what is read back of it.
         case n.VarDecl():
             # No pass wants the twin of an output: `remove_dead` makes a global of one that is read.
-            shared = decl.qualifiers.has("in", "const") or is_opaque_uniform(decl)
+            shared = decl.qualifiers.has("in", "const") or is_texture(decl)
             return bool(decl.declarators) and not shared
         case n.BlockDecl():
             return decl.qualifiers.has("uniform", "out")

@@ -10,13 +10,14 @@ of every uniform in it::
     }                                               sc_previous = sc_previous_u_mvp * ...;
                                                 }
 
-Attributes, textures, storage buffers and the numbers of instances must not change where they decide
-the position; the manifest says so (:mod:`shadercache.analysis.vertex_inputs`).
+So has an attribute, a texture or a storage buffer that moves (:mod:`shadercache.analysis.moving`).
+Others, and the numbers of instances, must not change where they decide the position; the manifest
+says so (:mod:`shadercache.analysis.vertex_inputs`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
 from shadercache.analysis.effect_table import EffectTable
@@ -27,11 +28,27 @@ from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.emit.assemble import Shader, interface, merge
 from shadercache.emit.runtime import vertex_part
-from shadercache.emit.twins import POSITION, Twins, is_builtin_output, is_opaque_uniform
+from shadercache.emit.twins import POSITION, Twins, is_builtin_output
 from shadercache.source import NOWHERE
 from shadercache.transform.reachable import declared_names, names_in
 from shadercache.transform.remove_dead import remove_dead
 from shadercache.transform.rename import rename
+
+
+@dataclass(frozen=True, slots=True)
+class LastFrame:
+    """What the position of the last frame is computed from.
+
+    ``twins``: what moves, and what holds the last frame's; ``bindings`` of these, by the name of
+    what moves. ``moving``: those that are no uniforms. ``unchanging``: attributes, textures, images
+    and storage buffers that must not change. ``numbers``: what has to hold of built-in inputs.
+    """
+
+    twins: Mapping[str, str] = field(default_factory=dict)
+    bindings: Mapping[str, int] = field(default_factory=dict)
+    moving: frozenset[str] = frozenset()
+    unchanging: tuple[str, ...] = ()
+    numbers: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -39,7 +56,8 @@ class VertexEmitter:
     """Makes vertex shaders from the user's (checked, with unique names; ``parsed``: as written).
 
     ``links`` leads from names of the fragment shader to the outputs that they get their values
-    from, where these are called otherwise.
+    from, where these are called otherwise. ``moving`` are attributes, textures and buffers that
+    have twins, ``bindings`` those of twins.
     """
 
     parsed: n.Module
@@ -48,6 +66,8 @@ class VertexEmitter:
     memo: Memo
     mapping: MappingKind = "surface"
     links: Links = field(default_factory=dict)
+    moving: frozenset[str] = frozenset()
+    bindings: Mapping[str, int] = field(default_factory=dict)
 
     def for_fragment(self, fragment: Shader) -> Shader:
         """The vertex shader for a fragment shader: exactly the varyings which that one reads."""
@@ -71,33 +91,15 @@ class VertexEmitter:
         assert own <= computed, "a vertex program without the position of the last frame"
         return interface(_invariant(needed))
 
-    def previous_twins(self) -> dict[str, str]:
-        """The uniforms that the position depends on, and their twins for the previous frame.
-
-        None where the previous position is not that of a vertex.
-        """
-        return self._twins().uniforms() if self.mapping == "surface" else {}
-
-    def unchanging(self) -> tuple[str, ...]:
-        """Attributes, textures, images and storage buffers that the previous position depends on:
-        they must not change."""
+    def last_frame(self) -> LastFrame:
+        """What the position of the last frame is computed from; nothing where that is not a
+        vertex's."""
         if self.mapping != "surface":
-            return ()
-        names: list[str] = []
-        for decl in self._slice().decls:
-            if isinstance(decl, n.BlockDecl) and decl.qualifiers.has("buffer"):
-                names.append(decl.name)
-            elif isinstance(decl, n.VarDecl) and (
-                decl.qualifiers.has("in") or is_opaque_uniform(decl)
-            ):
-                names += [declarator.name for declarator in decl.declarators]
-        return tuple(names)
-
-    def numbers(self) -> tuple[str, ...]:
-        """What has to hold of the built-in inputs that the previous position depends on."""
-        if self.mapping != "surface":
-            return ()
-        return tuple(kept_numbers(names_in(self._slice())))
+            return LastFrame()
+        sliced, twins = self._slice(), self._twins()
+        numbers = tuple(kept_numbers(names_in(sliced)))
+        resting = tuple(twins.resting())
+        return LastFrame(twins.inputs(), self.bindings, self.moving, resting, numbers)
 
     def inputs(self, varyings: Iterable[str]) -> frozenset[str]:
         """Uniforms, textures, buffers and attributes that the position and these varyings need.
@@ -135,7 +137,7 @@ class VertexEmitter:
         return merge(self.module, (*user, *twins), vertex_part(self.prefix))
 
     def _twins(self) -> Twins:
-        return Twins(self._slice(), self.prefix)
+        return Twins(self._slice(), self.prefix, self.moving, self.bindings)
 
 
 def _inputs(module: n.Module) -> frozenset[str]:

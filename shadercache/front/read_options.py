@@ -22,7 +22,8 @@ class ReadOptions:
     ``include_folders`` and nowhere else, but for the folder of the file that includes. ``unroll``
     takes loops of few trips apart, so that what they compute can be cached. ``approximate`` offers
     values of the screen as well. ``webgl``: is a file without ``#version`` GLSL ES 1.00? ``None``:
-    where it says so.
+    where it says so. ``moving``: attributes, textures and buffers that change from frame to frame,
+    beside those that are guessed; ``none`` among them: nothing is guessed.
     """
 
     defines: tuple[tuple[str, str], ...] = ()
@@ -33,6 +34,7 @@ class ReadOptions:
     unroll: bool = False
     approximate: bool = False
     webgl: bool | None = None
+    moving: tuple[str, ...] = ()
 
     @property
     def words(self) -> Iterator[str]:
@@ -49,6 +51,8 @@ class ReadOptions:
             yield "--unroll"
         if self.approximate:
             yield "--approximate"
+        for name in self.moving:
+            yield from ("--moving", name)
 
 
 DEFAULTS = ReadOptions()

@@ -20,11 +20,13 @@ _FLOATS = {"f1": np.uint8, "f2": np.float16, "f4": np.float32}
 class ColorTarget:
     """What is drawn at one location: the target's name in the manifest, and the type that the
     shader writes. ``channels`` beyond those of the type are undefined (OpenGL 4.6 section 15.2.3).
+    ``output``: the user's name; an array has several targets.
     """
 
     name: str
     base: Base = "float"
     channels: int = 4
+    output: str = ""
 
     @property
     def stored(self) -> int:
@@ -73,6 +75,11 @@ def read_output(texture: moderngl.Texture, target: ColorTarget) -> NDArray[np.ge
     return filled
 
 
+def holds_integers(pixels: NDArray[np.generic]) -> bool:
+    """Does an output that was read hold integers, and not the bytes of floats?"""
+    return pixels.dtype in (np.int32, np.uint32)
+
+
 def first_seen(outputs: Sequence[ColorTarget]) -> int:
     """Which of the outputs people look at: the first of floats, or else the first."""
     return next((at for at, output in enumerate(outputs) if output.base == "float"), 0)
@@ -80,7 +87,7 @@ def first_seen(outputs: Sequence[ColorTarget]) -> int:
 
 def shown(pixels: NDArray[np.generic]) -> NDArray[np.generic]:
     """An output for people to look at: integers by their lowest eight bits."""
-    if pixels.dtype.kind not in "iu":
+    if not holds_integers(pixels):
         return pixels
     return (pixels.view(np.uint32) & 0xFF).astype(np.uint8)
 
@@ -89,6 +96,6 @@ def as_floats(pixels: NDArray[np.generic]) -> NDArray[np.float32]:
     """An output in single precision: bytes as 0-1, of 32-bit integers the floats of their bits."""
     if pixels.dtype == np.uint8:
         return pixels.astype(np.float32) / np.float32(255.0)
-    if pixels.dtype.kind in "iu":
+    if holds_integers(pixels):
         return pixels.view(np.float32)
     return pixels.astype(np.float32, copy=False)

@@ -117,7 +117,7 @@ class Programs:
         program = self._by_text.get(key)
         if program is None:
             program = self._by_text[key] = _link(
-                self._gpu.ctx, vertex, fragment, key, inputs, locations or {}
+                self._gpu.ctx, (vertex, fragment), key, inputs, locations or {}
             )
         program.users += 1
         self._by_text.move_to_end(key)
@@ -140,12 +140,12 @@ class Programs:
 
 def _link(
     ctx: moderngl.Context,
-    vertex: Source,
-    fragment: Source,
+    sources: tuple[Source, Source],
     texts: tuple[str, str, str],
     inputs: Sequence[InputEntry],
     locations: Mapping[str, int],
 ) -> Program:
+    vertex, fragment = sources
     _check_names(fragment.name, inputs)
     try:
         if texts[2]:

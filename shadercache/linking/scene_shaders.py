@@ -72,12 +72,13 @@ def read_as_in(scene: Scene, reading: ReadOptions) -> ReadOptions:
         reading,
         unroll=reading.unroll or scene.unroll,
         approximate=reading.approximate or scene.approximate,
+        moving=(*reading.moving, *scene.moving),
     )
 
 
 def _rests(scene: Scene, analysis: Analysis) -> bool:
     """Is each vertex at the same place of the picture in every frame?"""
-    names = analysis.vertex_emitter.previous_twins()
+    names = analysis.vertex_emitter.last_frame().twins
     frames = range(scene.common.motion.frames + 1)
     # Objects with shaders of their own are analysed alone, so their motion has no say here.
     items = [part for part in scene.objects if not part.own_shader] or [scene.common]

@@ -85,7 +85,7 @@ def build_manifest(
             for uniform in added_uniforms(programs.prefix, layout, configuration)
             if uniform.name in uniforms or uniform.role in _ALWAYS
         ),
-        previous=programs.previous,
+        previous=dict(programs.last_frame.twins),
         debug=_debug(programs.debug, configuration, setting),
         frame=tuple(frame_sentences(layout.second, configuration, setting, programs)),
         reset=tuple(reset_sentences(configuration, setting, programs)),
@@ -153,7 +153,7 @@ def _head(programs: ProgramSet, mode: Mode, inputs: Iterable[InputEntry]) -> dic
     return {
         "schema_version": model.SCHEMA_VERSION,
         "mode": mode,
-        "inputs": declared_inputs(inputs, programs.previous, uniforms, attributes),
+        "inputs": declared_inputs(inputs, programs.last_frame, uniforms, attributes),
     }
 
 

@@ -77,6 +77,7 @@ class AttributeInput(_Variable, frozen=True, kw_only=True, tag_field="kind", tag
     """A vertex attribute."""
 
     location: Location
+    previous_of: Twin = UNSET
 
 
 class UniformInput(_Variable, frozen=True, kw_only=True, tag_field="kind", tag="uniform"):
@@ -107,6 +108,7 @@ class _Texture(_Variable, frozen=True, kw_only=True):
     component: Component
     layers: Annotated[bool, Meta(description="is it an array texture?")] = False
     multisampled: bool = False
+    previous_of: Twin = UNSET
 
 
 class SamplerInput(_Texture, frozen=True, kw_only=True, tag_field="kind", tag="sampler"):
@@ -162,13 +164,6 @@ class _BlockInput(kinds.ManifestPart, frozen=True, kw_only=True):
     ] = UNSET
     members: Annotated[tuple[MemberEntry, ...], Meta(min_length=1)]
     previous_of: Twin = UNSET
-
-
-class UniformBlockInput(
-    _BlockInput, frozen=True, kw_only=True, tag_field="kind", tag="uniform block"
-):
-    """A uniform block."""
-
     takes_the_last_buffer: Annotated[
         bool | UnsetType,
         Meta(
@@ -176,6 +171,12 @@ class UniformBlockInput(
             "be bound a frame later?"
         ),
     ] = UNSET
+
+
+class UniformBlockInput(
+    _BlockInput, frozen=True, kw_only=True, tag_field="kind", tag="uniform block"
+):
+    """A uniform block."""
 
 
 class StorageBlockInput(

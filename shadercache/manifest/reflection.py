@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
-from math import isfinite
+from math import isfinite, prod
 from typing import Any
 
 from msgspec import UNSET, UnsetType, structs
@@ -15,6 +15,7 @@ from msgspec import UNSET, UnsetType, structs
 from shadercache.ast import nodes as n
 from shadercache.emit.packing import Packing, is_default
 from shadercache.emit.printer import print_node
+from shadercache.emit.vertex import LastFrame
 from shadercache.lang.block_layout import LAID_OUT, up
 from shadercache.manifest import interface
 from shadercache.manifest.block_members import block_members, number_of, struct_members
@@ -24,6 +25,7 @@ from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.fold import Value, flattened, fold_construct
 
 _BLOCKS = (interface.UniformBlockInput, interface.StorageBlockInput)
+_BOUND = (interface.SamplerInput, interface.ImageInput, *_BLOCKS)
 _STORAGES = ("uniform", "buffer")
 
 _TEXTURE = re.compile(
@@ -46,18 +48,15 @@ def inputs_of(stages: Iterable[tuple[n.Module, Facts, Stage]]) -> tuple[InputEnt
 
 def declared_inputs(
     inputs: Iterable[InputEntry],
-    previous: Mapping[str, str],
+    last_frame: LastFrame,
     uniforms: Collection[str],
     attributes: Collection[str],
 ) -> tuple[InputEntry, ...]:
-    """Those of the inputs that programs declare, with the twins of the last frame behind them.
-
-    ``previous`` leads from the name of what has a twin to the twin's.
-    """
-    known = tuple(inputs)
+    """Those of the inputs that programs declare, with the twins of the last frame behind them."""
+    known, previous, bindings = tuple(inputs), last_frame.twins, last_frame.bindings
     # What the fragment shader alone declares may share its name with a block that has a twin.
     twins = tuple(
-        _twin(entry, previous)
+        _twin(entry, previous, bindings.get(entry.name))
         for entry in known
         if entry.name in previous and "vertex" in entry.stages
     )
@@ -113,15 +112,17 @@ def _joined(one: InputEntry, other: InputEntry) -> InputEntry:
     return structs.replace(one, **changed)
 
 
-def _twin(entry: InputEntry, previous: Mapping[str, str]) -> InputEntry:
-    """It has no location and no binding of its own, and stands in the vertex shader alone."""
+def _twin(entry: InputEntry, previous: Mapping[str, str], binding: int | None) -> InputEntry:
+    """It has no location of its own, and stands in the vertex shader alone."""
     changed: dict[str, Any] = {
         "name": previous[entry.name],
         "stages": ("vertex",),
         "previous_of": entry.name,
     }
-    if not isinstance(entry, interface.UniformBlockInput):
+    if isinstance(entry, interface.UniformInput | interface.AttributeInput):
         return structs.replace(entry, location=None, **changed)
+    if not isinstance(entry, _BLOCKS):
+        return structs.replace(entry, binding=binding, **changed)
     if entry.instance is None:
         changed["members"] = tuple(
             structs.replace(member, name=previous[member.name]) for member in entry.members
@@ -130,7 +131,23 @@ def _twin(entry: InputEntry, previous: Mapping[str, str]) -> InputEntry:
         changed["instance"] = previous[entry.instance]
     # Of a packed block a program may leave out what it does not read.
     same = entry.packing != "packed"
-    return structs.replace(entry, binding=None, takes_the_last_buffer=same, **changed)
+    return structs.replace(entry, binding=binding, takes_the_last_buffer=same, **changed)
+
+
+def twin_bindings(inputs: Iterable[InputEntry]) -> dict[str, int]:
+    """The bindings that twins would have, by the name of what has one: of inputs of the vertex
+    shader that have a binding themselves, the next that nothing of their kind has."""
+    placed = [(entry, entry.binding) for entry in inputs if isinstance(entry, _BOUND)]
+    free: dict[type, int] = {}
+    for entry, binding in placed:
+        end = 0 if binding is None else binding + prod(entry.dims)
+        free[type(entry)] = max(free.get(type(entry), 0), end)
+    bindings: dict[str, int] = {}
+    for entry, binding in placed:
+        if "vertex" in entry.stages and binding is not None:
+            bindings[entry.name] = free[type(entry)]
+            free[type(entry)] += prod(entry.dims)
+    return bindings
 
 
 def _inputs(module: n.Module, facts: Facts, stage: Stage) -> Iterator[InputEntry]:

@@ -11,6 +11,7 @@ from msgspec import UNSET
 from shadercache.lang.block_layout import LAID_OUT
 from shadercache.manifest.interface import (
     AttributeInput,
+    CounterInput,
     InputEntry,
     StorageBlockInput,
     UniformBlockInput,
@@ -97,12 +98,13 @@ def _interface(manifest: Manifest) -> Iterator[Problem]:
 
 
 def _twin(path: str, entry: InputEntry, manifest: Manifest) -> Iterator[Problem]:
-    if not isinstance(entry, UniformInput | UniformBlockInput) or entry.previous_of is UNSET:
+    of = UNSET if isinstance(entry, CounterInput) else entry.previous_of
+    if of is UNSET:
         return
-    if manifest.previous.get(entry.previous_of) != entry.name:
-        yield f"{path}.previous_of", f"'previous' does not lead from {entry.previous_of} to it"
-    if entry.previous_of not in {other.name for other in manifest.inputs}:
-        yield f"{path}.previous_of", f"there is no input {entry.previous_of}"
+    if manifest.previous.get(of) != entry.name:
+        yield f"{path}.previous_of", f"'previous' does not lead from {of} to it"
+    if of not in {other.name for other in manifest.inputs}:
+        yield f"{path}.previous_of", f"there is no input {of}"
 
 
 def _twice(path: str, names: Iterable[str]) -> Iterator[Problem]:

@@ -69,11 +69,17 @@ BLOCKS = (
 )
 
 TWINS_OF_BLOCKS = (
-    "A block with previous_of is the twin of the block of that name and has no binding of its own. "
-    "Give it a point as above, and bind there what the other one's buffer held in the last frame: "
+    "A block with previous_of is the twin of the block of that name. Give it a point as above, "
+    "where it has none, and bind there what the other one's buffer held in the last frame: "
     "keep two buffers and swap them, or copy before you write. With takes_the_last_buffer it is "
     "laid out like the other one; without, ask the program for the offsets and write a buffer of "
     "its own.",
+)
+
+TWINS_OF_STREAMS = (
+    "An attribute, texture or storage block with previous_of gets what its original had in the "
+    "last frame: keep two of each and swap them. What is at an index of the one is the same vertex "
+    "or instance at that index of the other.",
 )
 
 FRAME_OF_TWO = (
@@ -191,12 +197,14 @@ def frame_sentences(
 ) -> list[str]:
     """What it does each frame, in order; ``two_textures``: is a payload too wide for one?"""
     blocks = {entry.name for entry in setting.inputs if isinstance(entry, UniformBlockInput)}
+    last = programs.last_frame
     return [
         *(FRAME_FULL_SCREEN if setting.full_screen else FRAME),
         NOT_FINITE,
         *PLACES,
         *(BLOCKS if blocks else ()),
-        *(TWINS_OF_BLOCKS if blocks & programs.previous.keys() else ()),
+        *(TWINS_OF_BLOCKS if blocks & last.twins.keys() else ()),
+        *(TWINS_OF_STREAMS if last.moving & last.twins.keys() else ()),
         *[FRAME_OF_TWO] * two_textures,
         *(FRAME_OF_FRACTION if configuration.divisor > 1 else ()),
         *(FRAME_OF_PARKED if any(emitted.parked for emitted in programs.passes) else ()),
@@ -215,7 +223,7 @@ def reset_sentences(
     if configuration.divisor > 1:
         sentences[sentences.index(ON_RESET)] = ON_RESET_AT_FRACTION
         sentences = [text.replace("as large as the target", OF_SIZE) for text in sentences]
-    twins = [RESET_TWINS] * bool(programs.previous)
+    twins = [RESET_TWINS] * bool(programs.last_frame.twins)
     return [*sentences, RESET_UNIFORMS, *twins, *_of_changes(configuration.refresh, setting)]
 
 
@@ -257,10 +265,10 @@ def relies_on(configuration: Configuration, programs: ProgramSet, setting: Setti
         relies.append("a perspective projection: in an orthographic one w tells no depth")
     if configuration.storage.format == "rgba16f" and any(record.reads_back for record in chosen):
         relies.append(_LARGEST_OF_HALF)
-    if programs.unchanging:
-        names = ", ".join(programs.unchanging)
+    if programs.last_frame.unchanging:
+        names = ", ".join(programs.last_frame.unchanging)
         relies.append(f"these decide the position and do not change between frames: {names}")
-    relies += programs.numbers
+    relies += list(programs.last_frame.numbers)
     parks = [emitted for emitted in programs.passes if emitted.parked]
     ahead = bool(parks) or any(record.branches for record in chosen)
     if configuration.fetches == "level" and ahead:

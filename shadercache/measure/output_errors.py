@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from shadercache.gpu.color_targets import holds_integers
 from shadercache.measure.image_error import ErrorStats, ErrorSum, Mask, Pixels
 
 
@@ -38,7 +39,7 @@ class OutputErrors:
 
         Raises :class:`InputError` SC604: an output of floats holds NaN or infinity.
         """
-        self._integers = [pixels.dtype.kind in "iu" and pixels.itemsize == 4 for pixels in images]
+        self._integers = list(map(holds_integers, images))
         both = zip(originals, images, self._integers, strict=True)
         pairs = [_changes(a, b) if integers else (a, b) for a, b, integers in both]
         if len(pairs) == 1:

@@ -199,9 +199,7 @@ class Bundle:
         """The unchanged shader."""
         if isinstance(self.manifest, NeededManifest):
             raise unusable("it tells of no original")
-        # The text is the user's own: what has no location in it is given one.
-        outputs = {output.output: output.location for output in self.manifest.outputs}
-        return replace(self._drawing(self.manifest.original), locations=outputs)
+        return self._drawing(self.manifest.original)
 
     @cached_property
     def payload(self) -> PassSpec:
@@ -328,7 +326,7 @@ class Bundle:
         """The targets of the user's outputs."""
         outputs = () if isinstance(self.manifest, NeededManifest) else self.manifest.outputs
         return tuple(
-            ColorTarget(name, *output_kind(output.type))
+            ColorTarget(name, *output_kind(output.type), output.output)
             for output in outputs
             for name in output.targets
         )

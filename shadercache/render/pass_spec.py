@@ -18,10 +18,10 @@ class PassSpec:
     """One draw of all objects, or of one triangle over the screen for all of them, or for those of
     a group.
 
-    Targets stand at their index; ``colors`` are those of the user's outputs,
-    ``locations`` where these stand. ``looks``: does it look up what the last frame stored?
-    ``parked``: the formats of what is parked. ``inputs``: what it declares of the user's, and the
-    twins. ``divisor``: how many times smaller than the picture the targets are, in each direction.
+    Targets stand at their index; ``colors`` are those of the user's outputs. ``looks``: does
+    it look up what the last frame stored? ``parked``: the formats of what is parked. ``inputs``:
+    what it declares of the user's, and the twins. ``divisor``: how many times smaller than the
+    picture the targets are, in each direction.
     """
 
     name: str
@@ -29,7 +29,6 @@ class PassSpec:
     fragment: Source
     targets: tuple[str, ...] = ("color",)
     colors: tuple[ColorTarget, ...] = ()
-    locations: Mapping[str, int] = field(default_factory=dict)
     depth: DepthSpec = field(default_factory=DepthSpec)
     on_reset: bool = False
     looks: bool = False
@@ -37,6 +36,13 @@ class PassSpec:
     parked: Mapping[str, str] = field(default_factory=dict)
     inputs: tuple[InputEntry, ...] = ()
     divisor: int = 1
+
+    @property
+    def locations(self) -> dict[str, int]:
+        """Where the user's outputs stand; the text of the original need not say it."""
+        # Of an array the first target counts.
+        placed = reversed(list(enumerate(self.colors)))
+        return {color.output: at for at, color in placed}
 
 
 class NeededPass(NamedTuple):

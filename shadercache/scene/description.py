@@ -125,6 +125,7 @@ class Scene:
     demo: Demo | None = None
     unroll: bool = False
     approximate: bool = False
+    moving: tuple[str, ...] = ()
     mapping: MappingKind | None = None
 
     @property
@@ -191,6 +192,7 @@ def load_scene(path: Path) -> Scene:
         demo=_demo(top.table("demo")) if top.has("demo") else None,
         unroll=top.boolean("unroll", False),
         approximate=top.boolean("approximate", False),
+        moving=tuple(top.texts("moving")),
         mapping=cast(MappingKind | None, mapping),
     )
     top.finish()

@@ -213,7 +213,7 @@ def test_the_text_of_a_long_node_is_cut_off() -> None:
 @pytest.mark.parametrize(
     ("declarations", "body", "code"),
     [
-        ("out vec4 o_second;", "o_color = vec4(1.0); o_second = vec4(0.0);", "SC403"),
+        ("out vec4 o_more[8];", "o_color = vec4(1.0); o_more[1] = vec4(0.0);", "SC403"),
         ("", "o_color = vec4(1.0); gl_FragDepth = v_uv.x;", "SC404"),
         (
             "#extension GL_ARB_shader_atomic_counters : enable\n"

@@ -51,7 +51,9 @@ def load(name: str) -> tuple[Scene, Analysis]:
 @pytest.mark.parametrize("name", SHADERS)
 def test_laws_1_to_4(name: str, gpu: Gpu) -> None:
     scene, analysis = load(name)
-    nodes = [node for node in analysis.nodes if node.legal and any(word in node.text for word in COSTLY)]
+    nodes = [
+        node for node in analysis.nodes if node.legal and any(word in node.text for word in COSTLY)
+    ]
     assert nodes
     with closing(Verifier(gpu, (scene, analysis), (64, 64))) as verifier:
         found = verifier.round_trip()

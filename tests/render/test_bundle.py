@@ -117,8 +117,8 @@ def test_bundles_that_cannot_be_used(bundle: Bundle, manifest: dict[str, Any]) -
 
 
 def test_other_versions_are_told(manifest: dict[str, Any]) -> None:
-    for version in (1, 3, "2", None):
-        with pytest.raises(InputError, match=r"m is not of schema_version 2 \[SC021"):
+    for version in (1, 2, "3", None):
+        with pytest.raises(InputError, match=r"m is not of schema_version 3 \[SC021"):
             bundle_of(manifest | {"schema_version": version}, {}, "m")
 
 

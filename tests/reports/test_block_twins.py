@@ -178,8 +178,8 @@ def test_the_manifest_is_enough_to_bind_blocks_and_twins(
 def test_a_twin_left_alone_reads_the_current_block(
     world: RenderScene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """What happened where the manifest told nothing."""
-    emission = written(REPORTED, tmp_path)
+    """What happened where the manifest told nothing, and still does to blocks without a binding."""
+    emission = written("no_bindings", tmp_path)
     inputs = plain(emission.manifest)["inputs"]
     twin = next(item["name"] for item in inputs if item.get("previous_of") == "Camera")
     kept = Inputs._bind
@@ -198,7 +198,7 @@ def test_the_reported_block_is_told() -> None:
     inputs = {item["name"]: item for item in manifest["inputs"]}
     (twin,) = (item for item in inputs.values() if item.get("previous_of") == "Camera")
     assert inputs["Camera"]["kind"] == twin["kind"] == "uniform block"
-    assert (inputs["Camera"]["binding"], twin["binding"]) == (0, None)
+    assert (inputs["Camera"]["binding"], twin["binding"]) == (0, 1)
     assert inputs["u_model"]["kind"] == "uniform"
     assert inputs["u_model"]["location"] == 0
     assert any("binding point 0" in sentence for sentence in manifest["frame"])

@@ -1,7 +1,8 @@
 """Every input of a vertex shader is twinned, named in the manifest, or refused.
 
 The files say what holds of them: ``NAMED`` and ``NOT`` what stands among the names that must not
-change, ``SAYS`` a sentence of ``relies_on``, ``REFUSED`` a code and the culprit.
+change, ``SAYS`` a sentence of ``relies_on``, ``TWINNED`` what has a twin, ``REFUSED`` a code and
+the culprit. ``MOVING`` is what the command line names.
 """
 
 from __future__ import annotations
@@ -15,12 +16,14 @@ from vertex_stages import REPORTS, analysed, names, without_position
 
 from shadercache.analysis.vertex_inputs import Fate, function_fate, variable_fate
 from shadercache.diagnostics import InputError
+from shadercache.front.read_options import ReadOptions
 from shadercache.lang.builtins import functions_of, variables_of
 from tests.configured import rewritten
 
 FOLDER = REPORTS / "vertex_inputs"
 EXPECTED = {
-    "o03_vertex_storage_buffer": {"NAMED": ["Poses"]},
+    "o03_vertex_storage_buffer": {"TWINNED": ["Poses"]},
+    "o14_instance_matrix_attribute": {"TWINNED": ["i_place"], "NAMED": ["a_position"]},
     "o05_instance_number": {
         "SAYS": [
             "an instance keeps its number from frame to frame (gl_InstanceID decides the position)"
@@ -48,7 +51,8 @@ REFUSED = [name for name in names(FOLDER) if "REFUSED" in expected(name)]
 
 
 def manifest(name: str) -> dict[str, Any]:
-    analysis = analysed(FOLDER, name)
+    moving = tuple(expected(name).get("MOVING", ()))
+    analysis = analysed(FOLDER, name, ReadOptions(moving=moving))
     node = next(node for node in analysis.nodes if node.text == "costly(v_p)")
     emission = rewritten(analysis, node)
     assert not list(without_position(emission))
@@ -57,13 +61,25 @@ def manifest(name: str) -> dict[str, Any]:
 
 @pytest.mark.parametrize("name", ACCEPTED)
 def test_what_must_not_change_is_named(name: str) -> None:
-    relies = manifest(name)["relies_on"]
+    told = manifest(name)
+    relies = told["relies_on"]
     kept = [text.removeprefix(UNCHANGING) for text in relies if text.startswith(UNCHANGING)]
     named = {item for text in kept for item in text.split(", ")}
     wanted = expected(name)
     for text in wanted.get("NAMED", ()):
         assert set(text.split(", ")) <= named
     assert set(wanted.get("SAYS", ())) <= set(relies)
+    for text in wanted.get("TWINNED", ()):
+        entries = {entry.get("previous_of"): entry for entry in told["inputs"]}
+        for one in text.split(", "):
+            assert one not in named
+            assert entries[one]["name"] == told["previous"][one]
+            bindings = [
+                entry["binding"]
+                for entry in told["inputs"]
+                if entry["kind"] == entries[one]["kind"] and entry.get("binding") is not None
+            ]
+            assert len(bindings) == len(set(bindings))
     for text in wanted.get("NOT", ()):
         assert not [sentence for sentence in relies if text in sentence]
 

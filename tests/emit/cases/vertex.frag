@@ -52,7 +52,7 @@ void sc_vertex() {
     gl_Position = view * vec4(a_position * u_sway, 1.0);
 }
 
-layout(std140) uniform sc_previous_Camera {
+layout(binding = 2, std140) uniform sc_previous_Camera {
     mat4 sc_previous_view;
 };
 

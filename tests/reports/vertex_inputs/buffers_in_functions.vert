@@ -1,4 +1,4 @@
-// NAMED: Poses, Skeleton
+// TWINNED: Poses, Skeleton
 // NOT: Colours
 #version 430 core
 layout(location = 0) in vec3 a_position; layout(location = 1) in vec3 a_normal;

@@ -1,0 +1,98 @@
+"""Which attributes, textures and buffers move: those have a twin, for the last frame's position.
+
+Uniforms may all change, and all have one. Of other inputs most rest (positions, normals); a twin
+costs memory. What moves is told by name, or guessed from names and types, as no text says it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from difflib import get_close_matches
+from typing import TypeGuard
+
+from shadercache.analysis.effects import global_names
+from shadercache.ast import nodes as n
+from shadercache.diagnostics import Diagnostic, InputError
+from shadercache.lang.types import builtin_type
+from shadercache.source import Source
+
+_PART = r"(?:instance|instances|instanced|inst|bone|bones|joint|joints|skin|skinning|pose|poses"
+_WORDS = re.compile(_PART + r"|morph|morphs|transform|transforms|anim|animation|palette|vat)")
+_BREAKS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
+
+NO_GUESS = "none"
+"""The word by which nothing is guessed."""
+
+
+def is_texture(decl: n.Decl) -> TypeGuard[n.VarDecl]:
+    """Is it a sampler, an image or an array of them?"""
+    if not isinstance(decl, n.VarDecl) or not decl.qualifiers.has("uniform"):
+        return False
+    kind = builtin_type(decl.type.name)
+    return kind is not None and kind.is_opaque
+
+
+def may_move(decl: n.Decl) -> TypeGuard[n.VarDecl | n.BlockDecl]:
+    """Is it an attribute, a texture or a storage buffer?"""
+    if isinstance(decl, n.BlockDecl):
+        return decl.qualifiers.has("buffer")
+    return isinstance(decl, n.VarDecl) and (decl.qualifiers.has("in") or is_texture(decl))
+
+
+def guessed(sliced: n.Module) -> frozenset[str]:
+    """What is taken to move among the inputs of a slice that computes the position, by its name or
+    its type; blocks by their own name."""
+    return frozenset(filter(None, map(_guessed, sliced.decls)))
+
+
+def moving_inputs(
+    sliced: n.Module, asked: Sequence[str], module: n.Module, source: Source
+) -> frozenset[str]:
+    """The names of what moves: what is guessed, unless :data:`NO_GUESS` is asked for, and what is
+    asked for and decides the position.
+
+    ``asked``: names of attributes, textures, and of buffers, their instances or members. Raises
+    :class:`InputError` SC464 for a name that the vertex shader (``module``) does not have.
+    """
+    names, known = _names(sliced), _names(module)
+    for name in asked:
+        if name not in known and name != NO_GUESS:
+            near = get_close_matches(name, known, 1)
+            meant = f"did you mean '{near[0]}'? " if near else ""
+            hint = f"{meant}these decide the position: {', '.join(names) or 'none'}"
+            message = f"the vertex shader has no attribute, texture or buffer '{name}'"
+            raise InputError(Diagnostic("SC464", message, source, hint=hint))
+    taken = frozenset[str]() if NO_GUESS in asked else guessed(sliced)
+    return taken | {names[name] for name in asked if name in names}
+
+
+def _names(module: n.Module) -> Mapping[str, str]:
+    """Every name by which an input that may move is known -> the one it goes by."""
+    return {
+        name: decl.name if isinstance(decl, n.BlockDecl) else name
+        for decl in module.decls
+        if may_move(decl)
+        for name in _known_as(decl)
+    }
+
+
+def _known_as(decl: n.VarDecl | n.BlockDecl) -> Iterator[str]:
+    if isinstance(decl, n.BlockDecl):
+        yield decl.name
+    yield from global_names(decl)
+
+
+def _guessed(decl: n.Decl) -> str:
+    """The name of an input that is taken to move, or an empty one."""
+    if not may_move(decl):
+        return ""
+    name = decl.name if isinstance(decl, n.BlockDecl) else next(iter(global_names(decl)))
+    if isinstance(decl, n.VarDecl) and decl.qualifiers.has("in"):
+        # Nobody has a matrix for each vertex; weights and numbers of bones are of the mesh.
+        kind = builtin_type(decl.type.name)
+        words = set(map(str.lower, _BREAKS.findall(name)))
+        per_instance = bool(words & {"instance", "inst", "instanced", "instances"})
+        return name if per_instance or (kind is not None and kind.is_matrix) else ""
+    known = " ".join(_known_as(decl))
+    return name if any(_WORDS.fullmatch(word.lower()) for word in _BREAKS.findall(known)) else ""
