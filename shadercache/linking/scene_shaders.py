@@ -70,9 +70,9 @@ def read_as_in(scene: Scene, reading: ReadOptions) -> ReadOptions:
     """These options, and what a scene asks for besides."""
     return replace(
         reading,
-        unroll=reading.unroll or scene.unroll,
-        approximate=reading.approximate or scene.approximate,
-        moving=(*reading.moving, *scene.moving),
+        unroll=reading.unroll or scene.reading.unroll,
+        approximate=reading.approximate or scene.reading.approximate,
+        moving=(*reading.moving, *scene.reading.moving),
     )
 
 

@@ -104,6 +104,15 @@ class Demo:
     block: int
 
 
+@dataclass(frozen=True, slots=True)
+class SceneReading:
+    """How the shaders of a scene are analysed: as ``ReadOptions`` says of these fields."""
+
+    unroll: bool = False
+    approximate: bool = False
+    moving: tuple[str, ...] = ()
+
+
 @dataclass(frozen=True, eq=False)
 class Scene:
     """A checked scene.
@@ -123,9 +132,7 @@ class Scene:
     nodes: Mapping[str, str] = field(default_factory=dict)
     changes: Mapping[str, str] = field(default_factory=dict)
     demo: Demo | None = None
-    unroll: bool = False
-    approximate: bool = False
-    moving: tuple[str, ...] = ()
+    reading: SceneReading = SceneReading()
     mapping: MappingKind | None = None
 
     @property
@@ -190,9 +197,9 @@ def load_scene(path: Path) -> Scene:
         nodes=nodes,
         changes=read_changes(top.table("changes"), common.inputs),
         demo=_demo(top.table("demo")) if top.has("demo") else None,
-        unroll=top.boolean("unroll", False),
-        approximate=top.boolean("approximate", False),
-        moving=tuple(top.texts("moving")),
+        reading=SceneReading(
+            top.boolean("unroll", False), top.boolean("approximate", False), top.texts("moving")
+        ),
         mapping=cast(MappingKind | None, mapping),
     )
     top.finish()
