@@ -49,6 +49,7 @@ from shadercache.analysis.mapping import MappingKind
 from shadercache.analysis.outputs import outputs_of
 from shadercache.analysis.restrictions import (
     check_depth,
+    check_dialect,
     check_program,
     check_size,
     check_user_mapping,
@@ -100,7 +101,6 @@ USUAL_RANGE = (0.1, 100.0)
 """Near and far plane where no scene is known."""
 
 __all__ = ["Analysis", "Emission", "analyse", "emit_needed", "emit_original", "rewrite"]
-
 
 AManifest = TypeVar("AManifest", Manifest, OriginalManifest, NeededManifest)
 
@@ -169,7 +169,7 @@ def _read_alike(fragment: Source, vertex: Source | None, reading: ReadOptions) -
     if vertex is None:
         return reading
     # A host such as Shadertoy's declares things around fragment shaders only.
-    stages = (fragment, reading), (vertex, replace(reading, dialect="glsl"))
+    stages = (fragment, reading), (vertex, reading.of_vertex)
     return replace(reading, webgl=is_webgl(stages))
 
 
@@ -180,7 +180,7 @@ def _raised(
     trees = [_checked(fragment, "fragment", reading)]
     check_size(trees[0].module, fragment)
     if vertex is not None:
-        trees.append(_checked(vertex, "vertex", replace(reading, dialect="glsl")))
+        trees.append(_checked(vertex, "vertex", reading.of_vertex))
     stem = fresh_prefix(*(tree.source.text for tree in trees), stem="legacy")
     stages: list[Raised] = []
     for raised, tree in zip(raise_versions(trees, stem), trees, strict=True):
@@ -296,6 +296,7 @@ def _check_names(analysis: Analysis, mode: Mode, queries: bool = False) -> None:
     """Proof mode raises the version, and so do queries of levels of detail (``queries``): do the
     names that an engine or a struct knows stay legal?"""
     fragment = analysis.program.module
+    check_dialect(fragment, analysis.fragment)
     if queries and fragment.profile == "es":
         message = "--fetches level needs textureQueryLod, which GLSL ES has not"
         raise input_error("SC419", message, "take --fetches whole")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import subprocess
@@ -59,6 +60,15 @@ def objections(texts: Iterable[tuple[str, str]], folder: Path) -> list[str]:
         for file, lines in lines_of(files).items()
         for line in lines
         if line.startswith(("ERROR", "WARNING"))
+    ]
+
+
+def vulkan_errors(file: Path) -> list[str]:
+    """What is wrong with one shader of Vulkan GLSL."""
+    return [
+        line
+        for line in _run(["-V", "-C", "-o", os.devnull, str(file)]).splitlines()
+        if "ERROR" in line
     ]
 
 

@@ -99,7 +99,10 @@ class SourceOptions:
     ] = None
     dialect: Annotated[
         Dialect,
-        typer.Option(help="auto takes a file with mainImage and without main for Shadertoy's."),
+        typer.Option(
+            help="auto takes a file with mainImage and without main for Shadertoy's; vulkan reads "
+            "GLSL as Vulkan has it."
+        ),
     ] = "glsl"
     max_tokens: Annotated[
         int, typer.Option(min=1, metavar="N", help="Tokens a shader may have, macros expanded.")

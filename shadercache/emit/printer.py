@@ -19,6 +19,7 @@ from shadercache.emit.print_expressions import (
     print_qualifiers,
 )
 from shadercache.emit.variant_comments import Comments
+from shadercache.front.preprocess import written_lines
 from shadercache.lang.words import ASSIGN
 from shadercache.source import NOWHERE
 
@@ -46,7 +47,7 @@ def print_module(module: n.Module, memo: Memo | None = None) -> str:
     What a declaration looks like is kept in ``memo`` for other programs that have it.
     """
     memo = Memo() if memo is None else memo
-    lines = [_version(module), *(directive.text for directive in module.directives)]
+    lines = [_version(module), *written_lines(module)]
     comments = Comments(module.comments)
     header = comments.before(module.span.start)
     if header:

@@ -75,7 +75,7 @@ def host_of(source: Source, dialect: Dialect) -> Host | None:
     ``auto`` takes a file for Shadertoy's if it defines ``mainImage`` and no ``main``. Raises
     :class:`InputError` SC125 for a file that is said to be Shadertoy's and defines ``main``.
     """
-    if dialect == "glsl" or (dialect == "auto" and "mainImage" not in source.text):
+    if dialect in ("glsl", "vulkan") or (dialect == "auto" and "mainImage" not in source.text):
         return None
     # A `main` in a comment is none. Mistakes are dropped here: the preprocessor finds them again.
     text = clean(source, joins_comments(source.text), [], source)

@@ -130,6 +130,16 @@ _SHADERTOY = ForeignKind(
     glsl=True,
 )
 
+_VULKAN = ForeignKind(
+    "Vulkan GLSL",
+    "--dialect vulkan reads it",
+    marks=r"\blayout[ \t]*\([^()]*\b(?:push_constant|constant_id|input_attachment_index"
+    r"|set[ \t]*=[ \t]*[1-9])|\bgl_(?:Vertex|Instance)Index\b|\b[iu]?subpassInput(?:MS)?\b"
+    r"|\buniform[ \t]+(?:(?:highp|mediump|lowp)[ \t]+)?"
+    r"(?:sampler|samplerShadow|[iu]?texture(?:1D|2D|3D|Cube|Buffer)\w*)[ \t]+\w",
+    glsl=True,
+)
+
 _GLSL = re.compile(r"^[ \t]*#[ \t]*version\b|\bgl_[A-Z]", re.MULTILINE)
 
 
@@ -140,17 +150,21 @@ def recognised(
     text = _COMMENT.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), source.text)
     suffix = PurePath(source.name).suffix.lower()
     is_glsl = _GLSL.search(text) is not None
-    for kind in (*_hosted(text, options), *KINDS):
+    first, last = _of_dialects(text, options)
+    for kind in (*first, *KINDS, *last):
         span = kind.place(text, suffix)
         if span is not None and (kind.glsl or not is_glsl) and _fits(kind, mistakes):
             return Diagnostic(CODE, f"this is {kind.what}; {kind.advice}", source, span)
     return None
 
 
-def _hosted(text: str, options: ReadOptions) -> tuple[ForeignKind, ...]:
-    """The kinds of files that another dialect reads."""
+def _of_dialects(
+    text: str, options: ReadOptions
+) -> tuple[tuple[ForeignKind, ...], tuple[ForeignKind, ...]]:
+    """The kinds of files that another dialect reads: those that come first, and those that what
+    comes to Vulkan as well, such as Godot's, comes before."""
     plain = options.dialect == "glsl" and not re.search(r"\bvoid\s+main\s*\(", text)
-    return (_SHADERTOY,) if plain else ()
+    return (_SHADERTOY,) * plain, (_VULKAN,) * (options.dialect != "vulkan")
 
 
 def _fits(kind: ForeignKind, mistakes: Sequence[Diagnostic]) -> bool:

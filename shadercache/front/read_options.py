@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
 
-Dialect = Literal["glsl", "shadertoy", "auto"]
+Dialect = Literal["glsl", "shadertoy", "auto", "vulkan"]
 
 MAX_TOKENS = 2_000_000
 
@@ -35,6 +35,11 @@ class ReadOptions:
     approximate: bool = False
     webgl: bool | None = None
     moving: tuple[str, ...] = ()
+
+    @property
+    def of_vertex(self) -> ReadOptions:
+        """The same for a vertex shader: a host declares things around fragment shaders only."""
+        return self if self.dialect == "vulkan" else replace(self, dialect="glsl")
 
     @property
     def words(self) -> Iterator[str]:

@@ -10,6 +10,9 @@ from pathlib import Path
 NEVER = 9999
 """A version that there will not be."""
 
+VULKAN = "GL_KHR_vulkan_glsl"
+"""What is on in Vulkan GLSL, and nowhere else: an extension that no ``#extension`` turns on."""
+
 NO_EXTENSIONS: frozenset[str] = frozenset()
 _OF_ES = frozenset(("GL_EXT_frag_depth", "GL_EXT_shader_texture_lod", "GL_EXT_shadow_samplers"))
 """Extensions that desktop GLSL does not know."""

@@ -13,7 +13,7 @@ _GENERIC = re.compile(
     r"gen(?:[IU](?:64|16|8)|F16|[IUBD])?Type|(?:f16|d)?mat(?:CR|RC)"
     r"|(?:[iu](?:64|16|8)|f16|[iubd])?vec[NCR]"
 )
-_KINDS = re.compile(r"\bg(?=vec4|sampler|image|Image)")
+_KINDS = re.compile(r"\bg(?=vec4|sampler|image|Image|texture|subpass)")
 _PLACED_IMAGE = re.compile(r"([iu]?)Image\b")
 _SCALARS = {
     **{"": "float", "i": "int", "u": "uint", "b": "bool", "d": "double"},

@@ -251,12 +251,13 @@ def _explicit_names(types: dict[str, Type]) -> dict[str, Type]:
 def _opaque_types() -> dict[str, Type]:
     names = [
         f"{prefix}{sort}{shape}"
-        for sort in ("sampler", "image")
+        for sort in ("sampler", "image", "texture")
         for prefix in ("", "i", "u")
         for shape in _SHAPES_OF_ALL
     ]
     names += ["sampler" + shape + "Shadow" for shape in _SHADOW_SHAPES]
-    names += ["atomic_uint", "samplerExternalOES"]
+    names += ["atomic_uint", "samplerExternalOES", "sampler", "samplerShadow"]
+    names += [f"{prefix}subpassInput{sort}" for prefix in ("", "i", "u") for sort in ("", "MS")]
     return {name: Type(name) for name in names}
 
 

@@ -42,13 +42,15 @@ def _rows() -> Iterator[_Row]:
         for name in names.split():
             plain = name.removeprefix("g")
             # Only there a g stands for three types; other words may begin with one, too.
-            opaque = name != plain and plain.startswith(("sampler", "image"))
+            opaque = name != plain and plain.startswith(_OF_THREE)
             words |= {plain, f"i{plain}", f"u{plain}"} if opaque else {name}
         of_row = (*history.split(), *shared)
         since = settings(of_row)
         reserved = (number(since.get(key, "-")) for key in ("reserved", "reserved_es"))
         yield _Row(frozenset(words), section, availability(of_row), *reserved)
 
+
+_OF_THREE = ("sampler", "image", "texture", "subpassInput")
 
 # From 1.40 on it is the layout of a block, and an ordinary name elsewhere.
 _PACKED_UNTIL = 130

@@ -23,8 +23,9 @@ FOLDED = frozenset((n.Unary, n.Binary, n.Conditional, n.Construct, n.InitList, n
 class Constants:
     """Constant expressions and constant variables found so far.
 
-    ``_driver`` holds those whose value a driver may change (``gl_MaxDrawBuffers``): they may size
-    an array, but nothing else is concluded from them.
+    ``_driver`` holds those whose value a driver may change (``gl_MaxDrawBuffers``), or an engine
+    (``layout(constant_id = 3) const``): they may size an array, but nothing else is concluded from
+    them.
     """
 
     def __init__(self, types: dict[Expr, Type], conversions: Conversions) -> None:
@@ -47,7 +48,8 @@ class Constants:
     def declare(self, symbol: Symbol, init: Expr) -> None:
         """``symbol`` is a constant with the constant initialiser ``init``."""
         self._symbols[symbol] = _as_type(self.values.get(init), symbol.type)
-        if init in self._driver:
+        # An engine gives what is specialised another value.
+        if init in self._driver or _is_specialised(symbol):
             self._driver.add(symbol)
 
     def declare_builtin(self, symbol: Symbol, builtin: BuiltinVariable) -> None:
@@ -120,6 +122,10 @@ class Constants:
         # The other part may be undefined, as in `N > 0 ? 1 / N : 0`.
         chosen = node.then if condition else node.other
         return _as_type(self.values.get(chosen), self._types[node])
+
+
+def _is_specialised(symbol: Symbol) -> bool:
+    return any(item.name == "constant_id" for item in symbol.qualifiers.layout or ())
 
 
 def _as_type(value: Value | None, kind: Type) -> Value | None:

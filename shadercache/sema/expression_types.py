@@ -26,6 +26,7 @@ from shadercache.sema.operators import (
     INTEGER_ONLY,
     binary_type,
     construct_problem,
+    is_combination,
     is_handle,
     member_type,
     unary_type,
@@ -248,7 +249,10 @@ class ExpressionChecker:
             problem = "GLSL 1.10 makes no matrix from a matrix"
         elif kind.struct is not None and language.only_handles(kind):
             problem = f"{kind} holds samplers or images: only a uniform can be one"
-        elif not (language.bindless and is_handle(kind, args)):
+        elif not (
+            (language.bindless and is_handle(kind, args))
+            or (language.vulkan and is_combination(kind, args))
+        ):
             problem = construct_problem(kind, args, language.conversions)
         if problem is not None:
             return self._problems.error("SC219", problem, node)

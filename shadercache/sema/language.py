@@ -8,6 +8,7 @@ from shadercache.ast.nodes import Module
 from shadercache.front.preprocess import enabled_extensions
 from shadercache.lang import builtins
 from shadercache.lang.availability import NEVER as NEVER
+from shadercache.lang.availability import VULKAN
 from shadercache.lang.builtins import BuiltinVariable, Signature
 from shadercache.lang.types import Type
 from shadercache.lang.words import type_names
@@ -20,6 +21,8 @@ _INTERFACE_VERSIONS = {
 }
 _QUALIFIER_VERSIONS = {"GL_ARB_shading_language_420pack": 420}
 _INDEXING = ("GL_ARB_gpu_shader5", "GL_EXT_gpu_shader5", "GL_OES_gpu_shader5")
+_NOT_VULKAN = ("gl_VertexID", "gl_InstanceID", "gl_DepthRange", "gl_NumSamples")
+"""Built-in variables that Vulkan GLSL lacks."""
 _CONVERTING = ("GL_ARB_gpu_shader5", "GL_ARB_gpu_shader_fp64")
 
 
@@ -64,6 +67,11 @@ class Language:
         return kind.name in type_names(self.version, self.es, self.extensions)
 
     @property
+    def vulkan(self) -> bool:
+        """Is it Vulkan GLSL?"""
+        return VULKAN in self.extensions
+
+    @property
     def bindless(self) -> bool:
         """Are samplers and images values like any other (ARB_bindless_texture)?"""
         return "GL_ARB_bindless_texture" in self.extensions
@@ -85,6 +93,8 @@ class Language:
 
     def builtin_variable(self, name: str) -> BuiltinVariable | None:
         """The built-in variable or constant of that name in this version and stage."""
+        if self.vulkan and name in _NOT_VULKAN:
+            return None
         return builtins.variable(name, self.stage, self.version, self.profile, self.extensions)
 
 

@@ -127,6 +127,13 @@ def is_handle(kind: Type, args: Sequence[Type]) -> bool:
     return len(args) == 1 and True in kinds and str(kinds.get(False)) == "uvec2"
 
 
+def is_combination(kind: Type, args: Sequence[Type]) -> bool:
+    """``sampler2D(texture2D, sampler)``: a texture and how it is read (GL_KHR_vulkan_glsl)."""
+    texture = kind.name.removesuffix("Shadow").replace("sampler", "texture", 1)
+    names = [str(arg) for arg in args]
+    return len(names) == 2 and names[0] == texture and names[1] in ("sampler", "samplerShadow")
+
+
 def _components_problem(kind: Type, args: Sequence[Type]) -> str | None:
     """Enough components, and no argument that none of them comes from."""
     if kind.is_matrix and any(arg.is_matrix for arg in args):

@@ -64,6 +64,7 @@ _COVERAGE = (NEVER, NEVER, "ARB_post_depth_coverage", "EXT_post_depth_coverage")
 _INTERLOCK = (NEVER, NEVER, "ARB_fragment_shader_interlock", "NV_fragment_shader_interlock")
 _VIEWS = (NEVER, NEVER, "OVR_multiview", "OVR_multiview2")
 _RELATIVE = (NEVER, NEVER, "NV_viewport_array2", "NV_stereo_view_rendering")
+_VULKAN = (NEVER, NEVER, "KHR_vulkan_glsl")
 _STEREO = (NEVER, NEVER, "NV_stereo_view_rendering")
 
 WORDS: Mapping[str, LayoutWord] = {
@@ -77,6 +78,9 @@ WORDS: Mapping[str, LayoutWord] = {
     ),
     **dict.fromkeys(ORDERS, LayoutWord(on=(*_BUFFERS, *_MEMBERS, *_DEFAULTS))),
     "binding": LayoutWord((420, 310, "ARB_shading_language_420pack"), _BOUND, valued=True),
+    "push_constant": LayoutWord(_VULKAN, ("block uniform",)),
+    "constant_id": LayoutWord(_VULKAN, valued=True),
+    "input_attachment_index": LayoutWord(_VULKAN, ("variable uniform",), valued=True),
     # Vulkan's: an OpenGL program has the set 0 alone, and compilers take that.
     "set": LayoutWord(on=_BOUND, valued=True),
     "offset": LayoutWord(
@@ -155,8 +159,9 @@ def word_problem(word: str, valued: bool, place: LayoutPlace, language: Language
         return f"'{word}' takes no value" if valued else f"'{word}' needs a value: {word} = 0"
     if entry.stage not in (None, language.stage):
         return f"a {language.stage} shader has no layout qualifier '{word}'"
-    # The extension lays out uniform blocks like this as well.
-    if word == "std430" and "GL_EXT_scalar_block_layout" in language.extensions:
+    # The extension lays out uniform blocks like this as well, and Vulkan push constants.
+    laid_out = language.vulkan or "GL_EXT_scalar_block_layout" in language.extensions
+    if word == "std430" and laid_out:
         return None
     if entry.on and f"{place.form} {place.storage}" not in entry.on:
         return f"'{word}' does not apply to {_FORMS[place.form].format(place.storage)}"

@@ -77,7 +77,8 @@ class _Layouts:
             message = f"the layout value of '{name}' is a constant integer, not negative"
             self._error(message, value)
             return None
-        if number > _MOST.get(name, number):
+        # Vulkan has as many sets as its driver.
+        if number > _MOST.get(name, number) and not (name == "set" and language.vulkan):
             self._error(f"the layout value of '{name}' is at most {_MOST[name]} here", entry)
         return number
 
@@ -105,7 +106,8 @@ class _Layouts:
         if storage not in self._defaults:
             return
         words = {entry.name.lower() for entry in block.qualifiers.layout or ()}
-        packing = _packing(words) or _packing(self._defaults[storage]) or "shared"
+        packing = _packing(words) or _packing(self._defaults[storage])
+        packing = packing or ("std140" if self._suspect.language.vulkan else "shared")
         # Offsets behind matrices that are stored by rows are left alone.
         parts = [words, self._defaults[storage]]
         parts += [

@@ -7,6 +7,7 @@ a host adds. So it can read every dialect, and each of its lines stands for a pl
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import subprocess
@@ -18,12 +19,13 @@ from tempfile import TemporaryDirectory
 
 from shadercache.diagnostics import Diagnostic, InputError, Severity
 from shadercache.front.parse import preprocessed
+from shadercache.front.preprocess import written_lines
 from shadercache.front.read_options import ReadOptions
 from shadercache.sema.facts import Stage
 from shadercache.source import Source, Span
 
 _TOOL = "glslangValidator"
-_ERROR = re.compile(r"ERROR: 0:(\d+): (?!'' : compilation terminated)(.*)")
+_ERROR = re.compile(r"ERROR: (?:0|\S+\.(?:vert|frag)):(\d+): (?!'' : compilation terminated)(.*)")
 # Where it lacks an extension or a name of one, or has limits that a driver need not have, nothing
 # that it says is of use. Syntax and names are judged here already.
 _LACKS = re.compile(
@@ -65,17 +67,23 @@ def ask_compiler(
                 # The ending tells the stage: the first four letters of its name.
                 files[number] = Path(folder, f"{number}.{question.stage[:4]}")
                 files[number].write_text(text, encoding="utf-8")
-        outputs = _run(tool, files) if files else {}
+        outputs: dict[int, str] = {}
+        if options.dialect == "vulkan":
+            # It would link the files to one program.
+            for number, file in files.items():
+                outputs |= _run([tool, "-V", "-o", os.devnull], {number: file})
+        elif files:
+            outputs = _run([tool], files)
     return [
         _findings(question, places, outputs.get(number, ""))
         for number, (question, (_, places)) in enumerate(zip(questions, texts, strict=True))
     ]
 
 
-def _run(tool: str, files: dict[int, Path]) -> dict[int, str]:
+def _run(tool: Sequence[str], files: dict[int, Path]) -> dict[int, str]:
     """What the compiler says of each file; all at once, for it starts slowly."""
     # -C: go on behind the first error.
-    command = [tool, "-C", *map(str, files.values())]
+    command = [*tool, "-C", *map(str, files.values())]
     try:
         done = subprocess.run(
             command, capture_output=True, text=True, timeout=_SECONDS, check=False
@@ -129,8 +137,9 @@ def _readable(source: Source, options: ReadOptions) -> tuple[str, list[Span]]:
     # `#version 100` takes no word behind it.
     profile = prepared.profile if prepared.version != 100 else None
     lines = [f"#version {prepared.version} {profile or ''}".rstrip()]
-    lines += [directive.text for directive in prepared.directives]
+    lines += written_lines(prepared)
     places = [Span(0, 0), *(directive.span for directive in prepared.directives)]
+    places = places[: len(lines)]
     numbers = [_line(source, start) for start in lexemes.starts]
     breaks = [at for at, (one, two) in enumerate(pairwise(numbers), 1) if one != two]
     for first, behind in pairwise((0, *breaks, len(numbers))):

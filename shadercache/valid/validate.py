@@ -15,6 +15,7 @@ from shadercache.valid import declaration_rules as declarations
 from shadercache.valid import expression_rules as expressions
 from shadercache.valid import function_rules as functions
 from shadercache.valid import name_rules as names
+from shadercache.valid import vulkan_rules
 from shadercache.valid.layouts import layouts
 from shadercache.valid.statement_rules import statements
 from shadercache.valid.suspect import Rule, Suspect
@@ -36,6 +37,8 @@ RULES: tuple[tuple[type[n.Node], Rule], ...] = (
     (n.Unary, expressions.stepped),
     (n.Postfix, expressions.stepped),
     (n.Call, expressions.arguments),
+    (n.Module, vulkan_rules.vulkan),
+    (n.Call, vulkan_rules.combined),
     (n.Index, expressions.index),
     (n.Module, functions.definitions),
     (n.Module, functions.recursion),

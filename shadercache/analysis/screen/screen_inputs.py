@@ -29,6 +29,8 @@ _FUNCTIONS = frozenset(
     (
         *("textureQueryLod", "textureQueryLOD"),
         *("interpolateAtOffset", "interpolateAtSample", "interpolateAtCentroid"),
+        # What an earlier subpass left at the very pixel.
+        "subpassLoad",
     )
 )
 

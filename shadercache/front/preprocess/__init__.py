@@ -15,3 +15,4 @@ from shadercache.front.preprocess.version import enabled_extensions as enabled_e
 from shadercache.front.preprocess.version import joins_comments as joins_comments
 from shadercache.front.preprocess.version import read_version as read_version
 from shadercache.front.preprocess.version import version_line as version_line
+from shadercache.front.preprocess.version import written_lines as written_lines

@@ -21,6 +21,7 @@ from shadercache.front.preprocess.macros import define
 from shadercache.front.preprocess.reading_state import ReadingState
 from shadercache.front.preprocess.scanner import is_word, spellings
 from shadercache.front.preprocess.version import extension_macros, read_extension, switched
+from shadercache.lang.availability import VULKAN
 from shadercache.source import Span
 
 _FILE_NAME = re.compile(r'"[^"\n]*"$')
@@ -113,7 +114,7 @@ def _extension(state: ReadingState, line: Line) -> None:
     every = extension_macros(state.version.number, state.version.es)
     state.enabled = switched(state.enabled, (name, behaviour), every)
     # Some are for the preprocessor alone: the text that it makes needs them no more.
-    if name not in _FOR_INCLUDES:
+    if name not in _FOR_INCLUDES and name != VULKAN:
         state.directives.append(Directive(line.span, f"#extension {name} : {behaviour}"))
 
 

@@ -38,7 +38,9 @@ from shadercache.front.preprocess.reading_state import ReadingState
 from shadercache.front.preprocess.scanner import Lexemes
 from shadercache.front.preprocess.version import (
     NO_VERSION,
+    VULKAN_LINE,
     Version,
+    check_dialect,
     check_place,
     read_version,
     version_line,
@@ -85,6 +87,8 @@ def preprocess_broken(
     # A file that is included twice has each mistake once.
     errors = {(error.span, error.message): error for error in state.errors}.values()
     version, directives = state.version, tuple(state.directives)
+    if options.dialect == "vulkan":
+        directives = (*directives, VULKAN_LINE)
     prepared = Preprocessed(version.number, version.profile, directives, state.lexemes)
     return prepared, sorted(errors, key=lambda error: error.span or Span(-1, -1))
 
@@ -104,10 +108,16 @@ def _read_source(state: ReadingState) -> None:
         span = text.span(place[0], place[0] + len(line))
         try:
             state.version = read_version(line.partition("version")[2].strip())
+            check_dialect(state.version, state.options.dialect)
             # The text as it was written, for a comment must not stand there either.
             check_place(state.version, source.text[: span.start])
         except DirectiveError as mistake:
             state.tell(mistake, span)
+    else:
+        try:
+            check_dialect(state.version, state.options.dialect)
+        except DirectiveError as mistake:
+            state.tell(mistake, Span(0, 0))
     # Behind the #version, which decides which macros are predefined.
     state.define_first_macros()
     _read_file(state, begin)

@@ -130,6 +130,8 @@ class ReadingState:
             self.macros[name] = Macro(name, None, ("1",), "1")
         version = str(self.version.number)
         self.macros["__VERSION__"] = Macro("__VERSION__", None, (version,))
+        if self.options.dialect == "vulkan":
+            self.macros["VULKAN"] = Macro("VULKAN", None, ("100",), "100")
         # Only a name: the expander asks for its replacement at each use.
         self.macros["__LINE__"] = Macro("__LINE__", None, ())
         self.set_file_number("0")

@@ -14,7 +14,10 @@ from typing import Protocol
 
 from shadercache.ast.nodes import Directive
 from shadercache.front.preprocess.directive_errors import DirectiveError
+from shadercache.front.read_options import Dialect
+from shadercache.lang.availability import VULKAN
 from shadercache.lang.words import ES_VERSIONS, VERSIONS
+from shadercache.source import Span
 
 _EXTENSIONS = Path(__file__).with_name("extensions.txt")
 _VERSION = re.compile(r"(\d{1,9})(?:\s+(\w+))?", re.ASCII)
@@ -59,6 +62,9 @@ class Version:
 NO_VERSION = Version(110)
 """What a shader without ``#version`` is."""
 
+VULKAN_LINE = Directive(Span(0, 0), f"#extension {VULKAN} : enable")
+"""What marks a tree of Vulkan GLSL. It is never printed: no compiler asks for it."""
+
 
 def read_version(rest: str) -> Version:
     """The version that ``#version rest`` asks for."""
@@ -81,6 +87,17 @@ def read_version(rest: str) -> Version:
     if message is not None:
         raise DirectiveError("SC100", message, hint)
     return Version(number, "es" if number == 100 else profile)
+
+
+def check_dialect(version: Version, dialect: Dialect) -> None:
+    """Refuse versions that there are not in a dialect (GL_KHR_vulkan_glsl; glslang)."""
+    if dialect != "vulkan":
+        return
+    if version.number < (310 if version.es else 140):
+        hint = "write #version 450"
+        raise DirectiveError("SC125", "Vulkan GLSL begins with GLSL 1.40 and GLSL ES 3.10", hint)
+    if version.profile == "compatibility":
+        raise DirectiveError("SC125", "Vulkan GLSL has no compatibility profile", "leave it out")
 
 
 def check_place(version: Version, before: str) -> None:
@@ -131,6 +148,11 @@ class Headed(Protocol):
     def profile(self) -> str | None: ...
     @property
     def directives(self) -> Iterable[Directive]: ...
+
+
+def written_lines(part: Headed) -> list[str]:
+    """The kept directives of a file as a compiler may be given them."""
+    return [line.text for line in part.directives if line.text != VULKAN_LINE.text]
 
 
 def enabled_extensions(part: Headed) -> frozenset[str]:
