@@ -11,6 +11,7 @@ from shadercache.caching.algorithms import NAMES, USUAL, LeftOut
 from shadercache.caching.configuration import Assignment, Configuration, Mode, by_every_algorithm
 from shadercache.compiler import Analysis, Emission, emit_original, rewrite
 from shadercache.diagnostics import InputError, input_error
+from shadercache.front.read_options import ReadOptions
 from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.render.bundle import Bundle, LinkedObject
 from shadercache.scene.description import Scene, SceneObject
@@ -166,5 +167,7 @@ class Linker:
             return self.analysis
         shaders = (part.fragment, part.vertex)
         if shaders not in self._own:
-            self._own[shaders] = analyse_scene(self.scene.alone(part))[1]
+            # What else is said of how the scene's shader is read is said of that alone.
+            reading = ReadOptions(approximate=self.analysis.reading.approximate)
+            self._own[shaders] = analyse_scene(self.scene.alone(part), reading)[1]
         return self._own[shaders]

@@ -14,17 +14,21 @@ from laws.slices import amount, day_slice, seed
 from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.value_numbering import one_of_each
 from shadercache.caching.algorithms import NAMES, USUAL
-from shadercache.compiler import Analysis
+from shadercache.compiler import Analysis, emit_original
 from shadercache.front.read_options import ReadOptions
 from shadercache.gpu.context import Gpu
 from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.render.bundle import Bundle
 from shadercache.scene.description import Scene, load_scene
+from shadercache.source import Source
+from shadercache.transform.unique_names import make_names_unique
+from shadercache.valid.read import read
 from shadercache.verify.verdict import Verdict
 from shadercache.verify.verifier import Verifier
 from tests.altered import altered
 from tests.cases.scenery import ring
 from tests.configured import PROOF, configured, rewritten
+from tests.generated.law8 import apart_derivatives
 from tests.shaders import find
 
 from .test_mutations import broken
@@ -122,6 +126,20 @@ def test_one_pass_takes_derivatives_ahead_of_its_branch(folder: Path) -> None:
     assert functions["main"].index("sc_fetch_ahead()") < functions["main"].index("sc_look_up(")
     ahead = "".join(body for name, body in functions.items() if "_ahead" in name)
     assert {"dFdx(v_position)", "dFdy(v_uv)"} <= set(re.findall(r"dFd[xy]\(\w+\)", ahead))
+
+
+@pytest.mark.parametrize("name", SHADERS)
+def test_law_8(folder: Path, name: str) -> None:
+    """All fragments of a quad take the variants' derivatives, as they take the original's."""
+    analysis = opened(folder, name)[1]
+    files = emit_original(analysis).files | {}
+    for node in day_slice(of_screen(analysis), seed(), NODES):
+        emission = rewritten(analysis, node, configured(), NAMES)
+        files |= {f"{node.id} {file}": text for file, text in emission.files.items()}
+    for file, text in files.items():
+        if file.endswith(".frag"):
+            module, facts = read(Source(file, text), "fragment", needs_main=True)
+            assert apart_derivatives(make_names_unique(module, facts)) == [], file
 
 
 @pytest.mark.parametrize("text", ["wave(dFdx(v_position) * 50.0)", "slope(v_position)"])
