@@ -14,11 +14,15 @@ from vertex_stages import REPORTS, analysed, sources
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.refusals import Code
+from shadercache.caching.algorithms import NAMES as NAMED
 from shadercache.compiler import Analysis, analyse
+from shadercache.front.read_options import ReadOptions
 from shadercache.source import Source
+from tests.configured import rewritten
+from tests.shaders import find
 
 FOLDER = REPORTS / "screen_values"
-NAMES = sorted(path.stem for path in FOLDER.glob("*.frag") if not path.stem.startswith("o09"))
+NAMES = sorted(path.stem for path in FOLDER.glob("*.frag") if not re.match(r"o\d", path.stem))
 
 
 def told(name: str) -> dict[int, str]:
@@ -65,6 +69,24 @@ def test_the_clip_position_of_the_report() -> None:
     assert payload is not None and (payload.code, payload.detail) == (Code.SCREEN, "v_clip")
     assert by_text["max(v_n.z, 0.2)"].legal and by_text["v_clip.w"].legal
     assert by_text["screen"].inputs == {"v_clip"}
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "code"),
+    [
+        ("o09_clip_position_as_varying", "costly(vec3(screen * 9.0, 1.0))", Code.SCREEN),
+        ("o12_normal_from_derivatives", "costly(n)", Code.DERIVATIVE),
+    ],
+)
+def test_the_values_of_the_reports_are_offered_on_request(name: str, text: str, code: Code) -> None:
+    refusal = find(analysed(FOLDER, name), text).refusal
+    assert refusal is not None and refusal.code is code
+    asked = analyse(*sources(FOLDER, name), ReadOptions(approximate=True))
+    node = find(asked, text)
+    assert node.offered and node.approximate
+    manifest = rewritten(asked, node, algorithms=NAMED).manifest
+    assert not manifest.refused, "by every algorithm"
+    assert [entry.approximate for entry in manifest.nodes] == [True]
 
 
 def test_without_a_vertex_shader_only_what_the_fragment_shader_says_counts() -> None:
