@@ -15,7 +15,6 @@ from shadercache.valid.suspect import Finding, Suspect
 _SUBPASS = "input_attachment_index"
 _PUSH, _CONSTANT = "push_constant", "constant_id"
 _UNPACKED = ("shared", "packed")
-_SPECIALISED = ("bool", "int", "uint", "float", "double")
 
 
 def vulkan(module: n.Module, suspect: Suspect) -> Iterator[Finding]:
@@ -42,7 +41,7 @@ def _variable(
     node: n.Declarator, qualifiers: n.Qualifiers, storage: Kind, kind: Type
 ) -> Iterator[Finding]:
     words, name = _words(qualifiers), node.name
-    if _CONSTANT in words and (storage != "const" or not _may_be_specialised(kind)):
+    if _CONSTANT in words and (storage != "const" or not kind.is_scalar):
         message = f"'constant_id' is for scalar constants, not for '{name}' of type {kind}"
         yield Finding("SC223", message, node)
     if storage in ("in", "out") and "location" not in words:
@@ -56,10 +55,6 @@ def _variable(
         yield from _resource(node, words, kind)
 
 
-def _may_be_specialised(kind: Type) -> bool:
-    return kind.is_scalar and kind.base in _SPECIALISED
-
-
 def _resource(node: n.Declarator, words: frozenset[str], kind: Type) -> Iterator[Finding]:
     """A sampler, texture, image or input of a subpass."""
     subpass = "subpassInput" in kind.name
@@ -67,7 +62,7 @@ def _resource(node: n.Declarator, words: frozenset[str], kind: Type) -> Iterator
         yield Finding("SC221", "Vulkan has no atomic counters", node)
     elif "Rect" in kind.name:
         yield Finding("SC221", "Vulkan has no rectangle textures: take one of two dimensions", node)
-    elif "binding" not in words:
+    elif "binding" not in words and kind.struct is None:
         yield Finding("SC223", _without_binding(node.name), node)
     if subpass != (_SUBPASS in words):
         without = f"the subpass input '{node.name}' has no layout(input_attachment_index = 0)"
@@ -91,7 +86,7 @@ def _block(node: n.BlockDecl, storage: Kind, suspect: Suspect) -> Iterator[Findi
     if _PUSH in words and words & {"set", "binding"}:
         message = f"the push constants '{node.name}' have neither a set nor a binding"
         yield Finding("SC223", message, node)
-    elif _PUSH not in words and "binding" not in words:
+    elif words.isdisjoint((_PUSH, "binding", "buffer_reference")):
         yield Finding("SC223", _without_binding(node.name), node)
     scalar = "GL_EXT_scalar_block_layout" in suspect.language.extensions
     if "std430" in words and storage == "uniform" and _PUSH not in words and not scalar:

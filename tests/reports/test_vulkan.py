@@ -108,6 +108,7 @@ BAD = {
     "layout(push_constant) buffer B { vec4 x; };": "does not apply to 'buffer' blocks",
     "layout(constant_id = 0) const vec2 c = vec2(1.0);": "'constant_id' is for scalar constants",
     "layout(constant_id = 0) const int a = 1, b = 1;": "share the constant_id 0",
+    "layout(buffer_reference, std430) buffer R { vec4 x; };": "which is not supported",
     "layout(constant_id = 0) const int a;": "the constant 'a' has no value",
     "layout(binding = 0) uniform subpassInput s;": "has no layout(input_attachment_index = 0)",
     "layout(input_attachment_index = 0, binding = 0) uniform texture2D t;": "is for subpass inputs",
