@@ -72,7 +72,15 @@ def read_as_in(scene: Scene, reading: ReadOptions) -> ReadOptions:
         reading,
         unroll=reading.unroll or scene.reading.unroll,
         approximate=reading.approximate or scene.reading.approximate,
-        moving=(*reading.moving, *scene.reading.moving),
+        moving=(*reading.moving, *scene.reading.moving, *_moving(scene)),
+    )
+
+
+def _moving(scene: Scene) -> Iterable[str]:
+    """The attributes of instances that change from frame to frame."""
+    own = (part.inputs.instances for part in scene.parts if not part.own_shader)
+    return dict.fromkeys(
+        name for instances in own for name, stream in instances.streams.items() if stream.moves
     )
 
 

@@ -17,7 +17,7 @@ from shadercache.gpu.textures import GlTexture, texture_kind
 from shadercache.gpu.uniform_blocks import Uniform
 from shadercache.manifest.interface import UniformInput
 from shadercache.render.bundle import Naming
-from shadercache.render.drawable import Drawable
+from shadercache.render.drawable import Drawable, When
 from shadercache.render.pass_spec import PassSpec
 from shadercache.render.render_scene import RenderScene
 from shadercache.scene.camera import Values
@@ -97,7 +97,13 @@ class BoundPass:
             spec.vertex, spec.fragment, spec.inputs, captured, spec.locations
         )
         try:
-            self._array = drawable.vertex_array(self._program, self.over_screen)
+            twins = naming.twins
+            self._array = drawable.vertex_array(self._program, twins, self.over_screen)
+            self._streams: list[tuple[str, When]] = [
+                (twins.get(name, name), "before" if name in twins else "now")
+                for name in self._program.attributes
+                if twins.get(name, name) in drawable.instances.streams
+            ]
             self._bind(naming)
         # There will be no pass by which the caller could give the program back.
         except InputError:
@@ -130,7 +136,10 @@ class BoundPass:
         offset = marks and any(engine.offset)
         if offset:
             context.polygon_offset = (0.0, 0.0)
-        self._array.render(moderngl.TRIANGLES, 3 if self.over_screen else -1)
+        if self.over_screen:
+            self._array.render(moderngl.TRIANGLES, 3)
+        else:
+            self._array.render(moderngl.TRIANGLES, instances=self._drawable.instances.number)
         if offset:
             context.polygon_offset = engine.offset
 
@@ -157,6 +166,8 @@ class BoundPass:
             texture = self._texture(source, caches) if isinstance(source, str) else source
             texture.use(unit)
             uniform.write(self._unit_bytes[unit])
+        for name, when in self._streams:
+            self._drawable.stream(name, when).hold(tables[when][name])
         self._program.bind_blocks()
 
     def _texture(self, role: str, caches: CachePair | None) -> moderngl.Texture:
@@ -188,7 +199,7 @@ class BoundPass:
                 if name in naming.roles:
                     self._bind_role(uniform, naming.roles[name])
                 elif uniform.sampler is not None:
-                    self._bind_texture(uniform)
+                    self._bind_texture(uniform, naming.original(name) or name)
                 else:
                     self._bind_value(uniform, naming.original(name), values)
             except InputError as error:
@@ -206,8 +217,7 @@ class BoundPass:
         else:
             self._units.append((uniform, role))
 
-    def _bind_texture(self, uniform: Uniform) -> None:
-        name = uniform.name
+    def _bind_texture(self, uniform: Uniform, name: str) -> None:
         texture = self._drawable.texture(name)
         if texture is None:
             hint = f"in the scene, add [textures.{name}] with a file"

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from typing import Any
+from collections.abc import Mapping
+from typing import Any, Literal, TypeAlias
 
 import moderngl
 import numpy as np
@@ -11,10 +12,13 @@ import numpy as np
 from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.gpu.programs import Program
 from shadercache.gpu.textures import GlTexture
-from shadercache.render.uploads import Uploads
+from shadercache.render.uploads import StreamBuffer, Uploads
 from shadercache.scene.camera import Values, semantic_values, shift_of, uniform_values
 from shadercache.scene.description import Scene, SceneObject
+from shadercache.scene.instances import Instances
 from shadercache.source import Source
+
+When: TypeAlias = Literal["now", "before"]
 
 _KEPT_FRAMES = 512  # a few kilobytes each; more than any sweep's path
 
@@ -97,15 +101,35 @@ class Drawable:
             self._outside[frame] = _is_outside(values["model-view-projection"], bounds)
         return self._outside[frame]
 
-    def vertex_array(self, program: Program, over_screen: bool = False) -> moderngl.VertexArray:
-        """The mesh as the program's input; nothing, for one that draws ``over_screen``.
+    @property
+    def instances(self) -> Instances:
+        """How many of it are drawn at once, and what each has of its own."""
+        return self.scene_object.inputs.instances
+
+    def stream(self, name: str, when: When) -> StreamBuffer:
+        """What holds an attribute of the instances, of this frame (``now``) or of the last one."""
+        stream = self.instances.streams[name]
+        return self._uploads.stream(self.number, name, when, stream.count * stream.width)
+
+    def prepare(self, frame: int) -> None:
+        """Compute and upload what a frame needs, so that timed draws find it done."""
+        values = self.values(frame)
+        for name in self.instances.streams:
+            self.stream(name, "now").hold(values[name])
+            self.stream(name, "before").hold(self.values(max(0, frame - 1))[name])
+
+    def vertex_array(
+        self, program: Program, twins: Mapping[str, str], over_screen: bool = False
+    ) -> moderngl.VertexArray:
+        """The mesh as the program's input; nothing, for one that draws ``over_screen``. ``twins``
+        leads from the names of attributes that hold the last frame's to the others.
 
         Raises:
             InputError: SC521, an attribute that the scene does not map to an array; SC523, fewer
                 bones in the shader than in the model.
         """
         self._check_bones(program)
-        content = [self._attribute(program, name) for name in program.attributes]
+        content = [self._attribute(program, name, twins) for name in program.attributes]
         index = None if over_screen else self._mesh.index
         key = (index.glo if index else 0, *(buffer.glo for buffer, _, _ in content))
         if key not in program.arrays:
@@ -118,8 +142,15 @@ class Drawable:
         place = Source(str(self.scene.path), "")
         return InputError(Diagnostic(code, message, place, hint=hint))
 
-    def _attribute(self, program: Program, name: str) -> tuple[moderngl.Buffer, str, str]:
-        array = self.scene_object.inputs.attributes.get(name)
+    def _attribute(
+        self, program: Program, name: str, twins: Mapping[str, str]
+    ) -> tuple[moderngl.Buffer, str, str]:
+        original = twins.get(name, name)
+        if original in self.instances.streams:
+            width = self.instances.streams[original].width
+            when: When = "before" if name in twins else "now"
+            return self.stream(original, when).buffer, f"{width}f/i", name
+        array = self.scene_object.inputs.attributes.get(original)
         if array is None:
             message = f"{program.name} needs the vertex attribute {name}, which the scene lacks"
             hint = f'under [attributes], add: {name} = "position" (or another array of the mesh)'

@@ -35,7 +35,8 @@ class PositionPass(BoundPass):
     ) -> None:
         """Raises as ``BoundPass``; SC602 also where the shader does not write the varying."""
         super().__init__(world, drawable, replace(spec, targets=("color",)), naming, captured)
-        self._count = int(drawable.mesh.index.size)
+        self._instances = drawable.instances.number
+        self._count = int(drawable.mesh.index.size) * self._instances
         self.shader = spec.vertex.name
 
     def captured(self, inputs: FrameInputs) -> Positions:
@@ -46,7 +47,7 @@ class PositionPass(BoundPass):
         self._load(inputs, None)
         buffer = context.buffer(reserve=16 * self._count)
         # As points nothing is assembled: each index gives one vertex, in the order of drawing.
-        self._array.transform(buffer, moderngl.POINTS)
+        self._array.transform(buffer, moderngl.POINTS, instances=self._instances)
         positions = np.frombuffer(buffer.read(), np.float32).reshape(self._count, 4)
         buffer.release()
         return positions

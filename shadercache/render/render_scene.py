@@ -78,7 +78,7 @@ class RenderScene(Resource):
     def prepare(self, frame: int) -> None:
         """Compute all that a frame needs of the CPU, so that timed draws find it done."""
         for drawable in self.drawn(frame):
-            drawable.values(frame)
+            drawable.prepare(frame)
 
     def seen_from(self, camera: Camera, path: CameraPath = REST) -> RenderScene:
         """The same objects before another camera, for a view beside this one.

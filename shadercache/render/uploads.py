@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import moderngl
 import numpy as np
+from numpy.typing import NDArray
 
 from shadercache.gpu.context import Gpu
 from shadercache.gpu.resource import Resource
@@ -38,6 +40,26 @@ class GpuMesh(Resource):
             buffer.release()
 
 
+class StreamBuffer(Resource):
+    """Numbers of instances that change from frame to frame."""
+
+    def __init__(self, ctx: moderngl.Context, size: int) -> None:
+        """Args: ``size``: how many numbers."""
+        self.buffer = ctx.buffer(reserve=4 * size)
+        self._held: NDArray[np.floating[Any]] | None = None
+
+    def hold(self, numbers: NDArray[np.floating[Any]]) -> None:
+        """Upload numbers, unless they are there already."""
+        # Equal frames give the same object.
+        if numbers is not self._held:
+            self._held = numbers
+            self.buffer.write(numbers.astype(np.float32).tobytes())
+
+    def release(self) -> None:
+        """Free the buffer."""
+        self.buffer.release()
+
+
 class Uploads(Resource):
     """What objects that draw the same files share."""
 
@@ -47,6 +69,14 @@ class Uploads(Resource):
         self._given = given
         self._meshes: dict[tuple[Path | None, str | None], GpuMesh] = {}
         self._textures: dict[TextureSpec, GlTexture] = {}
+        self._streams: dict[tuple[int, str, str], StreamBuffer] = {}
+
+    def stream(self, number: int, name: str, when: str, size: int) -> StreamBuffer:
+        """The buffer of an attribute of an object's instances, for this frame or for the last."""
+        key = (number, name, when)
+        if key not in self._streams:
+            self._streams[key] = StreamBuffer(self.gpu.ctx, size)
+        return self._streams[key]
 
     def mesh(self, path: Path | None, part: str | None = None) -> GpuMesh:
         """A mesh, or a part of a model; None is that of full-screen scenes. Raises as
@@ -65,5 +95,6 @@ class Uploads(Resource):
 
     def release(self) -> None:
         """Free everything."""
-        for held in (*self._meshes.values(), *self._textures.values()):
+        everything = (self._meshes, self._textures, self._streams)
+        for held in (one for table in everything for one in table.values()):
             held.release()

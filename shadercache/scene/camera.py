@@ -32,7 +32,8 @@ def uniform_values(
     size: tuple[int, int],
     jittered: int | None = None,
 ) -> Values:
-    """The value of every uniform of an object at a frame, in a picture of a size in pixels.
+    """The value of every uniform of an object at a frame, in a picture of a size in pixels, and of
+    the attributes of its instances.
 
     ``jittered``: the frame whose jitter it has, if it is another.
     """
@@ -46,6 +47,7 @@ def uniform_values(
     given = scene_object.inputs
     uniforms = {name: np.asarray(value, np.float64) for name, value in given.constants.items()}
     uniforms |= {name: animation.at(frame) for name, animation in given.animated.items()}
+    uniforms |= {name: stream.at(frame) for name, stream in given.instances.streams.items()}
     words = set(given.semantics.values())
     for word in words.intersection(INVERSES):
         values[word] = _inverse(values[INVERSES[word]])

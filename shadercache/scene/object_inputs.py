@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shadercache.diagnostics import input_error
+from shadercache.scene.instances import ALONE, Instances, read_instances
 from shadercache.scene.npz import load_npz
 from shadercache.scene.toml_reader import Table, is_number
 
@@ -103,6 +104,7 @@ class Inputs:
     semantics: Mapping[str, str] = field(default_factory=dict)
     animated: Mapping[str, Animation] = field(default_factory=dict)
     textures: Mapping[str, TextureSpec] = field(default_factory=dict)
+    instances: Instances = ALONE
 
     def over(self, other: Inputs) -> Inputs:
         """These, and those of ``other`` that have no value here."""
@@ -118,11 +120,17 @@ class Inputs:
             {**rest(other.semantics), **self.semantics},
             {**rest(other.animated), **self.animated},
             {**other.textures, **self.textures},
+            other.instances if self.instances is ALONE else self.instances,
         )
 
     def with_aliases(self, renamed: Mapping[str, str]) -> Inputs:
         """The same, with everything also under its new name."""
-        return Inputs(*(with_aliases(getattr(self, group.name), renamed) for group in fields(self)))
+        groups = {
+            group.name: with_aliases(getattr(self, group.name), renamed)
+            for group in fields(self)
+            if group.name != "instances"
+        }
+        return Inputs(**groups, instances=self.instances.renamed(renamed))
 
     @property
     def causes(self) -> dict[str, str]:
@@ -176,7 +184,9 @@ def read_inputs(table: Table) -> Inputs:
             value = uniforms.checked(name, wanted, lambda v: bool(_constant(v)), stand_in=0.0)
             constants[name] = _constant(value)
     attributes = read_names(table.table("attributes"))
-    return Inputs(attributes, constants, semantics, animated, _textures(table.table("textures")))
+    textures = _textures(table.table("textures"))
+    instances = read_instances(table.table("instances")) if table.has("instances") else ALONE
+    return Inputs(attributes, constants, semantics, animated, textures, instances)
 
 
 def _refuse_dots(uniforms: Table, name: str, value: dict[str, Any]) -> None:
