@@ -44,7 +44,7 @@ SCHEMA_VERSION = 1
 WHOLE = ("dragon", "trashcan")
 """Scenes of which every legal node is verified."""
 
-SCENES = (*WHOLE, "heroine", "colonnade", "chess")
+SCENES = (*WHOLE, "heroine", "colonnade", "chess", "meadow")
 RESULTS = Path(__file__).resolve().parent.parent / "bench" / "results"
 
 SAVE_SECONDS = 20.0

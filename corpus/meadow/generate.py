@@ -48,7 +48,9 @@ def petal(number: int) -> tuple[Array, NDArray[np.int64]]:
 
 def middle() -> tuple[Array, NDArray[np.int64]]:
     """A low dome between the petals."""
-    up, around = np.meshgrid(np.linspace(0.0, 1.0, 3), np.linspace(0.0, 2 * np.pi, 7), indexing="ij")
+    up, around = np.meshgrid(
+        np.linspace(0.0, 1.0, 3), np.linspace(0.0, 2 * np.pi, 7), indexing="ij"
+    )
     radius = 0.055 * np.cos(0.5 * np.pi * up)
     height = 0.84 + 0.05 * np.sin(0.5 * np.pi * up)
     points = np.stack([0.02 + radius * np.cos(around), height, radius * np.sin(around)], -1)

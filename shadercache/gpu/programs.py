@@ -199,8 +199,9 @@ def _check_names(shader: str, inputs: Sequence[InputEntry]) -> None:
 
 
 def _check_attribute(shader: str, name: str, member: Any) -> None:
-    if member.shape not in "fi" or member.array_length > 1 or member.dimension > 4:
-        given = "vectors of floats and integers only"
+    # Of matrices moderngl tells all components, of doubles another shape.
+    if member.shape not in "fi" or member.array_length > 1:
+        given = "vectors and matrices of floats, and vectors of integers"
         message = f"{shader}: the harness gives {given}, attribute {name} is none"
         raise input_error("SC524", message)
 

@@ -148,6 +148,11 @@ class Drawable:
         original = twins.get(name, name)
         if original in self.instances.streams:
             width = self.instances.streams[original].width
+            attribute: Any = program.gl[name]
+            if width != attribute.dimension:
+                has = f"{program.name} has {attribute.dimension} numbers in {name}"
+                message = f"{has}, the instances {width}"
+                raise self.problem("SC523", message)
             when: When = "before" if name in twins else "now"
             return self.stream(original, when).buffer, f"{width}f/i", name
         array = self.scene_object.inputs.attributes.get(original)

@@ -166,7 +166,10 @@ class Reuse:
 
     def _shaken(self, role: DrawItem, inputs: FrameInputs) -> tuple[FrameInputs, Positions]:
         # A scene may leave a uniform as it is from frame to frame, and hide that its twin is wrong.
-        before = shaken(inputs.before)
+        # An attribute without a twin rests, as the manifest says.
+        streams = role.drawable.instances.streams
+        resting = streams.keys() - set(role.naming.twins.values())
+        before = {**shaken(inputs.before), **{name: inputs.before[name] for name in resting}}
         there = replace(inputs, now=before, before=before)
         truth = self.references.surfaces.at(role.drawable, there)
         return replace(inputs, before=before), truth

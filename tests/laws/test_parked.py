@@ -56,7 +56,7 @@ def assert_sound(found: Iterable[Verdict]) -> None:
         assert set(BOTH) == verdict.algorithms | set(verdict.refused)
 
 
-@pytest.mark.parametrize("name", ["dragon", "trashcan", "heroine", "colonnade", "chess"])
+@pytest.mark.parametrize("name", ["dragon", "trashcan", "heroine", "colonnade", "chess", "meadow"])
 def test_the_corpus(name: str, gpu: Gpu) -> None:
     scene, analysis = open_scene(data_path("corpus", name, "scene.toml"))
     legal = [node for node in analysis.nodes if node.legal]

@@ -14,9 +14,9 @@ from laws.slices import VARIABLE, amount, day_slice, nodes_of_day, seed
 
 from shadercache.caching.configuration import Configuration
 from shadercache.cli.scenes import configured
-from shadercache.compiler import Analysis, analyse
+from shadercache.compiler import Analysis
 from shadercache.gpu.context import Gpu
-from shadercache.linking.scene_shaders import read_shaders
+from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.paths import data_path
 from shadercache.scene.description import Scene, load_scene
 from shadercache.verify.verdict import MAX_TIES, Difference, Verdict, worst_of
@@ -36,6 +36,7 @@ SCENES = [
         ("heroine", FEW),
         ("colonnade", FEW),
         ("chess", FEW),
+        ("meadow", FEW),
     )
 ]
 
@@ -89,8 +90,7 @@ def test_the_environment_sets_the_seed(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def _load(name: str) -> tuple[Scene, Analysis]:
-    scene = load_scene(data_path("corpus", name, "scene.toml"))
-    return scene, analyse(*read_shaders(scene))
+    return analyse_scene(load_scene(data_path("corpus", name, "scene.toml")))
 
 
 def _report(verdict: Verdict) -> str:
