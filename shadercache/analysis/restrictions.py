@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from shadercache.analysis.effect_table import EffectTable
-from shadercache.analysis.effects import NO_EFFECTS, Does
+from shadercache.analysis.effects import NO_EFFECTS, Does, global_names
 from shadercache.analysis.mapping import CURRENT_CLIP, PREVIOUS_CLIP
+from shadercache.analysis.moving import is_texture
 from shadercache.analysis.reaching_definitions import written_anywhere
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import EXPRESSIONS, walk
@@ -36,6 +37,10 @@ _LAYOUTS = {
 # gl_FragColor and gl_FragData may not be written beside declared outputs, and the cache is one
 # (GLSL 3.30 section 7.2). The passes agree on depth to the bit only where the rasteriser makes it.
 _BUILTIN_OUTPUTS = ("gl_FragColor", "gl_FragData", "gl_FragDepth", "gl_SampleMask")
+
+
+READS = frozenset(("imageLoad", "sparseImageLoadARB"))
+"""Functions that read memory and leave it as it is."""
 
 
 def check_size(module: n.Module, source: Source) -> None:
@@ -89,8 +94,8 @@ def check_program(module: n.Module, source: Source) -> None:
 
     Raises :class:`InputError` where the shader writes a built-in output (SC404), asks for early
     fragment tests (SC405: the first pass must not write depth for a fragment that it discards),
-    uses memory that others write (SC413), counts pixels in another way (SC422), or does something
-    in the initialiser of a global (SC424).
+    writes memory or uses what others write (SC413), counts pixels in another way (SC422), or does
+    something in the initialiser of a global (SC424).
     """
     problems = [*_unsupported(module, source), *busy_initialisers(module, source)]
     if problems:
@@ -99,10 +104,11 @@ def check_program(module: n.Module, source: Source) -> None:
 
 def _unsupported(module: n.Module, source: Source) -> Iterator[Diagnostic]:
     own = {decl.name for decl in module.decls if isinstance(decl, n.FunctionDef)}
+    written = EffectTable(module).summary("main").writes
     for node in walk(module):
-        if _uses_memory(node, own):
-            what = "uses images, atomic counters, buffers or other invocations"
-            message = f"a shader that {what} cannot be cached"
+        shared = _shares_memory(node, own, written)
+        if shared:
+            message = f"a shader that {shared} cannot be cached"
             yield Diagnostic("SC413", message, source, node.span)
         if isinstance(node, n.Name) and node.name in _BUILTIN_OUTPUTS:
             message = f"a shader that writes {node.name} cannot be cached"
@@ -127,15 +133,27 @@ def busy_initialisers(module: n.Module, source: Source) -> Iterator[Diagnostic]:
                 yield Diagnostic("SC424", message, source, variable.span, "main may begin with it")
 
 
-def _uses_memory(node: n.Node, own: set[str]) -> bool:
-    """Is it something that other fragments, or a second evaluation, may change?"""
-    if isinstance(node, n.BlockDecl):
-        return node.qualifiers.has("buffer")
-    if isinstance(node, n.Name):
-        return node.name.startswith("gl_Subgroup")
-    if not isinstance(node, n.Call) or node.name in own:
-        return False
-    return any(signature.memory for signature in overloads(node.name))
+def _shares_memory(node: n.Node, own: set[str], written: frozenset[str]) -> str:
+    """What it does with memory that other fragments, or a second evaluation, may change or miss;
+    nothing of what only reads. ``written``: the globals that the shader changes."""
+    match node:
+        case n.BlockDecl() if node.qualifiers.has("buffer"):
+            if not written.isdisjoint(global_names(node)):
+                return f"writes the buffer {node.name}"
+            return _unsteady(node.qualifiers, node.name)
+        case n.VarDecl() if is_texture(node):
+            return _unsteady(node.qualifiers, node.declarators[0].name)
+        case n.Name(name=name) if name.startswith("gl_Subgroup"):
+            return "asks other invocations"
+        case n.Call(name=name) if name not in own and name not in READS:
+            if any(signature.memory for signature in overloads(name)):
+                return f"changes memory or asks other invocations ({name})"
+    return ""
+
+
+def _unsteady(qualifiers: n.Qualifiers, name: str) -> str:
+    shared = qualifiers.has("coherent", "volatile")
+    return f"shares the memory of {name} while it runs" if shared else ""
 
 
 def check_user_mapping(module: n.Module, source: Source, table: EffectTable) -> None:

@@ -30,7 +30,7 @@ from enum import Enum
 from shadercache.analysis.dataflow import reached
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.effects import global_names
-from shadercache.analysis.restrictions import busy_initialisers
+from shadercache.analysis.restrictions import READS, busy_initialisers
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 from shadercache.diagnostics import Diagnostic, InputError
@@ -116,9 +116,6 @@ UNSTEADY = frozenset(
     )
 )
 """Built-in inputs that may be others in the next frame, or in the next pass."""
-
-READS = frozenset(("imageLoad",))
-"""Functions that read memory and leave it as it is: what they read is named."""
 
 _WRITERS = ("atomic", "imageStore", "imageAtomic")
 

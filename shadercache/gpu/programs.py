@@ -20,6 +20,7 @@ from shadercache.source import Source, Span
 # GL types of samplers and what moderngl must bind for them; others are told to be unsupported.
 _SAMPLERS = {
     0x8B5E: "2D texture",
+    0x8B5F: "3D texture",
     0x8B60: "cube map",
     0x8DC1: "array texture",
     0x8DD2: "2D texture of integers",
@@ -47,7 +48,8 @@ _LOG_LINE = re.compile(r"^(?:ERROR: )?0[:(](\d+)(?:\((\d+)\))?[):]*\s*(.*)$", re
 class Program:
     """A linked program with its active uniforms and vertex attributes.
 
-    ``arrays`` are meshes as its input, each made when it is first drawn.
+    ``arrays`` are meshes as its input, each made when it is first drawn. ``storage``: storage
+    buffers and where each is bound.
     """
 
     name: str
@@ -55,6 +57,7 @@ class Program:
     uniforms: dict[str, Uniform]
     attributes: tuple[str, ...]
     blocks: tuple[UniformBuffer, ...] = ()
+    storage: dict[str, int] = field(default_factory=dict)
     arrays: dict[tuple[int, ...], moderngl.VertexArray] = field(default_factory=dict)
     users: int = 0
 
@@ -159,6 +162,7 @@ def _link(
     uniforms: dict[str, Uniform] = {}
     attributes: list[str] = []
     buffers: dict[str, UniformBuffer] = {}
+    storage: dict[str, int] = {}
     for name in gl:
         member: Any = gl[name]
         if isinstance(member, moderngl.Uniform):
@@ -171,20 +175,21 @@ def _link(
         elif isinstance(member, moderngl.UniformBlock):
             # An array of blocks is listed element by element; `block_uniforms` refuses it.
             buffers[name.partition("[")[0]] = UniformBuffer(ctx, member, len(buffers))
+        elif isinstance(member, moderngl.StorageBlock):
+            member.binding = storage[name] = len(storage)
     uniforms |= {
         uniform.name: uniform for uniform in block_uniforms(fragment.name, inputs, buffers)
     }
-    return Program(fragment.name, gl, uniforms, tuple(attributes), tuple(buffers.values()))
+    blocks = tuple(buffers.values())
+    return Program(fragment.name, gl, uniforms, tuple(attributes), blocks, storage)
 
 
 def _uniform(shader: str, name: str, member: Any) -> Uniform:
     sampler = _SAMPLERS.get(member.gl_type)
     if sampler is None and any(member.gl_type in kinds for kinds in _SAMPLER_RANGES):
-        given = "2D textures, their arrays and cube maps only"
+        given = "2D and 3D textures, cube maps and arrays of 2D textures only"
         raise input_error("SC524", f"{shader}: the harness gives {given}, {name} is none")
     is_array = member.array_length > 1
-    if sampler is not None and is_array:
-        raise input_error("SC524", f"{shader}: the harness cannot fill the sampler array {name}")
     count = member.dimension * member.array_length
     return Uniform(name, sampler, member.write, _FORMATS[member.fmt[-1]], count, is_array)
 

@@ -1,6 +1,6 @@
 """Texture files on the GPU: ``.png``, ``.jpg`` (8 bits a channel) and ``.npz`` (any precision).
 
-The latter also hold cube maps and the layers of an array. Values reach the shader as stored;
+The latter also hold cube maps, layers of an array and volumes. Values reach the shader as stored;
 nothing is converted from or to sRGB.
 """
 
@@ -20,7 +20,7 @@ from shadercache.gpu.context import Gpu
 from shadercache.scene.npz import INFLATION, load_npz
 from shadercache.scene.object_inputs import TextureSpec
 
-GlTexture = moderngl.Texture | moderngl.TextureCube | moderngl.TextureArray
+GlTexture = moderngl.Texture | moderngl.TextureCube | moderngl.TextureArray | moderngl.Texture3D
 
 _DTYPES = {"float32": "f4", "float16": "f2", "uint8": "f1"}
 _FILTERS = {
@@ -35,18 +35,25 @@ MAX_PIXELS = 1 << 26
 
 _PICTURES = (".png", ".jpg", ".jpeg")
 
-_ARRAYS = {"faces": "(6, n, n, c)", "layers": "(n, h, w, c)", "pixels": "(h, w, c)"}
+_ARRAYS = {
+    "faces": "(6, n, n, c)",
+    "layers": "(n, h, w, c)",
+    "volume": "(d, h, w, c)",
+    "pixels": "(h, w, c)",
+}
 """The array that a ``.npz`` file has one of, and its shape."""
 
 _KINDS = {
     moderngl.Texture: "2D texture",
     moderngl.TextureCube: "cube map",
     moderngl.TextureArray: "array texture",
+    moderngl.Texture3D: "3D texture",
 }
 
 
 def texture_kind(texture: GlTexture) -> str:
-    """What kind of sampler reads it: ``2D texture``, ``cube map`` or ``array texture``."""
+    """What kind of sampler reads it: ``2D texture``, ``cube map``, ``array texture`` or ``3D
+    texture``."""
     return _KINDS[type(texture)]
 
 
@@ -55,6 +62,7 @@ def load_pixels(path: Path) -> tuple[NDArray[np.generic], str]:
 
     Returns:
         ``(pixels, "pixels")`` with shape (h, w, c), ``(layers, "layers")`` with shape (n, h, w, c),
+        ``(volume, "volume")`` with shape (d, h, w, c),
         or ``(faces, "faces")`` with shape (6, h, h, c) in the order +X, -X, +Y, -Y, +Z, -Z;
         float32, float16 or uint8, 1 to 4 channels.
 
@@ -66,7 +74,7 @@ def load_pixels(path: Path) -> tuple[NDArray[np.generic], str]:
     arrays = load_npz(path, "SC530", "the texture")
     what = next((name for name in _ARRAYS if name in arrays), None)
     if what is None:
-        raise input_error("SC531", f"the texture {path} has no 'pixels', 'faces' or 'layers'")
+        raise input_error("SC531", f"the texture {path} has none of {', '.join(_ARRAYS)}")
     pixels = arrays[what]
     if pixels.ndim == _ARRAYS[what].count(","):
         pixels = pixels[..., np.newaxis]
@@ -144,7 +152,10 @@ def upload_texture(gpu: Gpu, spec: TextureSpec) -> GlTexture:
     # A cube map is sampled by direction, and has nothing beyond its edges.
     if not isinstance(texture, moderngl.TextureCube):
         texture.repeat_x = texture.repeat_y = spec.wrap == "repeat"
-    if spec.anisotropy > 1.0:
+    if isinstance(texture, moderngl.Texture3D):
+        texture.repeat_z = spec.wrap == "repeat"
+    # A volume has no direction in which it is seen at a slant.
+    elif spec.anisotropy > 1.0:
         texture.anisotropy = min(spec.anisotropy, gpu.ctx.max_anisotropy)
     return texture
 
@@ -156,4 +167,6 @@ def _create(ctx: moderngl.Context, pixels: NDArray[np.generic], what: str) -> Gl
         return ctx.texture_cube((width, height), channels, data, dtype=kind)
     if what == "layers":
         return ctx.texture_array((width, height, len(pixels)), channels, data, dtype=kind)
+    if what == "volume":
+        return ctx.texture3d((width, height, len(pixels)), channels, data, dtype=kind)
     return ctx.texture((width, height), channels, data, dtype=kind)

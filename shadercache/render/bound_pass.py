@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -90,7 +91,9 @@ class BoundPass:
         self.in_groups, self.marks = spec.draws == "groups", not spec.targets
         self._world, self._drawable, self._spec = world, drawable, spec
         self._values: list[tuple[Uniform, Literal["now", "before", "numbers"], str]] = []
-        self._units: list[tuple[Uniform, GlTexture | str]] = []
+        self._units: list[GlTexture | str] = []
+        self._samplers: list[tuple[Uniform, bytes]] = []
+        self._storage: list[tuple[moderngl.Buffer, int]] = []
         if spec.colors:
             world.targets.outputs = spec.colors
         self._program = world.programs.acquire(
@@ -109,7 +112,6 @@ class BoundPass:
         except InputError:
             self.release()
             raise
-        self._unit_bytes = [np.int32(unit).tobytes() for unit in range(len(self._units))]
 
     def draw(
         self, inputs: FrameInputs, caches: CachePair | None, depth_test: str | None = None
@@ -150,7 +152,7 @@ class BoundPass:
             for _, table, name in self._values
             if name != "group"
         )
-        return (self._program, inputs.viewport, *values, *(source for _, source in self._units))
+        return (self._program, inputs.viewport, *values, *self._units)
 
     def release(self) -> None:
         """Give the program back."""
@@ -161,11 +163,14 @@ class BoundPass:
         tables["numbers"] = inputs.numbers_of(self._spec.divisor)
         for uniform, table, name in self._values:
             uniform.write(uniform.encode(tables[table][name], name))
-        for unit, (uniform, source) in enumerate(self._units):
+        for unit, source in enumerate(self._units):
             # Caches swap with each frame, so their textures are found by role in each draw.
             texture = self._texture(source, caches) if isinstance(source, str) else source
             texture.use(unit)
-            uniform.write(self._unit_bytes[unit])
+        for uniform, units in self._samplers:
+            uniform.write(units)
+        for buffer, binding in self._storage:
+            buffer.bind_to_storage_buffer(binding)
         for name, when in self._streams:
             self._drawable.stream(name, when).hold(tables[when][name])
         self._program.bind_blocks()
@@ -204,8 +209,21 @@ class BoundPass:
                     self._bind_value(uniform, naming.original(name), values)
             except InputError as error:
                 problems += error.diagnostics
+        for name, binding in self._program.storage.items():
+            try:
+                self._storage.append((self._buffer(naming.original(name) or name), binding))
+            except InputError as error:
+                problems += error.diagnostics
         if problems:
             raise InputError(problems)
+
+    def _buffer(self, block: str) -> moderngl.Buffer:
+        buffer = self._drawable.storage(block)
+        if buffer is None:
+            entry = f'{block} = {{ table = "FILE.npz", array = "NAME" }}'
+            hint = f"in the scene, under [buffers], add: {entry}"
+            raise self._problem("SC526", f"needs the storage buffer {block}", hint)
+        return buffer
 
     def _bind_role(self, uniform: Uniform, role: str) -> None:
         sampled = (*CACHE_ROLES, *self._spec.parked)
@@ -215,18 +233,29 @@ class BoundPass:
         if uniform.sampler is None:
             self._values.append((uniform, "numbers", role))
         else:
-            self._units.append((uniform, role))
+            self._sample(uniform, [role])
 
     def _bind_texture(self, uniform: Uniform, name: str) -> None:
+        each = [f"{name}[{at}]" for at in range(uniform.count)] if uniform.is_array else [name]
+        self._sample(uniform, [self._found(one, uniform) for one in each])
+
+    def _found(self, name: str, uniform: Uniform) -> GlTexture:
         texture = self._drawable.texture(name)
         if texture is None:
-            hint = f"in the scene, add [textures.{name}] with a file"
+            key = f'"{name}"' if "[" in name else name
+            hint = f"in the scene, add [textures.{key}] with a file"
             raise self._problem("SC522", f"needs the texture {name}", hint)
         kind = texture_kind(texture)
         if kind != uniform.sampler:
             what = f"samples {name} as a {uniform.sampler}, but the scene has a {kind}"
             raise self._problem("SC523", what)
-        self._units.append((uniform, texture))
+        return texture
+
+    def _sample(self, uniform: Uniform, sources: Sequence[GlTexture | str]) -> None:
+        """Texture units, one behind the other, for a sampler or for an array of them."""
+        units = np.arange(len(self._units), len(self._units) + len(sources), dtype=np.int32)
+        self._units += sources
+        self._samplers.append((uniform, units.tobytes()))
 
     def _bind_value(self, uniform: Uniform, twin_of: str | None, values: Values) -> None:
         name = twin_of or uniform.name

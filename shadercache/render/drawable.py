@@ -64,6 +64,11 @@ class Drawable:
         spec = self.scene_object.inputs.textures.get(name)
         return None if spec is None else self._uploads.texture(spec)
 
+    def storage(self, name: str) -> moderngl.Buffer | None:
+        """A storage buffer by the name of its block; None if the object has none so named."""
+        spec = self.scene_object.inputs.buffers.get(name)
+        return None if spec is None else self._uploads.storage(spec)
+
     def values(self, frame: int, jittered: int | None = None) -> Values:
         """The object's uniforms at a frame. Equal frames give the same object.
 

@@ -13,7 +13,7 @@ from shadercache.gpu.context import Gpu
 from shadercache.gpu.resource import Resource
 from shadercache.gpu.textures import GlTexture, upload_texture
 from shadercache.scene.mesh import FULL_SCREEN, Mesh, load_mesh
-from shadercache.scene.object_inputs import TextureSpec
+from shadercache.scene.object_inputs import BufferSpec, TextureSpec
 
 
 class GpuMesh(Resource):
@@ -69,6 +69,7 @@ class Uploads(Resource):
         self._given = given
         self._meshes: dict[tuple[Path | None, str | None], GpuMesh] = {}
         self._textures: dict[TextureSpec, GlTexture] = {}
+        self._storage: dict[BufferSpec, moderngl.Buffer] = {}
         self._streams: dict[tuple[int, str, str], StreamBuffer] = {}
 
     def stream(self, number: int, name: str, when: str, size: int) -> StreamBuffer:
@@ -77,6 +78,12 @@ class Uploads(Resource):
         if key not in self._streams:
             self._streams[key] = StreamBuffer(self.gpu.ctx, size)
         return self._streams[key]
+
+    def storage(self, spec: BufferSpec) -> moderngl.Buffer:
+        """A storage buffer. Raises InputError SC541 for a file without its array."""
+        if spec not in self._storage:
+            self._storage[spec] = self.gpu.ctx.buffer(spec.content())
+        return self._storage[spec]
 
     def mesh(self, path: Path | None, part: str | None = None) -> GpuMesh:
         """A mesh, or a part of a model; None is that of full-screen scenes. Raises as
@@ -95,6 +102,6 @@ class Uploads(Resource):
 
     def release(self) -> None:
         """Free everything."""
-        everything = (self._meshes, self._textures, self._streams)
+        everything = (self._meshes, self._textures, self._streams, self._storage)
         for held in (one for table in everything for one in table.values()):
             held.release()

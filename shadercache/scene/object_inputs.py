@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, fields
 from difflib import get_close_matches
 from functools import lru_cache
@@ -48,6 +48,23 @@ class TextureSpec:
     wrap: str
     anisotropy: float
     generated: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class BufferSpec:
+    """What a storage buffer holds: an array of an ``.npz`` file, its bytes as they are stored."""
+
+    path: Path
+    array: str
+
+    def content(self) -> bytes:
+        """The bytes. Raises :class:`InputError` SC541 for a file without such an array."""
+        arrays = load_npz(self.path, "SC541", "the buffer")
+        if self.array not in arrays:
+            hint = f"it has: {', '.join(sorted(arrays))}"
+            message = f"the buffer {self.path} has no array {self.array!r}"
+            raise input_error("SC541", message, hint=hint)
+        return np.ascontiguousarray(arrays[self.array]).tobytes()
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,6 +121,7 @@ class Inputs:
     semantics: Mapping[str, str] = field(default_factory=dict)
     animated: Mapping[str, Animation] = field(default_factory=dict)
     textures: Mapping[str, TextureSpec] = field(default_factory=dict)
+    buffers: Mapping[str, BufferSpec] = field(default_factory=dict)
     instances: Instances = ALONE
 
     def over(self, other: Inputs) -> Inputs:
@@ -120,6 +138,7 @@ class Inputs:
             {**rest(other.semantics), **self.semantics},
             {**rest(other.animated), **self.animated},
             {**other.textures, **self.textures},
+            {**other.buffers, **self.buffers},
             other.instances if self.instances is ALONE else self.instances,
         )
 
@@ -186,7 +205,11 @@ def read_inputs(table: Table) -> Inputs:
     attributes = read_names(table.table("attributes"))
     textures = _textures(table.table("textures"))
     instances = read_instances(table.table("instances")) if table.has("instances") else ALONE
-    return Inputs(attributes, constants, semantics, animated, textures, instances)
+    buffers = {
+        name: BufferSpec(entry.file("table"), entry.text("array"))
+        for name, entry in _tables(table.table("buffers"))
+    }
+    return Inputs(attributes, constants, semantics, animated, textures, buffers, instances)
 
 
 def _refuse_dots(uniforms: Table, name: str, value: dict[str, Any]) -> None:
@@ -238,10 +261,13 @@ def _constant(value: Any) -> tuple[float, ...]:
     return tuple(float(number) for row in value for number in row)
 
 
+def _tables(table: Table) -> Iterator[tuple[str, Table]]:
+    return ((name, table.table(name)) for name, _ in table.items())
+
+
 def _textures(table: Table) -> dict[str, TextureSpec]:
     specs: dict[str, TextureSpec] = {}
-    for name, _ in table.items():
-        entry = table.table(name)
+    for name, entry in _tables(table):
         specs[name] = TextureSpec(
             path=entry.file("file"),
             filter=entry.text("filter", "linear", ("linear", "nearest")),
