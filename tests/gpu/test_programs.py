@@ -102,20 +102,28 @@ def test_a_uniform_that_brings_its_own_value(world: RenderScene) -> None:
 def test_what_the_harness_cannot_give(world: RenderScene) -> None:
     out = "out vec4 o; void main() { "
     for fragment in (
-        "uniform sampler3D u_t; " + out + "o = texture(u_t, vec3(0.0)); }",
+        "uniform usampler3D u_t; " + out + "o = vec4(texture(u_t, vec3(0.0))); }",
         "uniform Block { vec4 a; }; " + out + "o = a; }",
-        "uniform sampler2D u_t[2]; " + out + "o = texture(u_t[0], vec2(0)) * texture(u_t[1], "
-        "vec2(0)); }",
     ):
         assert codes(world, fragment)[0] == ["SC524"]
-    vertex = VERTEX.replace("in vec3 a_position;", "in vec3 a_position; in mat3 a_turn;")
-    vertex = vertex.replace("vec4(a_position", "vec4(a_turn * a_position")
-    assert codes(world, out + "o = vec4(1.0); }", vertex)[0] == ["SC524"]
     # moderngl would hide the attribute behind the uniform, and the picture would be another.
     vertex = VERTEX.replace("in vec3 a_position;", "in vec3 a_position; in float u_a;")
     vertex = vertex.replace("1.0)", "u_a)")
     found, words = codes(world, "uniform float u_a; " + out + "o = vec4(u_a); }", vertex)
     assert found == ["SC524"] and "two inputs of the name u_a" in words
+
+
+def test_textures_and_matrices_that_the_scene_lacks(world: RenderScene) -> None:
+    out = "out vec4 o; void main() { "
+    volume = "uniform sampler3D u_t; " + out + "o = texture(u_t, vec3(0.0)); }"
+    assert codes(world, volume)[0] == ["SC522"]
+    both = out + "o = texture(u_t[0], vec2(0)) * texture(u_t[1], vec2(0)); }"
+    found, words = codes(world, "uniform sampler2D u_t[2]; " + both)
+    assert found == ["SC522"]
+    assert '[textures."u_t[0]"]' in words
+    vertex = VERTEX.replace("in vec3 a_position;", "in vec3 a_position; in mat3 a_turn;")
+    vertex = vertex.replace("vec4(a_position", "vec4(a_turn * a_position")
+    assert codes(world, out + "o = vec4(1.0); }", vertex)[0] == ["SC521"]
 
 
 def test_the_drivers_words_at_their_line(world: RenderScene) -> None:
@@ -173,7 +181,7 @@ def test_wrong_textures(textured: RenderScene, tmp_path: Path) -> None:
     )
     assert found == ["SC530"]
     for name, arrays, words in (
-        ("a", {"other": np.zeros((2, 2))}, "no .pixels."),
+        ("a", {"other": np.zeros((2, 2))}, "none of faces, layers"),
         ("b", {"pixels": np.zeros((2, 2, 5), np.float32)}, "shape"),
         ("c", {"pixels": np.zeros((2, 2, 3))}, "float64"),
         ("d", {"faces": np.zeros((5, 2, 2, 3), np.float32)}, "shape"),
