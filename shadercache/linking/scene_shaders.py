@@ -78,7 +78,9 @@ def read_as_in(scene: Scene, reading: ReadOptions) -> ReadOptions:
 
 def _moving(scene: Scene) -> Iterable[str]:
     """The attributes of instances that change from frame to frame."""
-    own = (part.inputs.instances for part in scene.parts if not part.own_shader)
+    # Objects with shaders of their own are analysed alone.
+    parts = [part for part in scene.objects if not part.own_shader] or [scene.common]
+    own = (part.inputs.instances for part in parts)
     return dict.fromkeys(
         name for instances in own for name, stream in instances.streams.items() if stream.moves
     )

@@ -150,8 +150,9 @@ class Scene:
         return replace(self, common=common, objects=tuple(objects))
 
     def alone(self, scene_object: SceneObject) -> Scene:
-        """A scene of nothing but this object."""
-        return replace(self, common=scene_object, objects=())
+        """A scene of nothing but this object. What moves by name is said of other shaders."""
+        reading = replace(self.reading, moving=())
+        return replace(self, common=scene_object, objects=(), reading=reading)
 
     def seen_from(self, camera: Camera, path: CameraPath = REST) -> Scene:
         """The same scene before another camera."""

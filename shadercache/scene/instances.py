@@ -65,10 +65,24 @@ class Stream:
 
 @dataclass(frozen=True, eq=False)
 class Instances:
-    """``number`` of an object are drawn at once; ``streams`` by the names of attributes."""
+    """Several of an object are drawn at once; ``streams`` by the names of attributes, ``count``
+    where the scene says it."""
 
-    number: int = 1
     streams: Mapping[str, Stream] = field(default_factory=dict)
+    count: int | None = None
+
+    @property
+    def number(self) -> int:
+        """How many are drawn. Raises :class:`InputError` SC541 as a stream, or where two of them
+        have numbers for another number of instances."""
+        counts = {name: stream.count for name, stream in self.streams.items()}
+        if self.count is not None:
+            counts["count"] = self.count
+        if len(set(counts.values())) > 1:
+            told = ", ".join(f"{name} {number}" for name, number in counts.items())
+            message = f"all attributes have numbers for as many instances, but there are {told}"
+            raise input_error("SC541", message)
+        return next(iter(counts.values()), 1)
 
     def renamed(self, renamed: Mapping[str, str]) -> Instances:
         """The same, with every stream also under its new name."""
@@ -83,25 +97,17 @@ ALONE = Instances()
 def read_instances(table: Table) -> Instances:
     """``[instances]``: a ``count``, and for each attribute the table and array it comes from."""
     streams: dict[str, Stream] = {}
-    count = table.whole("count", 0, least=1) or 0
+    count = table.whole("count", None, least=1) if table.has("count") else None
     for name, value in table.items():
-        if name == "count":
-            continue
-        if not isinstance(value, dict):
-            table.require(False, name, f"{table.full(name)} must have a table and an array")
-            continue
-        entry = table.table(name)
-        streams[name] = Stream(entry.file("table"), entry.text("array"), entry.number("rate", 1.0))
-    counts = {"count": count} if count else {}
-    if not table.problems:
-        counts |= {name: stream.count for name, stream in streams.items()}
-    told = ", ".join(f"{name} {number}" for name, number in counts.items())
-    table.require(
-        len(set(counts.values())) <= 1,
-        next(iter(streams), "count"),
-        f"{table.name}: every attribute has numbers for as many instances, but there are {told}",
-    )
-    return Instances(next(iter(counts.values()), 1), streams)
+        if isinstance(value, dict):
+            entry = table.table(name)
+            streams[name] = Stream(
+                entry.file("table"), entry.text("array"), entry.number("rate", 1.0)
+            )
+        else:
+            known = name == "count"
+            table.require(known, name, f"{table.full(name)} must have a table and an array")
+    return Instances(streams, count)
 
 
 @lru_cache(maxsize=32)

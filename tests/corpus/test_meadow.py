@@ -9,12 +9,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from shadercache.caching.configuration import Configuration
 from shadercache.gpu.context import Gpu
 from shadercache.linking.linker import Linker
 from shadercache.linking.scene_shaders import open_scene
-from shadercache.render.bundle import Bundle
 from shadercache.render.render_scene import RenderScene
-from tests.configured import rewritten, variant
+from shadercache.render.variant_runner import VariantRunner
+from tests.configured import configured
 
 FOLDER = Path(__file__).resolve().parent.parent.parent / "corpus" / "meadow"
 
@@ -45,12 +46,12 @@ def test_two_thousand_move() -> None:
 def test_values_are_found_again(gpu: Gpu) -> None:
     scene, analysis = open_scene(FOLDER / "scene.toml")
     node = next(node for node in analysis.nodes if node.id == scene.nodes["albedo"])
-    emission = rewritten(analysis, node)
     linker = Linker(scene, analysis)
-    bundle = Bundle(emission.manifest, emission.files)
+    linked = linker.link(linker.assign(configured(Configuration((node.id,)), period=16)))
+    bundle = next(one.bundle for one in linked if one.configuration is not None)
     with (
         RenderScene(gpu, linker.scene, (256, 160)) as world,
-        variant(world, bundle, "2-pass", period=16) as runner,
+        VariantRunner(world, *linked) as runner,
     ):
         for frame in range(3):
             runner.draw(frame)

@@ -19,6 +19,7 @@ from shadercache.scene.instances import Stream
 from shadercache.verify.laws import judge
 from shadercache.verify.verdict import Verdict
 from shadercache.verify.verifier import Verifier
+from tests.altered import altered
 from tests.configured import PROOF, rewritten, variant
 
 VERTEX = """#version 330
@@ -89,6 +90,8 @@ def test_numbers_are_mixed_between_frames(folder: Path) -> None:
 def test_only_what_moves_has_a_twin(folder: Path) -> None:
     _, analysis = analyse_scene(load_scene(folder / "scene.toml"))
     assert analysis.moving == {"i_turn"}
+    own = altered(load_scene(folder / "scene.toml"), own_shader=True, moving=("nothing",))
+    assert analyse_scene(own.alone(own.common))[1].moving == {"i_turn"}
 
 
 @pytest.mark.xdist_group("gl")
@@ -153,9 +156,9 @@ def test_an_attribute_of_another_width_is_an_error(folder: Path, gpu: Gpu) -> No
     ("old", "new", "code"),
     [
         ('array = "turn" }', 'array = "turns" }', "SC541"),
-        ('array = "offset" }', 'array = "few" }', "SC505"),
+        ('array = "offset" }', 'array = "few" }', "SC541"),
         ('i_offset = { table = "field.npz", array = "offset" }', "i_offset = 3", "SC505"),
-        ("[instances]", "[instances]\ncount = 4", "SC505"),
+        ("[instances]", "[instances]\ncount = 4", "SC541"),
         ("[instances]", "[instances]\ncount = 0", "SC505"),
         ('array = "offset" }', 'array = "flat" }', "SC541"),
         ('array = "offset" }', 'array = "bad" }', "SC541"),
@@ -170,5 +173,5 @@ def test_mistakes(folder: Path, old: str, new: str, code: str) -> None:
     path = folder / "scene.toml"
     path.write_text(path.read_text().replace(old, new))
     with pytest.raises(InputError) as caught:
-        load_scene(path)
+        assert load_scene(path).common.inputs.instances.number
     assert {problem.code for problem in caught.value.diagnostics} == {code}
