@@ -12,7 +12,7 @@ from emit.test_programs import check_programs
 from jsonschema import Draft202012Validator
 from manifests import SCHEMA, plain
 from payloads import DESKTOP, ES, PAYLOADS, analysed_payload
-from shaders import find
+from shaders import analysed, find
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.caching.configuration import Mode
@@ -29,7 +29,7 @@ from shadercache.lang.types import (
     struct_type,
     vector,
 )
-from tests.configured import configured, rewritten
+from tests.configured import PROOF, configured, rewritten
 from tests.glslang import needs_glslang, objections
 
 RAY = struct_type("Ray", {"origin": vector("float", 3), "id": INT})
@@ -142,3 +142,12 @@ def test_golden_precisions(golden: Golden) -> None:
         text = rewritten(*analysed_payload(name, ES), unprofitable=True).files["3-pass.shade.frag"]
         lines += re.findall(r"^(\S.* sc_payload;)$", text, re.MULTILINE)
     golden("tests/emit/goldens/precisions.glsl", "\n".join(lines) + "\n")
+
+
+def test_a_constant_of_the_users_may_have_the_name_of_a_parameter_of_the_look_up() -> None:
+    """Proof mode hides the zeros of constant matrices, by name."""
+    text = "sin(v_position.x) * cos(v_position.y) * exp(v_uv.x) > 0.1"
+    body = f"bool k = {text}; o_color = vec4(k) + (c * mat2(v_uv, v_uv))[0].x;"
+    analysis = analysed(body, "const mat2 c = mat2(1.0);")
+    files = rewritten(analysis, find(analysis, text), PROOF, unprofitable=True).files
+    assert "uintBitsToFloat(c)" in files["hit-mask.frag"]

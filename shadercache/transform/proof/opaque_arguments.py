@@ -22,6 +22,7 @@ from collections.abc import Iterable, Set
 from dataclasses import replace
 from typing import cast
 
+from shadercache.analysis.effects import local_names
 from shadercache.ast import nodes as n
 from shadercache.ast.memo import Memo
 from shadercache.ast.rewriter import Rewriter
@@ -79,7 +80,10 @@ def make_arguments_opaque(module: n.Module, memo: Memo) -> n.Module:
 
     def hidden(function: n.FunctionDef) -> n.FunctionDef:
         local = (node.decl for node in walk(function) if isinstance(node, n.DeclStmt))
-        known = _constants(constants, local)
+        # The look-up's functions have names of their own, which may be those of users' globals.
+        own = local_names(function)
+        outer = {name: known for name, known in constants.items() if name not in own}
+        known = _constants(outer, local)
         return _OpaqueArguments(names, known, function, number).rewrite(function)
 
     module = change_functions(module, hidden, memo.table("hidden arguments"))
