@@ -46,6 +46,7 @@ from shadercache.analysis.candidates import (
 from shadercache.analysis.costs.payload_sets import notes_on
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.mapping import MappingKind
+from shadercache.analysis.moving import is_instanced
 from shadercache.analysis.outputs import outputs_of
 from shadercache.analysis.restrictions import (
     check_depth,
@@ -158,8 +159,9 @@ def analyse(
         check_user_mapping(module, fragment, table)
     how = ReuseMode(mapping, reading.approximate)
     candidates = find_candidates(module, facts, table, Origin(fragment, printed), how)
+    instanced = mapping == "surface" and _is_instanced(stage, reading)
     program = FragmentProgram(
-        raised[0].module, module, facts, candidates, outputs, prefix, original, mapping
+        raised[0].module, module, facts, candidates, outputs, prefix, original, mapping, instanced
     )
     return Analysis(fragment, vertex, candidates, program, raised, stage, reading, kept_loops)
 
@@ -204,6 +206,13 @@ def _vertex_stage(
         check_position(remove_dead(side.module, (POSITION,)), source)
     screen = screen_varyings(side.module, side.facts)
     return VertexStage(aligned(side, fragment), side.facts, pairs, screen)
+
+
+def _is_instanced(stage: VertexStage | None, reading: ReadOptions) -> bool:
+    """Are several instances drawn at once?"""
+    if stage is None or reading.instanced:
+        return stage is not None
+    return is_instanced(remove_dead(stage.module, (POSITION,)), reading.moving)
 
 
 def _marks(fragment: StageSide, mapping: MappingKind, vertex: VertexStage | None) -> Marks:

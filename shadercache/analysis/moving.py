@@ -7,12 +7,13 @@ costs memory. What moves is told by name, or guessed from names and types, as no
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from typing import TypeGuard
 
 from shadercache.analysis.effects import global_names
 from shadercache.ast import nodes as n
+from shadercache.ast.walk import walk
 from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.lang.types import builtin_type
 from shadercache.source import Source
@@ -20,6 +21,8 @@ from shadercache.source import Source
 _PART = r"(?:instance|instances|instanced|inst|bone|bones|joint|joints|skin|skinning|pose|poses"
 _WORDS = re.compile(_PART + r"|morph|morphs|transform|transforms|anim|animation|palette|vat)")
 _BREAKS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
+
+_NUMBERS = ("gl_InstanceID", "gl_InstanceIDARB", "gl_InstanceIndex")
 
 NO_GUESS = "none"
 """The word by which nothing is guessed."""
@@ -44,6 +47,16 @@ def guessed(sliced: n.Module) -> frozenset[str]:
     """What is taken to move among the inputs of a slice that computes the position, by its name or
     its type; blocks by their own name."""
     return frozenset(filter(None, map(_guessed, sliced.decls)))
+
+
+def is_instanced(sliced: n.Module, asked: Collection[str]) -> bool:
+    """Are several instances drawn at once, to judge by the slice that computes the position? It
+    asks for the number of one, or has an attribute that each has of its own, or that is ``asked``
+    to move."""
+    if any(isinstance(node, n.Name) and node.name in _NUMBERS for node in walk(sliced)):
+        return True
+    attributes = (decl for decl in sliced.decls if _is_attribute(decl))
+    return any(_guessed(decl) or not set(_known_as(decl)).isdisjoint(asked) for decl in attributes)
 
 
 def moving_inputs(
@@ -83,12 +96,16 @@ def _known_as(decl: n.VarDecl | n.BlockDecl) -> Iterator[str]:
     yield from global_names(decl)
 
 
+def _is_attribute(decl: n.Decl) -> TypeGuard[n.VarDecl]:
+    return isinstance(decl, n.VarDecl) and decl.qualifiers.has("in")
+
+
 def _guessed(decl: n.Decl) -> str:
     """The name of an input that is taken to move, or an empty one."""
     if not may_move(decl):
         return ""
     name = decl.name if isinstance(decl, n.BlockDecl) else next(iter(global_names(decl)))
-    if isinstance(decl, n.VarDecl) and decl.qualifiers.has("in"):
+    if _is_attribute(decl):
         # Nobody has a matrix for each vertex; weights and numbers of bones are of the mesh.
         kind = builtin_type(decl.type.name)
         words = set(map(str.lower, _BREAKS.findall(name)))

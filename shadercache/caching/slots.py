@@ -88,7 +88,7 @@ DEFAULT = Configuration()
 class Choice:
     """All that decides the text of the runtime: the payloads' layout and the slots.
 
-    ``whole``: not every fragment has the payloads.
+    ``whole``: not every fragment has the payloads. ``instanced``: a draw is of several instances.
     """
 
     layout: Layout
@@ -96,6 +96,7 @@ class Choice:
     whole: bool = False
     located: LocateKind = "surface"
     configuration: Configuration = DEFAULT
+    instanced: bool = False
 
     @property
     def _resampling(self) -> Resampling:
@@ -120,6 +121,7 @@ class Choice:
         turns = chosen.refresh.schedule != "none"
         return (
             "globals",
+            "object/instanced" if self.instanced else "object/alone",
             "wide",
             "texel/bits" if self.layout.bits else "texel/floats",
             *(("due/by_turn", f"due/{chosen.refresh.schedule}") if turns else ()),

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from shadercache.caching.configuration import Configuration
+from shadercache.caching.layout import MOST_IN_HALF
 from shadercache.caching.settings import with_settings
 from shadercache.diagnostics import usage_error
 from shadercache.paths import data_path
@@ -88,8 +89,11 @@ def configured(
 ) -> Configuration:
     """A configuration with the settings of ``--cache``. Raises :class:`UsageError` SC028.
 
-    Objects that share a cache are told apart by their numbers, unless ``ids=off`` is said.
+    Objects and instances that share a cache are told apart by their numbers, unless ``ids=off`` is
+    said.
     """
-    several = ["ids=on"] if sum(thing.caching.on for thing in scene.objects) > 1 else []
+    drawn = (part.inputs.instances.number for part in scene.parts if part.caching.on)
+    # Half floats tell no more of them apart.
+    several = ["ids=on"] if 1 < sum(drawn) <= MOST_IN_HALF else []
     # The user's settings come last, for the last one holds.
     return with_settings(configuration, [*several, *(settings or ())])

@@ -50,7 +50,7 @@ class FragmentProgram:
     """The user's fragment shader, checked and with unique names, and how to extend it.
 
     ``parsed`` is the same as the user wrote it, ``original`` the one before loops were unrolled;
-    ``memo`` is what its variants share.
+    ``instanced``: are several instances drawn at once? ``memo`` is what its variants share.
     """
 
     parsed: n.Module
@@ -61,6 +61,7 @@ class FragmentProgram:
     prefix: str
     original: n.Module
     mapping: MappingKind = "surface"
+    instanced: bool = False
     memo: Memo = field(default_factory=Memo)
 
     @property
@@ -129,6 +130,11 @@ class PassBuilder:
         return self._configuration.filter.carries
 
     @property
+    def tells_instances(self) -> bool:
+        """Does each instance of a draw reuse only what it stored itself?"""
+        return self.program.instanced and self._configuration.hit_test.ids
+
+    @property
     def free_targets(self) -> int:
         """How many render targets a pass has left beside the user's and the cache."""
         return MOST_TARGETS - targets_of(self.program.outputs) - len(self.stores)
@@ -185,7 +191,14 @@ class PassBuilder:
         alone = template in ("payload_alone", "needed")
         layout = replace(self.layout, extras=(), tucked=()) if alone else self.layout
         program = self.program
-        choice = Choice(layout, program.prefix, self.whole, program.located, self._configuration)
+        choice = Choice(
+            layout,
+            program.prefix,
+            self.whole,
+            program.located,
+            self._configuration,
+            program.instanced,
+        )
         part = program_part(FOLDER / f"passes/{template}.glsl", choice)
         user = insert_clones(program.module, *clones)
         if template in _INTO_CACHE and self._configuration.payload_rate != "full":

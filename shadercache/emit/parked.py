@@ -54,6 +54,11 @@ def fix_up(builder: PassBuilder) -> Shader:
 
 def unfit(builder: PassBuilder) -> str | None:
     """Why misses cannot be parked, if so."""
+    if builder.tells_instances:
+        return (
+            "instances are told apart (ids=on), and what computes parked misses draws none: a pass "
+            "over the screen does not know which one it computes for"
+        )
     targets = builder.free_targets
     ahead = _ahead(builder)
     if len(ahead) > 4 * targets:

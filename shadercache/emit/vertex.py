@@ -78,8 +78,9 @@ class VertexEmitter:
         return kept[inputs]
 
     def _for_inputs(self, inputs: frozenset[str]) -> Shader:
-        # Only a pass that looks up needs the position of the last frame.
-        own = {self.prefix + "current", self.prefix + "previous"} & inputs
+        # Only a pass that looks up needs the position of the last frame; only one that looks up or
+        # stores payloads of an instance needs its number.
+        own = {self.prefix + word for word in ("current", "previous", "object")} & inputs
         module = self._extended() if own else self.module
         written = EffectTable(self.module, self.memo).summary("main").writes
         # What is drawn depends on other built-in outputs too: point sizes, clip distances.

@@ -23,7 +23,8 @@ class ReadOptions:
     takes loops of few trips apart, so that what they compute can be cached. ``approximate`` offers
     values of the screen as well. ``webgl``: is a file without ``#version`` GLSL ES 1.00? ``None``:
     where it says so. ``moving``: attributes, textures and buffers that change from frame to frame,
-    beside those that are guessed; ``none`` among them: nothing is guessed.
+    beside those that are guessed; ``none`` among them: nothing is guessed. ``instanced``: several
+    instances are drawn at once, as shaders with attributes or numbers of instances are taken to be.
     """
 
     defines: tuple[tuple[str, str], ...] = ()
@@ -35,6 +36,7 @@ class ReadOptions:
     approximate: bool = False
     webgl: bool | None = None
     moving: tuple[str, ...] = ()
+    instanced: bool = False
 
     @property
     def of_vertex(self) -> ReadOptions:

@@ -82,7 +82,12 @@ def build_manifest(
         targets=_targets(cache, configuration.divisor, programs),
         uniforms=tuple(
             uniform
-            for uniform in added_uniforms(programs.prefix, layout, configuration)
+            for uniform in added_uniforms(
+                programs.prefix,
+                layout,
+                configuration,
+                f"{programs.prefix}first_object" in uniforms,
+            )
             if uniform.name in uniforms or uniform.role in _ALWAYS
         ),
         previous=dict(programs.last_frame.twins),

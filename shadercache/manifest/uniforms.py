@@ -135,8 +135,17 @@ _UNIFORMS = (
 """In the order of manifests. What depends on the configuration is filled in below."""
 
 
-def added_uniforms(prefix: str, layout: Layout, configuration: Configuration) -> list[AddedUniform]:
-    """The uniforms that programs of a configuration may have; ``prefix`` begins their names."""
+_FIRST_OBJECT = (
+    "number of the first instance that is drawn, the others have the next; each draw sets it, to "
+    "the same in every frame, so that no two instances have the same number"
+)
+
+
+def added_uniforms(
+    prefix: str, layout: Layout, configuration: Configuration, instanced: bool
+) -> list[AddedUniform]:
+    """The uniforms that programs of a configuration may have; ``prefix`` begins their names.
+    ``instanced``: does the number of an object go to the first of its instances?"""
     held = precision_of(layout.formats(configuration.storage.format)[0])
     exact, oldest = f"[0, {MOST_IN_HALF}]", f"[1, {MOST_IN_HALF // 2}]"
     if layout.bits:
@@ -155,6 +164,8 @@ def added_uniforms(prefix: str, layout: Layout, configuration: Configuration) ->
     if configuration.refresh.age and not layout.bits:
         # Ages are means of several texels, and above 1,024 half floats hold no fractions.
         chosen["period"] = {"range": oldest}
+    if instanced:
+        chosen["object"] |= {"name": f"{prefix}first_object", "meaning": _FIRST_OBJECT}
     uniforms: list[AddedUniform] = []
     for uniform in _UNIFORMS:
         about = {"name": prefix + uniform.name} | chosen.get(uniform.name, {})

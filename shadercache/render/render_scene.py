@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from copy import copy
 from dataclasses import replace
+from itertools import accumulate
 
 import moderngl
 
@@ -54,9 +55,13 @@ class RenderScene(Resource):
         self.programs = Programs(gpu)
         self._uploads: Uploads | None = Uploads(gpu, mesh)
         self._owns_targets = True
+        # Each instance has a number of its own.
+        counts = (scene_object.inputs.instances.number for scene_object in scene.parts)
         self.drawables = tuple(
             Drawable(self._uploads, scene, scene_object, number, size)
-            for number, scene_object in enumerate(scene.parts, start=1)
+            for number, scene_object in zip(
+                accumulate(counts, initial=1), scene.parts, strict=False
+            )
         )
         self.targets = Targets(gpu.ctx, size, color, scene.view.engine.empty_depth)
         self._mixed = len({scene_object.cull for scene_object in scene.parts}) > 1

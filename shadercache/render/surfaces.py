@@ -108,7 +108,7 @@ class Surfaces(Resource):
         return self._positions[key]
 
     def _draw(self, frame: int) -> None:
-        context, number = self.world.gpu.ctx, self._program.uniforms["u_number"]
+        context, uniforms = self.world.gpu.ctx, self._program.uniforms
         # Captured first, since a capture binds a framebuffer of its own.
         parts = [
             (drawable, self._captured(drawable, frame, frame), self.before(drawable, frame))
@@ -124,7 +124,9 @@ class Surfaces(Resource):
         context.depth_func = "=="
         for drawable, now, was in parts:
             self.world.set_culling(drawable)
-            number.write(number.encode(np.array([drawable.number], np.float64), "u_number"))
+            corners = drawable.mesh.index.size
+            for name, value in {"u_number": drawable.number, "u_corners": corners}.items():
+                uniforms[name].write(uniforms[name].encode(np.array([value], np.float64), name))
             buffer = context.buffer(np.concatenate([now, was], axis=-1).tobytes())
             content = [(buffer, "4f 4f", "a_now", "a_before")]
             array = context.vertex_array(self._program.gl, content)

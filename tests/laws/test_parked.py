@@ -67,9 +67,9 @@ def test_the_corpus(name: str, gpu: Gpu) -> None:
         found = [verifier.check(node) for node in nodes]
     assert_sound(found)
     named = [verdict for verdict in found if verdict.node in scene.nodes.values()]
-    # Fifty fetches of the trash can's would have to be parked.
+    # Fifty fetches of the trash can's would have to be parked; poppies are told apart.
     for verdict in named:
-        assert ("parked" in verdict.refused) == (name == "trashcan"), verdict.refused
+        assert ("parked" in verdict.refused) == (name in ("trashcan", "meadow")), verdict.refused
 
 
 CASES = CACHEABLE[seed() % 6 :: amount(6, 1)]

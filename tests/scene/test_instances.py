@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from shadercache.caching.algorithms import NAMES
 from shadercache.diagnostics import InputError
 from shadercache.gpu.context import Gpu
 from shadercache.linking.linker import Linker
@@ -20,7 +21,7 @@ from shadercache.verify.laws import judge
 from shadercache.verify.verdict import Verdict
 from shadercache.verify.verifier import Verifier
 from tests.altered import altered
-from tests.configured import PROOF, rewritten, variant
+from tests.configured import PROOF, configured, rewritten, variant
 
 VERTEX = """#version 330
 in vec3 a_position;
@@ -101,6 +102,24 @@ def test_laws_hold_where_instances_move(folder: Path, gpu: Gpu) -> None:
         for node in (node for node in analysis.nodes if node.legal):
             verdict = verifier.check(node)
             assert verdict.broken == [], (node.text, verdict.reasons)
+
+
+@pytest.mark.xdist_group("gl")
+def test_laws_hold_where_instances_are_told_apart(folder: Path, gpu: Gpu) -> None:
+    scene, analysis = analyse_scene(load_scene(folder / "scene.toml"))
+    node = next(node for node in analysis.nodes if node.text == "noise(v_p)")
+    told = configured(ids=True)
+    with closing(Verifier(gpu, (scene, analysis), (96, 48), configuration=told)) as verifier:
+        verdict = verifier.check(node)
+        seen = verifier.references.surfaces.frame(1).number
+    assert verdict.broken == [], verdict.reasons
+    assert set(np.unique(seen)) == set(range(COUNT + 1)), "each has a number"
+    emission = rewritten(analysis, node, told, algorithms=NAMES, unprofitable=True)
+    uniforms = {uniform.role: uniform.name for uniform in emission.manifest.uniforms}
+    assert uniforms["object"] == "sc_first_object"
+    assert "sc_object = sc_first_object + gl_InstanceID;" in emission.files["2-pass.miss.vert"]
+    (refused,) = emission.manifest.refused
+    assert refused.algorithm == "parked"
 
 
 @pytest.mark.xdist_group("gl")

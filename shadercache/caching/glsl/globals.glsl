@@ -8,7 +8,6 @@ uniform float sc_epsilon;        // greatest accepted difference of depths, rela
 uniform float sc_resolution;     // what stored depths are rounded by, relative to them
 uniform float sc_unit;           // 2 near far / (far - near), what 1/w is in depths from -1 to 1
 uniform float sc_magnification;  // how many times larger a surface may have become
-uniform int sc_object;           // number of the object that is drawn
 uniform int sc_mask;             // 1: the draw reuses nothing; 2: and nobody reuses it
 uniform ivec4 sc_viewport;       // left, bottom, width and height of what is drawn into, in pixels
 uniform ivec4 sc_previous_viewport;  // the same of the previous frame
