@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import os
+import pickle
 import signal
+import subprocess
+import sys
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -19,7 +22,7 @@ from shadercache.sweep.results import failure_row
 from shadercache.sweep.row import Failure, Row
 from shadercache.sweep.store import Store, hash_of
 from shadercache.sweep.trial_room import Finished
-from shadercache.sweep.worker import Worker, WorkerLostError
+from shadercache.sweep.worker import Request, Worker, WorkerLostError
 
 from .test_plan import SMALL, planned
 from .test_store import HERE
@@ -34,8 +37,8 @@ def worker() -> Iterator[Worker]:
 
 
 def process_of(worker: Worker) -> int:
-    assert worker._process is not None
-    return worker._process.pid
+    assert worker._child is not None
+    return worker._child.process.pid
 
 
 def test_a_trial_becomes_rows(worker: Worker, rings: SceneFile) -> None:
@@ -124,6 +127,28 @@ def test_a_worker_that_is_killed_is_lost_and_replaced(rings: SceneFile, worker: 
             worker.carry_out(trial)
     assert caught.value.failure.kind == "crashed"
     assert worker.machine() == machine
+
+
+def test_what_a_driver_prints_is_no_answer() -> None:
+    code = """
+import os
+from shadercache.sweep import worker
+
+class Room:
+    def __init__(self, say):
+        os.write(1, b"driver 1.0")
+
+    def machine(self):
+        return "here"
+
+worker.TrialRoom = Room
+worker.serve()
+"""
+    asked = pickle.dumps(Request("machine"))
+    done = subprocess.run(
+        [sys.executable, "-c", code], input=asked, capture_output=True, check=True
+    )
+    assert (pickle.loads(done.stdout), done.stderr) == (("answer", "here"), b"driver 1.0")
 
 
 def test_a_shader_that_hangs(rings: SceneFile) -> None:
