@@ -3,10 +3,29 @@
 from __future__ import annotations
 
 import os
+import re
 import tempfile
 from pathlib import Path
 
 from shadercache.diagnostics import UsageError, usage_error
+
+MAX_STEM = 120
+"""Bytes that a text gives to the name of a file; file systems take 255."""
+
+# Windows takes these for devices, whatever stands behind the first dot.
+_DEVICE = re.compile(
+    r"(?:con|prn|aux|nul|conin\$|conout\$|(?:com|lpt)[0-9¹²³])(?:\.|$)", re.IGNORECASE
+)
+
+
+def file_stem(text: str) -> str:
+    """How the name of a file begins that is called after a text, which may be anybody's.
+
+    Every system takes it, and it is no path: ``a < b`` becomes ``a-b``, and ``aux.1`` ``_aux.1``.
+    """
+    stem = re.sub(r"[^\w.-]+", "-", text).encode(errors="ignore")[:MAX_STEM].decode(errors="ignore")
+    stem = stem.lstrip(".")
+    return f"_{stem}" if not stem or _DEVICE.match(stem) else stem
 
 
 def write_bytes(path: Path, data: bytes) -> None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import stat
+import sys
 from pathlib import Path
 
 _PACKAGE = Path(__file__).resolve().parent
@@ -27,20 +28,32 @@ def data_path(*parts: str) -> Path:
 def user_cache_folder() -> Path | None:
     """The user's own cache folder, made with mode 0700 where it is missing.
 
+    It lies where ``XDG_CACHE_HOME`` says, and else where the system has such folders.
+
     ``None`` where there is none to be had: the folder cannot be made or written, it belongs to
     somebody else, or others may write in it. What is read from there is trusted, so a folder that
     another user could have filled is never used.
     """
-    base = os.environ.get("XDG_CACHE_HOME", "")
     try:
-        # The XDG base directory specification tells to ignore a relative path.
-        root = Path(base) if Path(base).is_absolute() else Path.home() / ".cache"
-        folder = root / "shadercache"
+        folder = _cache_root() / "shadercache"
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         return folder if _is_private(folder) else None
     # `Path.home` raises RuntimeError for a user without a home.
     except (OSError, RuntimeError):
         return None
+
+
+def _cache_root() -> Path:
+    """Where programs keep caches. Raises :class:`RuntimeError` for a user without a home."""
+    given = Path(os.environ.get("XDG_CACHE_HOME", ""))
+    # The XDG base directory specification tells to ignore a relative path.
+    if given.is_absolute():
+        return given
+    system: str = sys.platform
+    if system == "win32":
+        local = Path(os.environ.get("LOCALAPPDATA", ""))
+        return local if local.is_absolute() else Path.home() / "AppData" / "Local"
+    return Path.home() / ("Library/Caches" if system == "darwin" else ".cache")
 
 
 def _is_private(folder: Path) -> bool:

@@ -13,6 +13,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 _LINE_END = re.compile(r"\r\n?|\n")
+_LONE = re.compile("[\ud800-\udc7f\udd00-\udfff]")
 
 
 class Span(NamedTuple):
@@ -35,6 +36,15 @@ class Position(NamedTuple):
 
     line: int
     column: int
+
+
+def as_text(name: str) -> str:
+    """A file's name for what is written as UTF-8, which not every name can be.
+
+    Bytes that the locale cannot read are escaped in it; here they are read as UTF-8.
+    """
+    data = _LONE.sub("\ufffd", name).encode(errors="surrogateescape")
+    return data.decode(errors="replace")
 
 
 @dataclass(frozen=True, eq=False)

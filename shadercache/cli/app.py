@@ -65,7 +65,7 @@ class Reporter:
 def run() -> None:
     """Entry point of the console script."""
     if sys.stdout is None:  # started with its output closed (">&-")
-        sys.stdout = open(os.devnull, "w")  # noqa: SIM115
+        sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115
     if hasattr(sys.stdout, "reconfigure"):
         # A name that the terminal's encoding lacks must not end in a traceback.
         sys.stdout.reconfigure(errors="backslashreplace")

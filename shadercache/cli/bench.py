@@ -20,6 +20,7 @@ from shadercache.cli.profiling import to_json as profiles_to_json
 from shadercache.cli.scenes import choose_nodes, one_by_one
 from shadercache.cli.tables import shorten
 from shadercache.diagnostics import usage_error
+from shadercache.files import file_stem
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -115,7 +116,7 @@ def command(
         ]
         # Written once more: the measurement is safe, whatever becomes of the profiles.
         report["profiles"] = profiles_to_json(profiles)
-        write_json(out / f"{results.scene}.json", report)
+        write_json(out / f"{file_stem(results.scene)}.json", report)
     if as_json:
         print(json.dumps(report, indent=1))
         return
@@ -151,7 +152,7 @@ def _store(out: Path, results: Measurement, report: dict[str, Any]) -> None:
     from shadercache.measure.result_files import to_csv, write_json
     from shadercache.report.plots import plot_error, plot_hits, plot_time
 
-    stem = results.scene
+    stem = file_stem(results.scene)
     write_json(out / f"{stem}.json", report)
     write_bytes(out / f"{stem}.csv", to_csv(results).encode())
     write_bytes(out / f"{stem}-time.png", plot_time(results))

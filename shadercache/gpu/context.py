@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import ctypes
+import sys
 from collections.abc import Callable
-from ctypes import CFUNCTYPE, c_uint
+from ctypes import c_uint
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -16,6 +18,13 @@ from shadercache.scene.graphics_state import GraphicsState
 
 APT_LINE = "apt-get install -y --no-install-recommends libegl1 libgl1"
 """Brings a software OpenGL to Debian 12/13 and Ubuntu 24.04 (glcontext loads both libraries)."""
+
+_REMEDIES = {
+    "win32": "install the graphics card's driver from its maker (what Windows and remote desktops "
+    "bring is OpenGL 1.1), or put Mesa's opengl32.dll beside python.exe",
+    "darwin": "run it in the session of a user who is logged in at the screen: macOS brings OpenGL "
+    "4.1, but none without a window server",
+}
 
 _SOFTWARE = ("llvmpipe", "softpipe", "swrast", "swiftshader")
 # moderngl has no names for GL_TEXTURE_CUBE_MAP_SEAMLESS, GL_LOWER_LEFT and the clip spaces.
@@ -60,10 +69,12 @@ def open_context() -> Gpu:
     """A standalone context, by EGL or else by the system's default backend.
 
     Raises:
-        GraphicsError: SC601, there is no OpenGL 3.3 here; the hint is the line to run.
+        GraphicsError: SC601, there is no OpenGL 3.3 here; the hint is what to do.
     """
-    # On Linux moderngl's own choice is X11, which needs a display.
-    ctx = _first_that_opens({"backend": "egl"}, {})
+    # Where it could be X11, that is moderngl's own choice, which needs a display. Elsewhere a
+    # libEGL is a browser's or a toolkit's, and has OpenGL ES only.
+    own = sys.platform in _REMEDIES
+    ctx = _first_that_opens({}) if own else _first_that_opens({"backend": "egl"}, {})
     # Every engine samples cube maps across their edges today; GL keeps it off by default.
     ctx.enable_direct(_SEAMLESS_CUBE_MAPS)
     info = ctx.info
@@ -72,6 +83,11 @@ def open_context() -> Gpu:
     # processed, if only it has them: so passes are flushed. Elsewhere that is no use.
     submit = gl_function(ctx, "glFlush") if _is_software(renderer) else None
     return Gpu(ctx, renderer, info["GL_VENDOR"], info["GL_VERSION"], submit or _nothing)
+
+
+def what_to_do() -> str:
+    """What brings an OpenGL 3.3 to this system."""
+    return _REMEDIES.get(sys.platform, f"run: sudo {APT_LINE}")
 
 
 def _is_software(renderer: str) -> bool:
@@ -100,7 +116,10 @@ def gl_function(
 ) -> Callable[..., None] | None:
     """A function of GL that moderngl does not have; None where the driver has none either."""
     address = ctx.mglo._context.load(name)
-    return CFUNCTYPE(None, *arguments)(address) if address else None
+    # Windows has a calling convention of its own for those of the system.
+    kind = getattr(ctypes, "WINFUNCTYPE", ctypes.CFUNCTYPE)
+    function: Callable[..., None] | None = kind(None, *arguments)(address) if address else None
+    return function
 
 
 def _nothing() -> None:
@@ -115,4 +134,4 @@ def _first_that_opens(*settings: dict[str, Any]) -> moderngl.Context:
         except Exception as error:  # glcontext raises plain Exception
             reasons.append(" ".join(str(error).split()))
     message = f"no usable OpenGL 3.3: {'; '.join(reasons)}"
-    raise GraphicsError(Diagnostic("SC601", message, hint=f"run: sudo {APT_LINE}"))
+    raise GraphicsError(Diagnostic("SC601", message, hint=what_to_do()))

@@ -27,7 +27,7 @@ from shadercache.manifest.reflection import declared_inputs
 from shadercache.manifest.sentences import Setting, frame_sentences, relies_on, reset_sentences
 from shadercache.manifest.state import state_of
 from shadercache.manifest.uniforms import added_uniforms
-from shadercache.source import Source
+from shadercache.source import Source, as_text
 
 # 16/w is as precise in half floats from w = 2.4e-4 to 2.6e5. Plain 1/w falls below 2^-14, and loses
 # bits, at w = 16,384 (docs/why/reuse.md).
@@ -223,7 +223,9 @@ def _extras(layout: Layout, texel: int) -> dict[str, Any]:
 
 
 def _source(source: Source) -> model.SourceEntry:
-    return model.SourceEntry(name=source.name, sha256=sha256(source.text.encode()).hexdigest())
+    return model.SourceEntry(
+        name=as_text(source.name), sha256=sha256(source.text.encode()).hexdigest()
+    )
 
 
 def _debug(emitted: Pass, configuration: Configuration, setting: Setting) -> pass_model.DebugEntry:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from pathlib import Path
 
+from shadercache.files import file_stem
 from shadercache.measure.measurement import Shot
 from shadercache.measure.shown import picture
 from shadercache.report.debug_views import chosen_views, view_picture
@@ -19,7 +19,7 @@ def write_pictures(folder: Path, shot: Shot, views: Sequence[str]) -> list[Path]
 
     Raises :class:`UsageError` SC025 where the folder cannot be written, SC442 for an unknown view.
     """
-    stem = f"{re.sub(r'[^A-Za-z0-9._-]+', '-', shot.label)}-{shot.configuration.algorithm}"
+    stem = f"{file_stem(shot.label)}-{shot.configuration.algorithm}"
     original, cached = picture(shot.original), picture(shot.cached)
     pictures = {
         "original": original,

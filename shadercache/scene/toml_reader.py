@@ -186,9 +186,12 @@ class Table:
         """A path relative to the scene file, which must exist; or ``default``."""
         if default is not None and not self.has(key):
             return default
-        path = Path(self.source.name).parent / self.text(key)
+        text = self.text(key)
+        path = Path(self.source.name).parent / text
         if key in self.values and not is_file(path):
-            self.problem("SC507", key, f"{self.full(key)}: there is no file {path}")
+            hint = "write / between folders: every system takes that"
+            message = f"{self.full(key)}: there is no file {path}"
+            self.problem("SC507", key, message, hint if "\\" in text else None)
         return path
 
     def optional_file(self, key: str) -> Path | None:

@@ -17,6 +17,7 @@ from shadercache.diagnostics import usage_error
 from shadercache.front.read_options import ReadOptions
 from shadercache.linking.linker import Linker
 from shadercache.linking.scene_shaders import open_scene
+from shadercache.source import as_text
 from shadercache.sweep.choices import Choices
 from shadercache.sweep.fingerprint import scene_fingerprint, short_hash
 from shadercache.sweep.row import Machine, PayloadEntry, SceneEntry, words
@@ -109,7 +110,7 @@ def plan_scene(file: SceneFile, choices: Choices) -> list[SweepTrial]:
     scene, analysis = linker.scene, linker.analysis
     entry = SceneEntry(
         scene.name,
-        str(file.path),
+        as_text(str(file.path)),
         choices.size,
         choices.frames,
         analysis.mapping,

@@ -66,7 +66,7 @@ def ask_compiler(
             if text:
                 # The ending tells the stage: the first four letters of its name.
                 files[number] = Path(folder, f"{number}.{question.stage[:4]}")
-                files[number].write_text(text, encoding="utf-8")
+                files[number].write_text(text, encoding="utf-8", newline="")
         outputs: dict[int, str] = {}
         if options.dialect == "vulkan":
             # It would link the files to one program.
@@ -83,10 +83,17 @@ def ask_compiler(
 def _run(tool: Sequence[str], files: dict[int, Path]) -> dict[int, str]:
     """What the compiler says of each file; all at once, for it starts slowly."""
     # -C: go on behind the first error.
-    command = [*tool, "-C", *map(str, files.values())]
+    command = [*tool, "-C", *(file.name for file in files.values())]
     try:
         done = subprocess.run(
-            command, capture_output=True, text=True, timeout=_SECONDS, check=False
+            command,
+            # Names alone: what a path holds may be garbled on the way there and back.
+            cwd=next(iter(files.values())).parent,
+            capture_output=True,
+            encoding="utf-8",
+            errors="replace",
+            timeout=_SECONDS,
+            check=False,
         )
     except (OSError, subprocess.SubprocessError):
         return {}
@@ -94,7 +101,7 @@ def _run(tool: Sequence[str], files: dict[int, Path]) -> dict[int, str]:
         # Each by itself: only the one that makes it crash goes without a verdict.
         alone = [_run(tool, {number: file}) for number, file in files.items() if len(files) > 1]
         return {number: text for one in alone for number, text in one.items()}
-    numbers = {str(file): number for number, file in files.items()}
+    numbers = {file.name: number for number, file in files.items()}
     said: dict[int, list[str]] = {}
     lines: list[str] = []
     for line in done.stdout.splitlines():

@@ -11,8 +11,11 @@ import pytest
 
 from shadercache.cli import doctor
 from shadercache.diagnostics import Diagnostic, GraphicsError
+from shadercache.gpu.context import APT_LINE
 
 from .conftest import Shell
+
+FEATURES_OF_IMAGES = "GL_ARB_shader_image_load_store"
 
 
 def doctor_in(**environment: str) -> subprocess.CompletedProcess[str]:
@@ -58,3 +61,47 @@ def test_a_missing_validator_is_told(
     report = shell("doctor", "--json").json
     assert report["glslangValidator"] is None
     assert any("glslang-tools" in advice for advice in report["advice"])
+
+
+@pytest.mark.parametrize(
+    ("system", "words"),
+    [
+        ("linux", f"sudo {APT_LINE}"),
+        ("darwin", "logged in at the screen"),
+        ("win32", "the graphics card's driver"),
+    ],
+)
+def test_what_each_system_needs(
+    shell: Shell, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, system: str, words: str
+) -> None:
+    def fail() -> None:
+        raise GraphicsError(Diagnostic("SC601", "no usable OpenGL"))
+
+    monkeypatch.setattr(doctor, "_opengl", fail)
+    monkeypatch.setattr(doctor.shutil, "which", lambda name: None)
+    monkeypatch.setattr(sys, "platform", system)
+    context, validator = shell("doctor", "--json").json["advice"]
+    assert words in context
+    assert ("apt-get" in context, "apt-get" in validator) == (system == "linux",) * 2
+
+
+def test_what_falls_away_on_older_drivers() -> None:
+    """OpenGL 4.1 is what macOS has; proof mode is there."""
+    apple = doctor._missing(410, {"GL_ARB_texture_storage"})
+    assert [line.rpartition(" ")[2] for line in apple] == ["4.2", "4.2", "4.3", "4.3", "4.4", "4.5"]
+    assert not any("proof" in line for line in apple)
+    assert "storage buffers: needs OpenGL 4.3" in apple
+    assert "proof" in doctor._missing(330, ())[0]
+    assert doctor._missing(460, ()) == []
+    # A driver may have them sooner.
+    assert not any("images" in line for line in doctor._missing(410, {FEATURES_OF_IMAGES}))
+
+
+def test_a_driver_of_opengl_4_1() -> None:
+    """Mesa can be told to be one; another driver hears nothing of it."""
+    taken = [f"-{extension}" for _, extension, _ in doctor.FEATURES if extension]
+    done = doctor_in(MESA_GL_VERSION_OVERRIDE="4.1", MESA_EXTENSION_OVERRIDE=" ".join(taken))
+    assert (done.returncode, done.stderr) == (0, "")
+    if "OpenGL            4.1" in done.stdout and "Mesa" in done.stdout:
+        assert "missing           storage buffers: needs OpenGL 4.3\n" in done.stdout
+        assert "proof" not in done.stdout

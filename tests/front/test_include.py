@@ -196,3 +196,31 @@ def test_the_text_of_a_span(tmp_path: Path) -> None:
     assert source.excerpt(init.left.span) == "1.0"
     assert source.excerpt(init.right.span) == "b"
     assert source.excerpt(init.span) == "1.0 +"
+
+
+# --- names of other systems -----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "name", ["C:/lib/a.glsl", "C:a.glsl", r"C:\lib\a.glsl", r"\\server\lib\a.glsl", "c:../a.glsl"]
+)
+def test_a_drive_is_in_no_folder(tmp_path: Path, name: str) -> None:
+    """Not even where a folder here has the name of one."""
+    write(tmp_path / "C:", a="x")
+    for quoted in (f'"{name}"', f"<{name}>"):
+        assert "leads out of the folders" in refusal(f"#include {quoted}", tmp_path)
+
+
+def test_a_backslash_divides_folders_on_one_system_only(tmp_path: Path) -> None:
+    write(tmp_path / "lib", a="x")
+    options = ReadOptions(include_folders=(tmp_path,))
+    (item,) = rejected('#version 330\n#include "lib\\a.glsl"\n', options)
+    assert item.code == "SC123"
+    assert item.hint == "write / between folders: every system takes that"
+
+
+def test_line_ends_of_windows_in_included_files(tmp_path: Path) -> None:
+    (tmp_path / "größe 1.glsl").write_bytes(
+        "\ufeff#define A \\\r\n 1 // ü\r\n#if A\r\nA\r\n#endif\r\n".encode()
+    )
+    assert texts('#include "größe 1.glsl"\r\nb', tmp_path) == "1 b"

@@ -98,6 +98,7 @@ def test_one_mistake(
     ("old", "new", "hint", "line"),
     [
         ('mesh = "torus.npz"', "mesh = torus.npz", 'quotes: "torus.npz"', 5),
+        ('mesh = "torus.npz"', r"mesh = 'C:\meshes\torus.npz'", "write / between folders", 5),
         ("u_scale = 5.0", "u_scale = True", "write true", 30),
         ("u_scale = 5.0", "lamps[1].power = 5.0", '"lamps[1].power" = ...', 30),
         ("u_scale = 5.0", 'camera.view = "view"', 'write "camera.view" in quotes', 30),
@@ -200,3 +201,15 @@ def test_uniform_values_are_in_upload_order(scene: Scene) -> None:
     assert values["u_model"].tolist() == model.T.ravel().tolist()
     assert values["u_light"].tolist() == [0.4, 0.8, 0.5]
     assert values["u_scale"].tolist() == [5.0]
+
+
+def test_line_ends_of_windows(scene: Scene, scene_folder: Path) -> None:
+    """Nothing is read differently, and mistakes are told in the same lines."""
+    path = scene_folder / "windows.toml"
+    text = (scene_folder / "scene.toml").read_bytes().replace(b"\n", b"\r\n")
+    path.write_bytes(text)
+    assert load_scene(path).common.inputs.semantics == scene.common.inputs.semantics
+    path.write_bytes(text.replace(b"near = 0.5", b"near = 20"))
+    with pytest.raises(InputError) as caught:
+        load_scene(path)
+    assert "windows.toml:17:" in caught.value.diagnostics[0].render()

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from pathlib import Path
+from pathlib import Path, PureWindowsPath
 
 from shadercache.diagnostics import shortened
 from shadercache.front.preprocess.directive_errors import DirectiveError, RunawayError
@@ -59,11 +59,14 @@ def find(name: str, beside: Path | None, folders: tuple[Path, ...]) -> Path:
         raise DirectiveError("SC123", message, "a folder more can be named with -I")
     places = ", ".join(f"'{folder}'" for folder in looked_at)
     hint = "other folders to look in can be named with -I"
+    if "\\" in name:
+        hint = "write / between folders: every system takes that"
     raise DirectiveError("SC123", f"cannot include '{shown}': it is not in {places}", hint)
 
 
 def _candidates(name: str, folders: tuple[Path, ...]) -> Iterator[Path]:
-    if "\0" not in name and not Path(name).is_absolute():
+    # A drive is no folder's on any system, and Windows would leave the folder for it.
+    if "\0" not in name and not Path(name).is_absolute() and not PureWindowsPath(name).drive:
         for folder in folders:
             yield folder / name
 

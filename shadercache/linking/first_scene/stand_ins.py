@@ -12,6 +12,7 @@ import numpy as np
 from PIL import Image, UnidentifiedImageError
 
 from shadercache.diagnostics import input_error
+from shadercache.files import file_stem
 from shadercache.gpu.textures import MAX_PIXELS
 from shadercache.scene.models.parts import Picture
 
@@ -35,7 +36,7 @@ class TextureFolder:
         """
         if isinstance(picture.data, Path) and not picture.flipped:
             return relative(picture.data, self._final)
-        name = re.sub(r"[^\w-]+", "-", picture.name).strip("-") or "picture"
+        name = file_stem(re.sub(r"[^\w-]+", "-", picture.name).strip("-") or "picture")
         key = (id(picture.data), picture.flipped)
         if key not in self._written:
             image = _decoded(picture)
