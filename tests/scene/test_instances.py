@@ -14,6 +14,7 @@ from shadercache.gpu.context import Gpu
 from shadercache.linking.linker import Linker
 from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.render.bundle import Bundle
+from shadercache.render.pass_runners import OriginalRunner
 from shadercache.render.render_scene import RenderScene
 from shadercache.scene.description import load_scene
 from shadercache.scene.instances import Stream
@@ -194,3 +195,45 @@ def test_mistakes(folder: Path, old: str, new: str, code: str) -> None:
     with pytest.raises(InputError) as caught:
         assert load_scene(path).common.inputs.instances.number
     assert {problem.code for problem in caught.value.diagnostics} == {code}
+
+
+@pytest.mark.xdist_group("gl")
+@pytest.mark.parametrize("ids", [True, False])
+def test_no_hit_comes_from_another_instance(folder: Path, gpu: Gpu, ids: bool) -> None:
+    """Law 5: the payload says which instance a texel holds."""
+    # They stand so close that they pass through one another.
+    arrays = dict(np.load(folder / "field.npz"))
+    arrays["offset"] = arrays["offset"] * 0.15
+    np.savez(folder / "field.npz", **arrays)
+    (folder / "v.vert").write_text(
+        VERTEX.replace("out vec3 v_p;", "out vec3 v_p; flat out float v_of;").replace(
+            "v_p = a_position;", "v_p = a_position; v_of = float(gl_InstanceID);"
+        )
+    )
+    (folder / "f.frag").write_text(
+        "#version 330\nin vec3 v_p; flat in float v_of; out vec4 color;\n"
+        "float of(vec3 p, float number) { return number + 0.0 * p.x; }\n"
+        "void main() { color = vec4(vec3(of(v_p, v_of)), 1.0); }\n"
+    )
+    scene, analysis = analyse_scene(load_scene(folder / "scene.toml"))
+    node = next(node for node in analysis.nodes if node.text == "of(v_p, v_of)")
+    told = configured(ids=ids, form="rgba32f", filter="nearest")
+    emission = rewritten(analysis, node, told, unprofitable=True)
+    bundle = Bundle(emission.manifest, emission.files)
+    wrong = hits = 0
+    with (
+        RenderScene(gpu, Linker(scene, analysis).scene, (192, 96), "rgba32f") as world,
+        variant(world, bundle, "2-pass", period=64, ids=ids) as runner,
+    ):
+        for frame in range(6):
+            hit = runner.hit_mask(frame) == bundle.mask_values["hit"]
+            image = runner.image(frame)
+            with OriginalRunner(world, bundle) as original:
+                truth = original.image(frame)
+            hits += int(hit.sum())
+            wrong += int((image != truth).any(axis=-1)[hit].sum())
+    assert hits > 1000
+    if ids:
+        assert wrong == 0
+    else:
+        assert wrong > 0, "a test that cannot fail is none"
