@@ -47,11 +47,9 @@ from shadercache.analysis.costs.payload_sets import notes_on
 from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.mapping import MappingKind
 from shadercache.analysis.moving import is_instanced
-from shadercache.analysis.outputs import outputs_of
 from shadercache.analysis.restrictions import (
     check_depth,
     check_dialect,
-    check_program,
     check_size,
     check_user_mapping,
 )
@@ -145,8 +143,7 @@ def analyse(
             # Copies of a loop's body declare the same names again, and later passes work by name.
             flat = infer(unrolled.module, fragment)
             module, facts = _lowered(*_named(unrolled.module, flat, fragment, "fragment"), fragment)
-    check_program(module, fragment)
-    outputs = outputs_of(module, facts, fragment)
+    outputs = checked_outputs(module, facts, fragment)
     # Ids of nodes hash the text as it was parsed, so that no later pass can change them.
     printed = _printed(trees[0].module, module)
     if mapping is None:
@@ -159,7 +156,7 @@ def analyse(
         check_user_mapping(module, fragment, table)
     how = ReuseMode(mapping, reading.approximate)
     candidates = find_candidates(module, facts, table, Origin(fragment, printed), how)
-    instanced = mapping == "surface" and _is_instanced(stage, reading)
+    instanced = stage is not None and is_instanced(stage.module, reading)
     program = FragmentProgram(
         raised[0].module, module, facts, candidates, outputs, prefix, original, mapping, instanced
     )
@@ -206,13 +203,6 @@ def _vertex_stage(
         check_position(remove_dead(side.module, (POSITION,)), source)
     screen = screen_varyings(side.module, side.facts)
     return VertexStage(aligned(side, fragment), side.facts, pairs, screen)
-
-
-def _is_instanced(stage: VertexStage | None, reading: ReadOptions) -> bool:
-    """Are several instances drawn at once?"""
-    if stage is None or reading.instanced:
-        return stage is not None
-    return is_instanced(remove_dead(stage.module, (POSITION,)), reading.moving)
 
 
 def _marks(fragment: StageSide, mapping: MappingKind, vertex: VertexStage | None) -> Marks:

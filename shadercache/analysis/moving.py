@@ -7,7 +7,7 @@ costs memory. What moves is told by name, or guessed from names and types, as no
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from typing import TypeGuard
 
@@ -15,6 +15,7 @@ from shadercache.analysis.effects import global_names
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 from shadercache.diagnostics import Diagnostic, InputError
+from shadercache.front.read_options import ReadOptions
 from shadercache.lang.types import builtin_type
 from shadercache.source import Source
 
@@ -49,14 +50,15 @@ def guessed(sliced: n.Module) -> frozenset[str]:
     return frozenset(filter(None, map(_guessed, sliced.decls)))
 
 
-def is_instanced(sliced: n.Module, asked: Collection[str]) -> bool:
-    """Are several instances drawn at once, to judge by the slice that computes the position? It
-    asks for the number of one, or has an attribute that each has of its own, or that is ``asked``
-    to move."""
-    if any(isinstance(node, n.Name) and node.name in _NUMBERS for node in walk(sliced)):
-        return True
-    attributes = (decl for decl in sliced.decls if _is_attribute(decl))
-    return any(_guessed(decl) or not set(_known_as(decl)).isdisjoint(asked) for decl in attributes)
+def is_instanced(module: n.Module, reading: ReadOptions) -> bool:
+    """Are several instances drawn at once? So it was said, or the vertex shader asks for the number
+    of one, or has an attribute that each has of its own, or that is said to move."""
+    asked = reading.instanced or any(
+        isinstance(node, n.Name) and node.name in _NUMBERS for node in walk(module)
+    )
+    attributes = (decl for decl in module.decls if _is_attribute(decl))
+    moving = set(reading.moving)
+    return asked or any(_guessed(it) or moving.intersection(_known_as(it)) for it in attributes)
 
 
 def moving_inputs(

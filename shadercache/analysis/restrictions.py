@@ -8,6 +8,7 @@ from shadercache.analysis.effect_table import EffectTable
 from shadercache.analysis.effects import NO_EFFECTS, Does, global_names
 from shadercache.analysis.mapping import CURRENT_CLIP, PREVIOUS_CLIP
 from shadercache.analysis.moving import is_texture
+from shadercache.analysis.outputs import Output, outputs_of
 from shadercache.analysis.reaching_definitions import written_anywhere
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import EXPRESSIONS, walk
@@ -89,17 +90,18 @@ def check_dialect(module: n.Module, source: Source) -> None:
         raise InputError(Diagnostic("SC450", message, source, Span(0, 0), hint))
 
 
-def check_program(module: n.Module, source: Source) -> None:
-    """Refuse what no variant could keep.
+def checked_outputs(module: n.Module, facts: Facts, source: Source) -> tuple[Output, ...]:
+    """The outputs of a fragment shader that has nothing which no variant could keep.
 
     Raises :class:`InputError` where the shader writes a built-in output (SC404), asks for early
     fragment tests (SC405: the first pass must not write depth for a fragment that it discards),
     writes memory or uses what others write (SC413), counts pixels in another way (SC422), or does
-    something in the initialiser of a global (SC424).
+    something in the initialiser of a global (SC424); and as :func:`outputs_of`.
     """
     problems = [*_unsupported(module, source), *busy_initialisers(module, source)]
     if problems:
         raise InputError(problems)
+    return outputs_of(module, facts, source)
 
 
 def _unsupported(module: n.Module, source: Source) -> Iterator[Diagnostic]:

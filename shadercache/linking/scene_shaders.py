@@ -16,8 +16,7 @@ from shadercache.front.read_options import ReadOptions
 from shadercache.linking.made_scene import made_scene
 from shadercache.scene.camera import uniform_values
 from shadercache.scene.description import Scene, SceneObject, View, load_scene
-from shadercache.scene.instances import Instances
-from shadercache.scene.object_inputs import with_aliases
+from shadercache.scene.object_inputs import Inputs, with_aliases
 from shadercache.source import Source
 
 FULL_SCREEN = "--mapping screen"
@@ -74,21 +73,21 @@ def read_as_in(scene: Scene, reading: ReadOptions) -> ReadOptions:
         unroll=reading.unroll or scene.reading.unroll,
         approximate=reading.approximate or scene.reading.approximate,
         moving=(*reading.moving, *scene.reading.moving, *_moving(scene)),
-        instanced=any(instances.number > 1 for instances in _instances(scene)),
+        instanced=any(given.instances.number > 1 for given in _inputs(scene)),
     )
 
 
-def _instances(scene: Scene) -> Iterable[Instances]:
+def _inputs(scene: Scene) -> list[Inputs]:
     """Those of the objects with the scene's own shaders."""
     # Objects with shaders of their own are analysed alone.
     parts = [part for part in scene.objects if not part.own_shader] or [scene.common]
-    return (part.inputs.instances for part in parts)
+    return [part.inputs for part in parts]
 
 
 def _moving(scene: Scene) -> Iterable[str]:
-    """The attributes of instances that change from frame to frame."""
-    streams = (instances.streams.items() for instances in _instances(scene))
-    return dict.fromkeys(name for both in streams for name, stream in both if stream.moves)
+    """The attributes of instances and the textures that change from frame to frame."""
+    streams = ({**given.instances.streams, **given.played} for given in _inputs(scene))
+    return dict.fromkeys(name for both in streams for name, it in both.items() if it.moves)
 
 
 def _rests(scene: Scene, analysis: Analysis) -> bool:

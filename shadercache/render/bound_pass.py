@@ -172,7 +172,7 @@ class BoundPass:
         for buffer, binding in self._storage:
             buffer.bind_to_storage_buffer(binding)
         for name, when in self._streams:
-            self._drawable.stream(name, when).hold(tables[when][name])
+            self._drawable.streamed(name, when).hold(tables[when][name])
         self._program.bind_blocks()
 
     def _texture(self, role: str, caches: CachePair | None) -> moderngl.Texture:
@@ -237,10 +237,16 @@ class BoundPass:
 
     def _bind_texture(self, uniform: Uniform, name: str) -> None:
         each = [f"{name}[{at}]" for at in range(uniform.count)] if uniform.is_array else [name]
-        self._sample(uniform, [self._found(one, uniform) for one in each])
+        self._sample(uniform, [self._found(one, uniform, uniform.name != name) for one in each])
 
-    def _found(self, name: str, uniform: Uniform) -> GlTexture:
+    def _found(self, name: str, uniform: Uniform, is_twin: bool) -> GlTexture:
         texture = self._drawable.texture(name)
+        if texture is None and name in self._drawable.scene_object.inputs.played:
+            when: When = "before" if is_twin else "now"
+            self._streams.append((name, when))
+            target = self._drawable.streamed(name, when).target
+            assert isinstance(target, moderngl.Texture)
+            texture = target
         if texture is None:
             key = f'"{name}"' if "[" in name else name
             hint = f"in the scene, add [textures.{key}] with a file"

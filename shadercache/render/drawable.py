@@ -12,10 +12,11 @@ import numpy as np
 from shadercache.diagnostics import Diagnostic, InputError
 from shadercache.gpu.programs import Program
 from shadercache.gpu.textures import GlTexture
-from shadercache.render.uploads import StreamBuffer, Uploads
+from shadercache.render.uploads import Streamed, Uploads
 from shadercache.scene.camera import Values, semantic_values, shift_of, uniform_values
 from shadercache.scene.description import Scene, SceneObject
 from shadercache.scene.instances import Instances
+from shadercache.scene.streams import Stream
 from shadercache.source import Source
 
 When: TypeAlias = Literal["now", "before"]
@@ -111,17 +112,21 @@ class Drawable:
         """How many of it are drawn at once, and what each has of its own."""
         return self.scene_object.inputs.instances
 
-    def stream(self, name: str, when: When) -> StreamBuffer:
-        """What holds an attribute of the instances, of this frame (``now``) or of the last one."""
-        stream = self.instances.streams[name]
-        return self._uploads.stream(self.number, name, when, stream.count * stream.width)
+    @property
+    def streams(self) -> Mapping[str, Stream]:
+        """What may change with each frame beside uniforms: attributes of instances, textures."""
+        return {**self.instances.streams, **self.scene_object.inputs.played}
+
+    def streamed(self, name: str, when: When) -> Streamed:
+        """What holds a stream, of this frame (``now``) or of the last one."""
+        return self._uploads.streamed((self.number, name, when), self.streams[name])
 
     def prepare(self, frame: int) -> None:
         """Compute and upload what a frame needs, so that timed draws find it done."""
         values = self.values(frame)
-        for name in self.instances.streams:
-            self.stream(name, "now").hold(values[name])
-            self.stream(name, "before").hold(self.values(max(0, frame - 1))[name])
+        for name in self.streams:
+            self.streamed(name, "now").hold(values[name])
+            self.streamed(name, "before").hold(self.values(max(0, frame - 1))[name])
 
     def vertex_array(
         self, program: Program, twins: Mapping[str, str], over_screen: bool = False
@@ -152,14 +157,16 @@ class Drawable:
     ) -> tuple[moderngl.Buffer, str, str]:
         original = twins.get(name, name)
         if original in self.instances.streams:
-            width = self.instances.streams[original].width
+            width = self.instances.streams[original].shape[1]
             attribute: Any = program.gl[name]
             if width != attribute.dimension:
                 has = f"{program.name} has {attribute.dimension} numbers in {name}"
                 message = f"{has}, the instances {width}"
                 raise self.problem("SC523", message)
             when: When = "before" if name in twins else "now"
-            return self.stream(original, when).buffer, f"{width}f/i", name
+            buffer = self.streamed(original, when).target
+            assert isinstance(buffer, moderngl.Buffer)
+            return buffer, f"{width}f/i", name
         array = self.scene_object.inputs.attributes.get(original)
         if array is None:
             message = f"{program.name} needs the vertex attribute {name}, which the scene lacks"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import prod
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,7 @@ from shadercache.gpu.resource import Resource
 from shadercache.gpu.textures import GlTexture, upload_texture
 from shadercache.scene.mesh import FULL_SCREEN, Mesh, load_mesh
 from shadercache.scene.object_inputs import BufferSpec, TextureSpec
+from shadercache.scene.streams import Stream
 
 
 class GpuMesh(Resource):
@@ -40,12 +42,11 @@ class GpuMesh(Resource):
             buffer.release()
 
 
-class StreamBuffer(Resource):
-    """Numbers of instances that change from frame to frame."""
+class Streamed(Resource):
+    """A buffer or a texture whose numbers change from frame to frame."""
 
-    def __init__(self, ctx: moderngl.Context, size: int) -> None:
-        """Args: ``size``: how many numbers."""
-        self.buffer = ctx.buffer(reserve=4 * size)
+    def __init__(self, target: moderngl.Buffer | moderngl.Texture) -> None:
+        self.target = target
         self._held: NDArray[np.floating[Any]] | None = None
 
     def hold(self, numbers: NDArray[np.floating[Any]]) -> None:
@@ -53,11 +54,11 @@ class StreamBuffer(Resource):
         # Equal frames give the same object.
         if numbers is not self._held:
             self._held = numbers
-            self.buffer.write(numbers.astype(np.float32).tobytes())
+            self.target.write(numbers.astype(np.float32).tobytes())
 
     def release(self) -> None:
-        """Free the buffer."""
-        self.buffer.release()
+        """Free it."""
+        self.target.release()
 
 
 class Uploads(Resource):
@@ -70,13 +71,21 @@ class Uploads(Resource):
         self._meshes: dict[tuple[Path | None, str | None], GpuMesh] = {}
         self._textures: dict[TextureSpec, GlTexture] = {}
         self._storage: dict[BufferSpec, moderngl.Buffer] = {}
-        self._streams: dict[tuple[int, str, str], StreamBuffer] = {}
+        self._streams: dict[tuple[int, str, str], Streamed] = {}
 
-    def stream(self, number: int, name: str, when: str, size: int) -> StreamBuffer:
-        """The buffer of an attribute of an object's instances, for this frame or for the last."""
-        key = (number, name, when)
+    def streamed(self, key: tuple[int, str, str], stream: Stream) -> Streamed:
+        """What holds a stream of an object (by number and name), for this frame or the last."""
         if key not in self._streams:
-            self._streams[key] = StreamBuffer(self.gpu.ctx, size)
+            ctx, shape = self.gpu.ctx, stream.shape
+            target: moderngl.Buffer | moderngl.Texture
+            if stream.dims == 2:
+                target = ctx.buffer(reserve=4 * prod(shape))
+            else:
+                height, width, channels = shape
+                target = ctx.texture((width, height), channels, dtype="f4")
+                target.filter = (moderngl.NEAREST, moderngl.NEAREST)
+                target.repeat_x = target.repeat_y = False
+            self._streams[key] = Streamed(target)
         return self._streams[key]
 
     def storage(self, spec: BufferSpec) -> moderngl.Buffer:

@@ -47,7 +47,8 @@ def uniform_values(
     given = scene_object.inputs
     uniforms = {name: np.asarray(value, np.float64) for name, value in given.constants.items()}
     uniforms |= {name: animation.at(frame) for name, animation in given.animated.items()}
-    uniforms |= {name: stream.at(frame) for name, stream in given.instances.streams.items()}
+    streams = {**given.instances.streams, **given.played}
+    uniforms |= {name: stream.at(frame) for name, stream in streams.items()}
     words = set(given.semantics.values())
     for word in words.intersection(INVERSES):
         values[word] = _inverse(values[INVERSES[word]])

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from shadercache.diagnostics import input_error
 from shadercache.scene.instances import ALONE, Instances, read_instances
 from shadercache.scene.npz import load_npz
+from shadercache.scene.streams import Stream
 from shadercache.scene.toml_reader import Table, is_number
 
 T = TypeVar("T")
@@ -113,7 +114,8 @@ class Inputs:
 
     ``constants`` hold the numbers of a uniform in the order of upload: the components of a vector,
     the columns of a matrix, the elements of an array. Another uniform is tied to one of
-    :data:`SEMANTICS`, or ``animated``.
+    :data:`SEMANTICS`, or ``animated``. ``played`` are textures of 32-bit floats that may change
+    from frame to frame.
     """
 
     attributes: Mapping[str, str] = field(default_factory=dict)
@@ -122,6 +124,7 @@ class Inputs:
     animated: Mapping[str, Animation] = field(default_factory=dict)
     textures: Mapping[str, TextureSpec] = field(default_factory=dict)
     buffers: Mapping[str, BufferSpec] = field(default_factory=dict)
+    played: Mapping[str, Stream] = field(default_factory=dict)
     instances: Instances = ALONE
 
     def over(self, other: Inputs) -> Inputs:
@@ -139,6 +142,7 @@ class Inputs:
             {**rest(other.animated), **self.animated},
             {**other.textures, **self.textures},
             {**other.buffers, **self.buffers},
+            {**other.played, **self.played},
             other.instances if self.instances is ALONE else self.instances,
         )
 
@@ -203,13 +207,13 @@ def read_inputs(table: Table) -> Inputs:
             value = uniforms.checked(name, wanted, lambda v: bool(_constant(v)), stand_in=0.0)
             constants[name] = _constant(value)
     attributes = read_names(table.table("attributes"))
-    textures = _textures(table.table("textures"))
+    textures, played = _textures(table.table("textures"))
     instances = read_instances(table.table("instances")) if table.has("instances") else ALONE
     buffers = {
         name: BufferSpec(entry.file("table"), entry.text("array"))
         for name, entry in _tables(table.table("buffers"))
     }
-    return Inputs(attributes, constants, semantics, animated, textures, buffers, instances)
+    return Inputs(attributes, constants, semantics, animated, textures, buffers, played, instances)
 
 
 def _refuse_dots(uniforms: Table, name: str, value: dict[str, Any]) -> None:
@@ -265,9 +269,15 @@ def _tables(table: Table) -> Iterator[tuple[str, Table]]:
     return ((name, table.table(name)) for name, _ in table.items())
 
 
-def _textures(table: Table) -> dict[str, TextureSpec]:
+def _textures(table: Table) -> tuple[dict[str, TextureSpec], dict[str, Stream]]:
+    """Those in files, and those that are played."""
     specs: dict[str, TextureSpec] = {}
+    played: dict[str, Stream] = {}
     for name, entry in _tables(table):
+        if entry.has("table"):
+            rate = entry.number("rate", 1.0)
+            played[name] = Stream(entry.file("table"), entry.text("array"), rate, dims=3)
+            continue
         specs[name] = TextureSpec(
             path=entry.file("file"),
             filter=entry.text("filter", "linear", ("linear", "nearest")),
@@ -275,7 +285,7 @@ def _textures(table: Table) -> dict[str, TextureSpec]:
             wrap=entry.text("wrap", "repeat", ("repeat", "clamp")),
             anisotropy=entry.number("anisotropy", 1.0),
         )
-    return specs
+    return specs, played
 
 
 def read_changes(table: Table, inputs: Inputs) -> dict[str, str]:

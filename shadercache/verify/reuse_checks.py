@@ -166,9 +166,8 @@ class Reuse:
 
     def _shaken(self, role: DrawItem, inputs: FrameInputs) -> tuple[FrameInputs, Positions]:
         # A scene may leave a uniform as it is from frame to frame, and hide that its twin is wrong.
-        # An attribute without a twin rests, as the manifest says.
-        streams = role.drawable.instances.streams
-        resting = streams.keys() - set(role.naming.twins.values())
+        # An attribute or a texture without a twin rests, as the manifest says.
+        resting = role.drawable.streams.keys() - set(role.naming.twins.values())
         before = {**shaken(inputs.before), **{name: inputs.before[name] for name in resting}}
         there = replace(inputs, now=before, before=before)
         truth = self.references.surfaces.at(role.drawable, there)

@@ -83,7 +83,7 @@ def folder(tmp_path: Path) -> Path:
 
 def test_numbers_are_mixed_between_frames(folder: Path) -> None:
     stream = Stream(folder / "field.npz", "turn", 0.5)
-    assert (stream.count, stream.width, stream.moves) == (COUNT, 16, True)
+    assert (stream.shape, stream.moves) == ((COUNT, 16), True)
     mean = 0.5 * (stream.at(0) + stream.at(2))
     assert np.array_equal(stream.at(1), mean)
     assert np.array_equal(stream.at(2 * FRAMES), stream.at(0))
