@@ -52,6 +52,7 @@ from shadercache.analysis.restrictions import (
     check_dialect,
     check_size,
     check_user_mapping,
+    checked_outputs,
 )
 from shadercache.analysis.screen.screen_inputs import Marks, screen_marks
 from shadercache.analysis.screen.screen_varyings import screen_varyings
