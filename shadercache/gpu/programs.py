@@ -23,7 +23,8 @@ _SAMPLERS = {
     0x8B5F: "3D texture",
     0x8B60: "cube map",
     0x8DC1: "array texture",
-    0x8DD2: "2D texture of integers",
+    0x8DCA: "2D texture of integers",
+    0x8DD2: "2D texture of unsigned integers",
 }
 _SAMPLER_RANGES = (range(0x8B5D, 0x8B64), range(0x8DC0, 0x8DD9), range(0x9108, 0x910E))
 _FORMATS = {code: np.dtype(code) for code in "fiId"}

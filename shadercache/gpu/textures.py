@@ -22,7 +22,8 @@ from shadercache.scene.object_inputs import TextureSpec
 
 GlTexture = moderngl.Texture | moderngl.TextureCube | moderngl.TextureArray | moderngl.Texture3D
 
-_DTYPES = {"float32": "f4", "float16": "f2", "uint8": "f1"}
+_DTYPES = {"float32": "f4", "float16": "f2", "uint8": "f1", "int32": "i4", "uint32": "u4"}
+_INTEGERS = {"i4": " of integers", "u4": " of unsigned integers"}
 _FILTERS = {
     ("nearest", False): (moderngl.NEAREST, moderngl.NEAREST),
     ("linear", False): (moderngl.LINEAR, moderngl.LINEAR),
@@ -34,6 +35,9 @@ MAX_PIXELS = 1 << 26
 """Pixels of a picture: 8192 by 8192."""
 
 _PICTURES = (".png", ".jpg", ".jpeg")
+
+MADE_NUMBERS = {"integers": np.int32, "naturals": np.uint32}
+"""What generated textures of integers are called, and what they hold."""
 
 _ARRAYS = {
     "faces": "(6, n, n, c)",
@@ -53,8 +57,8 @@ _KINDS = {
 
 def texture_kind(texture: GlTexture) -> str:
     """What kind of sampler reads it: ``2D texture``, ``cube map``, ``array texture`` or ``3D
-    texture``."""
-    return _KINDS[type(texture)]
+    texture``, perhaps ``of integers`` or ``of unsigned integers``."""
+    return _KINDS[type(texture)] + _INTEGERS.get(texture.dtype, "")
 
 
 def load_pixels(path: Path) -> tuple[NDArray[np.generic], str]:
@@ -64,7 +68,7 @@ def load_pixels(path: Path) -> tuple[NDArray[np.generic], str]:
         ``(pixels, "pixels")`` with shape (h, w, c), ``(layers, "layers")`` with shape (n, h, w, c),
         ``(volume, "volume")`` with shape (d, h, w, c),
         or ``(faces, "faces")`` with shape (6, h, h, c) in the order +X, -X, +Y, -Y, +Z, -Z;
-        float32, float16 or uint8, 1 to 4 channels.
+        float32, float16 or uint8, or int32 and uint32 for samplers of integers; 1 to 4 channels.
 
     Raises:
         InputError: SC530 unreadable file, SC531 no such array, a wrong shape or type.
@@ -117,7 +121,7 @@ def _check(path: Path, pixels: NDArray[np.generic], what: str) -> None:
     if not fits or (what == "faces" and (shape[0] != 6 or shape[1] != shape[2])):
         fault = f"has shape {shape}, not {wanted} with 1 to 4 channels"
     elif pixels.dtype.name not in _DTYPES:
-        fault = f"has {pixels.dtype} values, not float32, float16 or uint8"
+        fault = f"has {pixels.dtype} values, not float32, float16, uint8, int32 or uint32"
     elif not np.isfinite(pixels).all():
         fault = "holds NaN or infinity"
     else:
@@ -128,9 +132,13 @@ def _check(path: Path, pixels: NDArray[np.generic], what: str) -> None:
 def made_pixels(what: str) -> tuple[NDArray[np.generic], str]:
     """A generated texture, the same in every run: smooth blobs under noise, in four channels.
 
-    ``what`` and the shapes are those of :func:`load_pixels`.
+    ``what`` and the shapes are those of :func:`load_pixels`; ``integers`` and ``naturals`` are
+    pixels of such.
     """
-    shape = {"pixels": (64, 64), "faces": (6, 64, 64), "layers": (4, 64, 64)}[what]
+    if what in MADE_NUMBERS:
+        return made_pixels("pixels")[0].astype(MADE_NUMBERS[what]), "pixels"
+    depth = {"pixels": (), "faces": (6,), "layers": (4,), "volume": (16,)}[what]
+    shape = (*depth, 64, 64)
     # Noise tells texels apart, blobs tell places apart.
     noise = np.random.default_rng(2008).random((*shape, 4))
     across = np.sin(np.linspace(0.0, 4.0 * np.pi, 64, endpoint=False))
@@ -146,9 +154,13 @@ def upload_texture(gpu: Gpu, spec: TextureSpec) -> GlTexture:
     """
     pixels, what = made_pixels(spec.path.name) if spec.generated else load_pixels(spec.path)
     texture = _create(gpu.ctx, pixels, what)
-    if spec.mipmap:
-        texture.build_mipmaps()
-    texture.filter = _FILTERS[spec.filter, spec.mipmap]
+    # Integers are never mixed.
+    if texture.dtype in _INTEGERS:
+        texture.filter = _FILTERS["nearest", False]
+    else:
+        if spec.mipmap:
+            texture.build_mipmaps()
+        texture.filter = _FILTERS[spec.filter, spec.mipmap]
     # A cube map is sampled by direction, and has nothing beyond its edges.
     if not isinstance(texture, moderngl.TextureCube):
         texture.repeat_x = texture.repeat_y = spec.wrap == "repeat"

@@ -48,7 +48,10 @@ CONSTANT: Mapping[str, tuple[float, ...]] = {
 }
 """The same for what does not change; a shorter uniform takes the first numbers."""
 
-MADE_TEXTURES = {"sampler2D": "pixels", "samplerCube": "faces", "sampler2DArray": "layers"}
+MADE_TEXTURES = {
+    **{"sampler2D": "pixels", "samplerCube": "faces", "sampler2DArray": "layers"},
+    **{"sampler3D": "volume", "isampler2D": "integers", "usampler2D": "naturals"},
+}
 """The samplers there are textures for, and what those hold (:func:`textures.made_pixels`)."""
 
 _VECTOR = (0.8, 0.6, 0.4, 1.0)
@@ -105,10 +108,22 @@ def declared_inputs(
             for declarator in decl.declarators:
                 kind = stage.facts.declared[declarator].type
                 if declarator.init is None:
-                    yield declarator.name, kind
+                    yield from _parts(declarator.name, kind)
                     # Law 1 draws the user's own text as well, which has the old name.
                     if declarator.name in old:
-                        yield old[declarator.name], kind
+                        yield from _parts(old[declarator.name], kind)
+
+
+def _parts(name: str, kind: Type) -> Iterator[tuple[str, Type]]:
+    """An input; in place of one that holds samplers its parts: ``lamp.map``, ``maps[1]``."""
+    if not kind.holds_opaque or kind.is_opaque:
+        yield name, kind
+    elif kind.is_array:
+        for at in range(kind.dims[0] or 1):
+            yield from _parts(f"{name}[{at}]", kind.element)
+    elif kind.struct is not None:
+        for field, inner in kind.struct.fields.items():
+            yield from _parts(f"{name}.{field}", inner)
 
 
 def _array(attribute: str) -> str:

@@ -11,6 +11,9 @@ from dataclasses import replace
 import numpy as np
 
 from shadercache.analysis.candidates import Candidate
+from shadercache.analysis.vertex_inputs import POSITION
+from shadercache.ast import nodes as n
+from shadercache.ast.walk import walk
 from shadercache.caching.algorithms import USUAL
 from shadercache.caching.configuration import Configuration, Mode
 from shadercache.caching.layout import Layout, precision_of
@@ -20,6 +23,7 @@ from shadercache.gpu.context import Gpu
 from shadercache.render.bundle import Bundle
 from shadercache.scene.description import Scene
 from shadercache.scene.mesh import Mesh
+from shadercache.transform.remove_dead import remove_dead
 from shadercache.verify.detail_levels import tells_true_levels
 from shadercache.verify.laws import judge, refreshed
 from shadercache.verify.references import References
@@ -73,7 +77,8 @@ class Verifier:
         """
         self.references.linker.require_cached()
         if not self.references.covered[0].any():
-            raise input_error("SC612", "the object covers no pixel, so no law can be checked")
+            message = "the object covers no pixel, so no law can be checked"
+            raise input_error("SC612", message, _at_far_plane(self.analysis))
         nodes = (node,) if isinstance(node, Candidate) else tuple(node)
         self.analysis.require_all(nodes, unprofitable=True)
         verdict = Verdict(
@@ -142,3 +147,15 @@ class Verifier:
     def close(self) -> None:
         """Free everything on the GPU."""
         self.references.release()
+
+
+def _at_far_plane(analysis: Analysis) -> str | None:
+    """What to do about a sky: where depth is cleared, no pass finds its own depth open."""
+    if analysis.stage is None:
+        return None
+    sliced = remove_dead(analysis.stage.module, (POSITION,))
+    members = (node.name for node in walk(sliced) if isinstance(node, n.Member))
+    if "xyww" not in members:
+        return None
+    put = "write gl_Position = vec4(p.xy, 0.9999 * p.w, p.w)"
+    return f"at the far plane (p.xyww) the passes find depth closed; {put}, just before it"

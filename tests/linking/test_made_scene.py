@@ -101,6 +101,31 @@ def test_members_of_blocks_have_values_as_uniforms_do(gpu: Gpu, tmp_path: Path) 
     assert image[0, 0].tolist() == pytest.approx([0.8, 0.6, START / 8.0, 0.5])
 
 
+def test_samplers_of_any_kind_and_in_structs_have_textures(gpu: Gpu, tmp_path: Path) -> None:
+    path = tmp_path / "kinds.frag"
+    path.write_text("""#version 330
+        struct Paint { sampler2D map; float gain; };
+        uniform Paint paint, paints[2];
+        uniform sampler2D maps[2];
+        uniform sampler3D volume;
+        uniform isampler2D integers;
+        uniform usampler2D naturals;
+        out vec4 c;
+        void main() {
+            vec2 p = gl_FragCoord.xy / 8.0;
+            vec4 all = texture(paint.map, p) * paint.gain + texture(maps[1], p);
+            all += texture(paints[1].map, p);
+            all += texture(volume, vec3(p, 0.5)) + vec4(texture(integers, p)) / 255.0;
+            c = all - vec4(texture(naturals, p)) / 255.0;
+        }
+    """)
+    scene, analysis = open_scene(path)
+    emission = emit_original(analysis)
+    with RenderScene(gpu, scene, (8, 8), "rgba32f") as world:
+        [image] = render_original(world, [Bundle(emission.manifest, emission.files)], (0,))
+    assert np.ptp(image[..., :3]) > 0.1
+
+
 def test_nothing_is_made_for_a_block_in_a_layout_of_the_drivers_own(
     gpu: Gpu, tmp_path: Path
 ) -> None:

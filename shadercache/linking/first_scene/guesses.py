@@ -21,6 +21,7 @@ from shadercache.linking.made_scene import MADE_TEXTURES, SEMANTIC, constants_of
 from shadercache.scene.models.parts import Material, Model
 
 _COLOR = re.compile(r"(?:base|diffuse|albedo|material|kd)?(?:colou?r|factor|albedo|diffuse|kd)")
+_VIEWS = {"view", "model-view", "view-projection", "model-view-projection"}
 UNKNOWN = "its meaning is not known; this is a stand-in"
 
 
@@ -84,9 +85,10 @@ def sampler_roles(samplers: Sequence[Wanted]) -> dict[str, str | None]:
         InputError: SC524 for a sampler that the harness cannot give a texture.
     """
     for item in samplers:
-        if item.type.name not in MADE_TEXTURES or item.type.is_array or item.type.is_struct:
-            given = "2D textures, their arrays and cube maps only"
-            raise input_error("SC524", f"the harness gives {given}, {item.name} ({item.spelt}) no")
+        if item.type.name not in MADE_TEXTURES:
+            given = "2D and 3D textures, cube maps and arrays of 2D textures only"
+            what = f"{item.name} ({item.spelt}) is none"
+            raise input_error("SC524", f"the harness gives {given}, {what}")
     roles = {item.name: role_of(item.name) for item in samplers if item.type.name == "sampler2D"}
     if len(roles) == 1:
         # Whatever its name, the only texture is most likely the colour.
@@ -116,7 +118,12 @@ def _number(name: str) -> int:
 
 def _by_type(kind: Type, taken: set[str], there: set[str]) -> str | None:
     """The first array left over that such an attribute commonly is."""
-    wanted = {2: ("uv",), 3: ("position", "normal"), 4: ("position", "tangent")}
+    wanted = {
+        1: ("uv", "uv1", "color", "position"),
+        2: ("uv", "uv1"),
+        3: ("position", "normal"),
+        4: ("position", "tangent"),
+    }
     candidates = wanted.get(kind.rows, ()) if kind.is_float and not kind.is_matrix else ()
     return next((name for name in candidates if name in there and name not in taken), None)
 
@@ -264,6 +271,11 @@ def _with_lone_matrix(guesses: list[Guess], inputs: ShaderInputs) -> Iterator[Gu
     have = {guess.value.strip('"') for guess in guesses}
     projects = have & {"projection", "view-projection", "model-view-projection"}
     for guess in guesses:
+        if guess.value == '"projection"' and guess.name in inputs.placing and not have & _VIEWS:
+            whole = "view-projection" if "model" in have else "model-view-projection"
+            why = f"{guess.why} (guess): there is no matrix of the view beside it"
+            yield Guess(guess.name, f'"{whole}"', why, False)
+            continue
         kind = types.get(guess.name)
         square = kind is not None and kind.cols == kind.rows == 4 and not kind.is_array
         if square and (not guess.sure or (guess.value == '"model"' and not projects)):

@@ -51,7 +51,7 @@ _ARRAYS: Mapping[str, re.Pattern[str]] = {
 """The array of an attribute by its name, tried in this order."""
 
 _WIDTHS: Mapping[str, tuple[int, ...]] = {
-    **{"position": (3, 4), "normal": (3, 4), "tangent": (3, 4), "bitangent": (3,)},
+    **{"position": (2, 3, 4), "normal": (3, 4), "tangent": (3, 4), "bitangent": (3,)},
     **{"uv": (2, 3, 4), "uv1": (2, 3, 4), "color": (3, 4), "joints": (4,), "weights": (4,)},
 }
 _MORPH = re.compile(r"(?:morph|target|blendshape|shape)\D*(\d*)", re.IGNORECASE)

@@ -11,6 +11,7 @@ import numpy as np
 
 from shadercache.compiler import Analysis
 from shadercache.linking.first_scene import guesses as g
+from shadercache.linking.first_scene.copies import copies, is_of_instance
 from shadercache.linking.first_scene.framing import FOV, FRAMES, Frame, Up, framed
 from shadercache.linking.first_scene.guesses import Guess, numbers
 from shadercache.linking.first_scene.shader_inputs import ShaderInputs, inputs_of
@@ -55,9 +56,8 @@ def first_scene(sources: Sources, analysis: Analysis, folder: Path, final: Path)
             sampler without textures, SC530 for a picture that cannot be read.
     """
     textures = TextureFolder(folder, final)
-    return _SceneWriter(sources.model, inputs_of(analysis), textures, final, sources.up).scene(
-        sources
-    )
+    writer = _SceneWriter(sources.model, inputs_of(analysis), textures, folder, final, sources.up)
+    return writer.scene(sources)
 
 
 @dataclass
@@ -65,12 +65,15 @@ class _SceneWriter:
     model: Model
     inputs: ShaderInputs
     textures: TextureFolder
+    folder: Path
     final: Path
     up: Up
 
     def scene(self, shaders: Sources) -> FirstScene:
         animations = self.model.skeleton.animations
-        attributes = g.attributes_of(self.inputs.attributes, self.model)
+        own = [item for item in self.inputs.attributes if is_of_instance(item)]
+        shared = [item for item in self.inputs.attributes if item not in own]
+        attributes = g.attributes_of(shared, self.model)
         animation = animations[0].name if animations and self._apart() else None
         # Where a model is depends on its bones, and a light's place on where the model is.
         bends = any(guess.value == '"joints"' for guess in attributes)
@@ -82,6 +85,7 @@ class _SceneWriter:
             *_camera(frame),
             *_motion(frame),
             *_group("attributes", attributes),
+            *copies(own, frame, self.folder),
             *_group("uniforms", uniforms),
             *(line for lines in samplers for line in lines),
             *self._objects(animation, bends),

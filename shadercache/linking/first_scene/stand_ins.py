@@ -13,7 +13,7 @@ from PIL import Image, UnidentifiedImageError
 
 from shadercache.diagnostics import input_error
 from shadercache.files import file_stem
-from shadercache.gpu.textures import MAX_PIXELS
+from shadercache.gpu.textures import MADE_NUMBERS, MAX_PIXELS
 from shadercache.scene.models.parts import Picture
 
 _FLAT = {"normal": (128, 128, 255), "emissive": (0, 0, 0)}
@@ -53,13 +53,17 @@ class TextureFolder:
         return self._written[key]
 
     def array(self, what: str) -> str:
-        """The ``faces`` of a sky, or two ``layers`` of squares."""
+        """What samplers read that is no picture, by :data:`MADE_TEXTURES`: the ``faces`` of a sky,
+        squares in two ``layers``, in a ``volume``, or as numbers."""
         key = ("array", what)
         if key not in self._written:
-            path = self._path("sky" if what == "faces" else "layers", ".npz")
+            path = self._path("sky" if what == "faces" else what, ".npz")
             pixels = np.asarray(_squares())
-            made = _sky() if what == "faces" else np.stack([pixels, 255 - pixels])
-            arrays: dict[str, Any] = {what: made}
+            if what in MADE_NUMBERS:
+                arrays: dict[str, Any] = {"pixels": pixels.astype(MADE_NUMBERS[what])}
+            else:
+                squares = np.stack([pixels, 255 - pixels])
+                arrays = {what: _sky() if what == "faces" else squares}
             np.savez_compressed(path, **arrays)
             self._written[key] = f"textures/{path.name}"
         return self._written[key]

@@ -142,8 +142,8 @@ def test_names_from_one(tmp_path: Path) -> None:
     [
         ("inNormal", "inUv", "SC521", "the attribute inUv (vec3), which looks like uv"),
         ("boneMatrices[32]", "boneMatrices[1]", "SC523", "boneMatrices has 1 matrices"),
-        ("uniform mat4 world;", "uniform mat4 world; uniform sampler3D uVolume;", "SC524",
-         "uVolume (sampler3D)"),
+        ("uniform mat4 world;", "uniform mat4 world; uniform sampler1D uRamp;", "SC524",
+         "uRamp (sampler1D)"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_given(tmp_path: Path, old: str, new: str, code: str, words: str) -> None:

@@ -26,6 +26,7 @@ def kind(name: str) -> Type:
         ("a_position aPos position vertexPosition inPosition POSITION in_Position aVertexPosition "
          "vertex v_pos a_vertex vPosition Position vs_position", "vec3", "position"),
         ("gl_Vertex a_position", "vec4", "position"),
+        ("aPos pos position vertexPosition", "vec2", "position"),
         ("a_normal aNormal normal vertexNormal inNormal NORMAL gl_Normal aVertexNormal", "vec3",
          "normal"),
         ("a_uv aUV uv texCoord aTexCoords inTexCoord TEXCOORD_0 a_texcoord0 a_st aTextureCoord "
