@@ -224,3 +224,13 @@ def test_line_ends_of_windows_in_included_files(tmp_path: Path) -> None:
         "\ufeff#define A \\\r\n 1 // ü\r\n#if A\r\nA\r\n#endif\r\n".encode()
     )
     assert texts('#include "größe 1.glsl"\r\nb', tmp_path) == "1 b"
+
+
+@pytest.mark.parametrize("other", ["lib/../lib/a.glsl", "link/a.glsl", "./lib/a.glsl"])
+def test_a_file_is_read_once_whatever_its_path(tmp_path: Path, other: str) -> None:
+    """Capitals are such another path where they do not count, as on Windows and macOS."""
+    write(tmp_path / "lib", a="#pragma once\nx", b="#pragma once\nx")
+    (tmp_path / "link").symlink_to("lib")
+    assert texts(f'#include "lib/a.glsl"\n#include "{other}"', tmp_path) == "x"
+    # Another file, although it holds the same.
+    assert texts('#include "lib/a.glsl"\n#include "lib/b.glsl"', tmp_path) == "x x"

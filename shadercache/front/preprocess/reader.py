@@ -21,6 +21,7 @@ from __future__ import annotations
 import re
 from contextlib import suppress
 from dataclasses import dataclass
+from os.path import samefile
 from pathlib import Path
 
 from shadercache.ast.nodes import Directive
@@ -128,12 +129,21 @@ def _read_included(state: ReadingState, path: Path) -> None:
     text = include.read(path, state.room)
     state.room -= max(len(text), include.MIN_TEXT)
     part = state.source.include(str(path), text, state.place.start)
-    if part not in state.once:
+    if not any(_is_same(part, one) for one in state.once):
         state.open(part, path.parent)
         state.set_file_number("0")
         _read_file(state, 0)
         state.files.pop()
         state.set_file_number(state.file.number)
+
+
+def _is_same(part: Source, other: Source) -> bool:
+    """Whether both are one file, which paths may name in many ways: ``a/../b``, links, capitals."""
+    if part is other or part.text != other.text:
+        return part is other
+    with suppress(OSError, ValueError):
+        return samefile(part.name, other.name)
+    return False
 
 
 def _read_file(state: ReadingState, at: int) -> None:
