@@ -164,9 +164,9 @@ def png(width: int, height: int, data: bytes = b"", extra: bytes = b"") -> bytes
     return b"\x89PNG\r\n\x1a\n" + head + extra + body + chunk(b"IEND", b"")
 
 
-def jpeg() -> bytes:
+def gif() -> bytes:
     file = io.BytesIO()
-    Image.new("RGB", (4, 4)).save(file, "JPEG")
+    Image.new("RGB", (4, 4)).save(file, "GIF")
     return file.getvalue()
 
 
@@ -184,7 +184,7 @@ PNG = {
         4, 4, bytes(68), chunk(b"zTXt", b"a\0\0" + zlib.compress(bytes(9 << 20)))
     ),
     "broken data": png(4, 4, bytes(68)).replace(zlib.compress(bytes(68))[:4], b"\xff\xff\xff\xff"),
-    "another format": jpeg(),
+    "another format": gif(),
     "text": b"not a picture",
     "nothing": b"",
 }
