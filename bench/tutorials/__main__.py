@@ -12,7 +12,7 @@ import shutil
 import sys
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
@@ -46,6 +46,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     add("-o", "--output", type=Path, required=True, metavar="FILE", help="the result, JSON")
     add("--resume", action="store_true", help="keep what FILE has")
     add("--only", metavar="TEXT", help="programs with this in their names")
+    add("--before", default="", metavar="TEXT", help="what the host puts before shaders")
     add("--work", type=Path, default=Path("out/tutorials/work"), metavar="DIR")
     options = parser.parse_args(arguments)
     if not options.collection.is_dir():
@@ -56,7 +57,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     with open_context() as gpu:
         where = environment(gpu)
     kept = _kept(options.output) if options.resume else {}
-    programs = [one for one in programs_of(options.collection) if (options.only or "") in one.name]
+    programs = [
+        _hosted(one, options.before)
+        for one in programs_of(options.collection)
+        if (options.only or "") in one.name
+    ]
     for outcome in _outcomes(programs, kept, options.work.resolve()):
         kept[outcome.name] = outcome
         print(f"{outcome.kind:20}{outcome.name}", *outcome.told[:2], sep="  ", file=sys.stderr)
@@ -66,6 +71,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     write_json(options.output, _report(where, rows))
     print(summary(rows))
     return int(any(row.kind == BROKEN for row in rows))
+
+
+def _hosted(program: Program, before: str) -> Program:
+    vertex = None if program.vertex is None else before + program.vertex
+    return replace(program, fragment=before + program.fragment, vertex=vertex)
 
 
 def _kept(path: Path) -> dict[str, Outcome]:
