@@ -58,7 +58,10 @@ def is_instanced(module: n.Module, reading: ReadOptions) -> bool:
     )
     attributes = (decl for decl in module.decls if _is_attribute(decl))
     moving = set(reading.moving)
-    return asked or any(_guessed(it) or moving.intersection(_known_as(it)) for it in attributes)
+    guesses = NO_GUESS not in moving
+    return asked or any(
+        (guesses and _guessed(it)) or moving.intersection(_known_as(it)) for it in attributes
+    )
 
 
 def moving_inputs(

@@ -53,6 +53,7 @@ def choices(types: tuple[Type, ...]) -> list[Choice]:
     filters = [plain[0], *(one for one in plain if one.configuration.filter.kind == "nearest")]
     slower = [replace(one.configuration, payload_rate="half") for one in filters]
     plain += [replace(plain[0], configuration=one) for one in slower]
+    plain.append(replace(plain[0], instanced=True))
     others = [
         replace(plain[0], located=where, whole=whole) for where in LOCATE for whole in (False, True)
     ]

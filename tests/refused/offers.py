@@ -141,7 +141,7 @@ def offers_of(analysis: Analysis) -> Shader:
     made = {clone.name for _, clone in clones.pairs}
     while (smaller := drop_parameters(remove_dead(module, [value]), made, Memo())) is not module:
         module = smaller
-    return interface(with_locations(module, (value,)))
+    return interface(with_locations(module, {value: 0}))
 
 
 def widest(analysis: Analysis) -> list[Candidate]:

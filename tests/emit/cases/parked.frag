@@ -260,7 +260,7 @@ noperspective centroid out vec3 v_place;
 void main() {
     v_rows = mat3(u_modelViewProjection);
     v_kind = gl_VertexID;
-    v_pair = uvec2(gl_VertexID, gl_InstanceID);
+    v_pair = uvec2(7u, gl_VertexID);
     v_place = a_position;
     gl_Position = u_modelViewProjection * vec4(a_position, 1.0);
 }
