@@ -19,9 +19,15 @@ from shadercache.front.read_options import ReadOptions
 from shadercache.lang.types import builtin_type
 from shadercache.source import Source
 
-_PART = r"(?:instance|instances|instanced|inst|bone|bones|joint|joints|skin|skinning|pose|poses"
-_WORDS = re.compile(_PART + r"|morph|morphs|transform|transforms|anim|animation|palette|vat)")
-_BREAKS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
+_INSTANCES = frozenset(("instance", "instances", "instanced", "inst"))
+_FIGURES = frozenset(
+    (
+        *("bone", "bones", "joint", "joints", "skin", "skinning", "pose", "poses", "palette"),
+        *("morph", "morphs", "transform", "transforms", "anim", "animation", "vat"),
+    )
+)
+_PARTS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
+"""The words of a name: ``u_boneMatrices`` is made of u, bone and Matrices."""
 
 _NUMBERS = ("gl_InstanceID", "gl_InstanceIDARB", "gl_InstanceIndex")
 
@@ -110,11 +116,10 @@ def _guessed(decl: n.Decl) -> str:
     if not may_move(decl):
         return ""
     name = decl.name if isinstance(decl, n.BlockDecl) else next(iter(global_names(decl)))
+    words = {part.lower() for known in _known_as(decl) for part in _PARTS.findall(known)}
     if _is_attribute(decl):
         # Nobody has a matrix for each vertex; weights and numbers of bones are of the mesh.
         kind = builtin_type(decl.type.name)
-        words = set(map(str.lower, _BREAKS.findall(name)))
-        per_instance = bool(words & {"instance", "inst", "instanced", "instances"})
-        return name if per_instance or (kind is not None and kind.is_matrix) else ""
-    known = " ".join(_known_as(decl))
-    return name if any(_WORDS.fullmatch(word.lower()) for word in _BREAKS.findall(known)) else ""
+        is_matrix = kind is not None and kind.is_matrix
+        return name if is_matrix or words & _INSTANCES else ""
+    return name if words & (_INSTANCES | _FIGURES) else ""

@@ -86,6 +86,9 @@ def _problems(declared: Declared, facts: Facts, source: Source) -> Iterator[Diag
             message = f"the output '{variable.name}' is a {kind}"
             hint = "outputs are floats, integers, vectors of these, or arrays"
             yield Diagnostic("SC403", message, source, variable.span, hint)
+        if _number(decl, "component", facts):
+            message = f"'{variable.name}' shares a render target with another output"
+            yield Diagnostic("SC403", message, source, variable.span, "make one output of both")
         if _number(decl, "index", facts):
             message = f"'{variable.name}' is the second source of blending"
             hint = "variants are drawn without blending, so that it would be lost"

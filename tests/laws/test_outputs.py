@@ -134,7 +134,7 @@ def test_the_reference_compiler_takes_every_program(name: str, tmp_path: Path) -
 
 
 def analysed(outputs: str, body: str) -> Analysis:
-    head = "#version 430\nuniform vec3 p;\n"
+    head = "#version 440\nuniform vec3 p;\n"
     text = f"{head}{outputs}\nvoid main() {{ {body} }}"
     return analyse(Source("shader.frag", text), mapping="screen")
 
@@ -149,6 +149,10 @@ def analysed(outputs: str, body: str) -> Analysis:
             "second source of blending",
         ),
         ("out vec4 a[9];", "9 render targets"),
+        (
+            "layout(location = 0) out vec2 a; layout(location = 0, component = 2) out vec2 b;",
+            "shares a render target",
+        ),
         ("out vec4 a; layout(location = 3) out vec4 b[6];", "location 1"),
     ],
 )
