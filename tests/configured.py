@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict, replace
 from functools import lru_cache
+from types import SimpleNamespace
 from typing import Any, cast
 
 import numpy as np
@@ -17,6 +18,7 @@ from shadercache.caching.configuration import CacheFormat, Configuration
 from shadercache.caching.layout import precision_of
 from shadercache.caching.settings import with_settings
 from shadercache.compiler import Analysis, Emission, rewrite
+from shadercache.front.read_options import ReadOptions
 from shadercache.linking.linker import Linker
 from shadercache.manifest.model import Manifest
 from shadercache.render.bundle import Bundle, LinkedObject
@@ -69,7 +71,8 @@ def bundled(*given: Any, **more: Any) -> Bundle:
 @lru_cache(maxsize=8)
 def linker_of(scene: Scene) -> Linker:
     """For scenes whose own shader's programs are given."""
-    return Linker(scene, cast(Analysis, None))
+    # Of the scene's own analysis it asks how other shaders are to be read, and nothing else here.
+    return Linker(scene, cast(Analysis, SimpleNamespace(reading=ReadOptions())))
 
 
 def drawn_by(

@@ -50,7 +50,7 @@ def test_into_a_folder_that_exists(
     (tmp_path / "manifest.json").write_text("old")
     assert shell("rewrite", fragment, "--node", rings, "-o", tmp_path).status == 0
     assert (tmp_path / "notes.txt").read_text() == "mine"
-    assert json.loads((tmp_path / "manifest.json").read_text())["schema_version"] == 2
+    assert json.loads((tmp_path / "manifest.json").read_text())["schema_version"] == 3
 
 
 @pytest.mark.parametrize(
