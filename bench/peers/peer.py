@@ -77,7 +77,7 @@ class Peer(ABC):
 
     def begins(self, frame: int) -> bool:
         """Is there nothing that the frames before could tell of this one?"""
-        return frame == 0 or frame in self.world.scene.view.camera_path.cuts
+        return frame == 0 or self.world.scene.view.is_cut(frame)
 
     def hold(self, view: RenderScene) -> RenderScene:
         """A view that is given back with the peer."""

@@ -90,7 +90,7 @@ class Drawable:
 
     def is_there(self, frame: int) -> bool:
         """Is the object in the scene at a frame?"""
-        return self.scene_object.motion.is_there(frame)
+        return self.scene_object.motion.is_there(self.scene.view.playback.at(frame))
 
     def is_outside(self, frame: int) -> bool:
         """Do its bounds lie beyond one side of the picture at a frame? Never without bounds."""

@@ -75,7 +75,7 @@ class VariantRunner(Runner):
         self.resets: list[ResetReason] = []
         self.cuts = CutDetector()
         self.idle = EmptyPasses(self.configuration.refresh, world.sample_counter)
-        self._cuts_told = world.scene.view.camera_path.cuts if moving else frozenset[int]()
+        self._moving = moving
         self._caches = world.targets.lend_cache(self.bundle.cache.formats, self.divisor)
         self._holds_caches = True
         try:
@@ -120,7 +120,7 @@ class VariantRunner(Runner):
 
         At a cut of the scene's camera path the frame is a reset frame.
         """
-        if frame in self._cuts_told:
+        if self._is_cut(frame):
             self.reset("cut")
         shown = self.inputs.shown(frame)
         self.cuts.watch(frame, self.roles, shown)
@@ -197,7 +197,7 @@ class VariantRunner(Runner):
     def note_hits(self, frame: int, rate: float) -> None:
         """Tell the run the share of hits of the frame that is about to be drawn: where it falls
         without a cut of the scene, ``cuts`` has it."""
-        if frame not in self._cuts_told:
+        if not self._is_cut(frame):
             self.cuts.hit(frame, rate)
 
     def cache(self) -> NDArray[np.float32]:
@@ -225,6 +225,9 @@ class VariantRunner(Runner):
         if self._holds_caches:
             self.world.targets.take_back(self._caches)
             self._holds_caches = False
+
+    def _is_cut(self, frame: int) -> bool:
+        return self._moving and self.world.scene.view.is_cut(frame)
 
     def _drawn(self, frame: int) -> list[DrawItem]:
         drawn = set(self.world.drawn(self.inputs.shown(frame)))

@@ -44,11 +44,11 @@ def uniform_values(
         # Of a Shadertoy: the shape of a pixel, 1, comes behind the size.
         "resolution-aspect": np.array([width, height, 1.0]),
     }
-    given = scene_object.inputs
+    given, played = scene_object.inputs, view.playback.at(frame)
     uniforms = {name: np.asarray(value, np.float64) for name, value in given.constants.items()}
-    uniforms |= {name: animation.at(frame) for name, animation in given.animated.items()}
+    uniforms |= {name: animation.at(played) for name, animation in given.animated.items()}
     streams = {**given.instances.streams, **given.played}
-    uniforms |= {name: stream.at(frame) for name, stream in streams.items()}
+    uniforms |= {name: stream.at(played) for name, stream in streams.items()}
     words = set(given.semantics.values())
     for word in words.intersection(INVERSES):
         values[word] = _inverse(values[INVERSES[word]])
@@ -70,9 +70,9 @@ def semantic_values(
 
     ``aspect`` is width / height, ``shift`` the jitter in halves of the picture's width and height.
     """
-    camera = camera_at(view, frame)
-    pose = None if motion.pose is None else motion.pose.at(frame / FRAMES_PER_SECOND)
-    model = model_matrix(motion, frame)
+    camera, played = camera_at(view, frame), view.playback.at(frame)
+    pose = None if motion.pose is None else motion.pose.at(played / FRAMES_PER_SECOND)
+    model = model_matrix(motion, played)
     if pose is not None:
         model = model @ pose.matrix
     seen = look_at(camera)
@@ -88,10 +88,10 @@ def semantic_values(
         "normal-matrix": _normal_matrix(model_view),
         "world-normal-matrix": _normal_matrix(model),
         "eye": np.asarray(camera.eye, np.float64),
-        "time": np.asarray(view.start_time + frame / FRAMES_PER_SECOND),
+        "time": np.asarray(view.start_time + played / FRAMES_PER_SECOND),
         # None in the first frame, which is also that of the scene at rest.
-        "time-delta": np.asarray(1.0 / FRAMES_PER_SECOND if frame > 0 else 0.0),
-        "frame": np.asarray(float(frame)),
+        "time-delta": np.asarray(view.playback.step / FRAMES_PER_SECOND if frame > 0 else 0.0),
+        "frame": np.asarray(float(played)),
     }
     # One matrix beside the other, so that what is uploaded by columns has them in their order.
     values["bones"] = (NO_BONES if pose is None else pose.bones).transpose(1, 0, 2).reshape(4, -1)
@@ -122,7 +122,7 @@ def model_matrix(motion: Motion, frame: int) -> Matrix:
 
 def camera_at(view: View, frame: int) -> Camera:
     """The camera of a frame, on its path."""
-    camera, path = view.camera, view.camera_path
+    camera, path, frame = view.camera, view.camera_path, view.playback.at(frame)
     if path.keys:
         return _between_keys(camera, path, frame)
     if path.degrees_per_frame == 0.0:

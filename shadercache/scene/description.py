@@ -16,12 +16,14 @@ from shadercache.scene.graphics_state import PLAIN, GraphicsState, read_engine
 from shadercache.scene.models.load import FORMATS, is_model
 from shadercache.scene.models.pose import Pose
 from shadercache.scene.motion import (
+    AS_WRITTEN,
     REST,
     RESTING_CAMERA,
     RESTING_MOTION,
     Camera,
     CameraPath,
     Motion,
+    Playback,
     read_camera,
     read_motion,
 )
@@ -39,13 +41,20 @@ Bounds = tuple[tuple[float, ...], tuple[float, ...]]
 class View:
     """What all objects are drawn with: a camera, the application's state, and a clock.
 
-    ``start_time``: the seconds that the clock shows in frame 0.
+    ``start_time``: the seconds that the clock shows in frame 0 of the scene. Wherever a frame is
+    asked for, it is one of a run: ``playback`` says what that shows.
     """
 
     camera: Camera = RESTING_CAMERA
     camera_path: CameraPath = REST
     engine: GraphicsState = PLAIN
     start_time: float = 0.0
+    playback: Playback = AS_WRITTEN
+
+    def is_cut(self, frame: int) -> bool:
+        """Does the camera jump between the frame before and this one?"""
+        shown = range(self.playback.at(frame - 1) + 1, self.playback.at(frame) + 1)
+        return not self.camera_path.cuts.isdisjoint(shown)
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,6 +162,10 @@ class Scene:
         """A scene of nothing but this object. What moves by name is said of other shaders."""
         reading = replace(self.reading, moving=())
         return replace(self, common=scene_object, objects=(), reading=reading)
+
+    def played(self, start: int, step: int = 1) -> Scene:
+        """The same scene from another frame of its path on, or at another speed."""
+        return replace(self, view=replace(self.view, playback=Playback(start, step)))
 
     def seen_from(self, camera: Camera, path: CameraPath = REST) -> Scene:
         """The same scene before another camera."""

@@ -56,6 +56,22 @@ REST = CameraPath()
 
 
 @dataclass(frozen=True, slots=True)
+class Playback:
+    """Which part of a scene's path is shown, and how fast: frame 0 of a run shows ``start``, and
+    each one after it ``step`` frames of the scene more."""
+
+    start: int = 0
+    step: int = 1
+
+    def at(self, frame: int) -> int:
+        """The frame of the scene that a frame of a run shows."""
+        return self.start + self.step * frame
+
+
+AS_WRITTEN = Playback()
+
+
+@dataclass(frozen=True, slots=True)
 class Motion:
     """An object turns about an axis through its pivot, and drifts; ``frames``: the path's length.
 

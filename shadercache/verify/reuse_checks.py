@@ -151,7 +151,7 @@ class Reuse:
         world = self.references.world
         moved = world.viewport(frame) != world.viewport(max(frame - 1, 0))
         follows = self.configuration.hit_test.viewport
-        if frame in world.scene.view.camera_path.cuts or (moved and not follows):
+        if world.scene.view.is_cut(frame) or (moved and not follows):
             return None
         height, width = self.references.covered[0].shape
         discrete = np.zeros((height, width, 0), np.uint32)

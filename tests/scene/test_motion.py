@@ -98,6 +98,22 @@ def test_animated_uniforms(scene: Scene, tmp_path: Path) -> None:
             Rows(path, wrong).at(0)
 
 
+def test_a_scene_played_from_another_frame_and_faster(scene: Scene) -> None:
+    keys = (key(2, 0.0), key(7, 4.0, cut=True), key(20, 9.0))
+    moving = altered(
+        scene, camera_path=CameraPath(keys=keys), animated={"u_a": Ramp((0.0,), (1.0,))}
+    )
+    faster = moving.played(4, 2)
+    for frame in range(5):
+        size = (8, 8)
+        shown = uniform_values(faster.view, faster.common, frame, size)
+        meant = uniform_values(moving.view, moving.common, 4 + 2 * frame, size)
+        assert all(np.array_equal(shown[name], meant[name]) for name in meant)
+    # The jump lies between what two frames show.
+    assert [faster.view.is_cut(frame) for frame in range(4)] == [False, False, True, False]
+    assert [moving.view.is_cut(frame) for frame in (6, 7, 8)] == [False, True, False]
+
+
 def test_runners_are_told_of_a_cut(gpu: Gpu, scene: Scene, bundle: Bundle) -> None:
     near = replace(key(0, 0.1), eye=(0.1, 1.2, 2.6))
     keys = (near, replace(near, frame=3, eye=(0.4, 1.0, 2.8), cut=True))
