@@ -11,16 +11,14 @@ coordinates or a normal if they are called so.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 
-from shadercache.ast import nodes as n
 from shadercache.compiler import Analysis
 from shadercache.lang.types import Type
-from shadercache.manifest.block_members import block_fields
+from shadercache.linking.inputs_declared import inputs_declared
 from shadercache.scene.description import Scene, SceneObject, View
 from shadercache.scene.object_inputs import Inputs, TextureSpec
-from shadercache.transform.versions.raise_version import Raised
 
 START = 4.0
 """Seconds that the clock shows in frame 0: at zero many a shader is still dark."""
@@ -65,7 +63,7 @@ def made_scene(fragment: Path, analysis: Analysis, vertex: Path | None = None) -
     semantics: dict[str, str] = {}
     textures: dict[str, TextureSpec] = {}
     old = {new: name for name, new in analysis.renamed.items()}
-    for name, kind in declared_inputs(analysis.raised, "uniform", old):
+    for name, kind in inputs_declared(analysis.raised, "uniform", old):
         word = word_of(name)
         texture = MADE_TEXTURES.get(kind.name)
         if texture is not None:
@@ -75,7 +73,7 @@ def made_scene(fragment: Path, analysis: Analysis, vertex: Path | None = None) -
             semantics[name] = "resolution-aspect" if wide else SEMANTIC[word]
         else:
             constants |= constants_of(name, word, kind)
-    attributes = {name: _array(name) for name, _ in declared_inputs(analysis.raised[1:], "in", old)}
+    attributes = {name: _array(name) for name, _ in inputs_declared(analysis.raised[1:], "in", old)}
     inputs = Inputs(attributes, constants, semantics, textures=textures)
     return Scene(
         path=fragment,
@@ -91,39 +89,6 @@ def made_scene(fragment: Path, analysis: Analysis, vertex: Path | None = None) -
 def word_of(name: str) -> str:
     """What a name says, without prefix and case: ``time`` of ``u_time`` or ``a.uTime``."""
     return _PREFIX.sub("", name.rpartition(".")[2], count=1).replace("_", "").lower()
-
-
-def declared_inputs(
-    stages: Iterable[Raised], word: str, old: Mapping[str, str]
-) -> Iterator[tuple[str, Type]]:
-    """Name and type of each uniform or attribute without an initialiser, by its old name too."""
-    for stage in stages:
-        for decl in stage.module.decls:
-            if isinstance(decl, n.BlockDecl) and decl.qualifiers.has(word):
-                prefix = f"{decl.instance}." if decl.instance else ""
-                for name, kind in block_fields(decl, stage.facts).items():
-                    yield prefix + name, kind
-            if not isinstance(decl, n.VarDecl) or not decl.qualifiers.has(word):
-                continue
-            for declarator in decl.declarators:
-                kind = stage.facts.declared[declarator].type
-                if declarator.init is None:
-                    yield from _parts(declarator.name, kind)
-                    # Law 1 draws the user's own text as well, which has the old name.
-                    if declarator.name in old:
-                        yield from _parts(old[declarator.name], kind)
-
-
-def _parts(name: str, kind: Type) -> Iterator[tuple[str, Type]]:
-    """An input; in place of one that holds samplers its parts: ``lamp.map``, ``maps[1]``."""
-    if not kind.holds_opaque or kind.is_opaque:
-        yield name, kind
-    elif kind.is_array:
-        for at in range(kind.dims[0] or 1):
-            yield from _parts(f"{name}[{at}]", kind.element)
-    elif kind.struct is not None:
-        for field, inner in kind.struct.fields.items():
-            yield from _parts(f"{name}.{field}", inner)
 
 
 def _array(attribute: str) -> str:

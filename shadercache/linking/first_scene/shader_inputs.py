@@ -10,7 +10,7 @@ from shadercache.ast import nodes as n
 from shadercache.ast.walk import walk
 from shadercache.compiler import Analysis
 from shadercache.lang.types import Type
-from shadercache.linking.made_scene import declared_inputs
+from shadercache.linking.inputs_declared import inputs_declared
 from shadercache.scene.object_inputs import root_of
 from shadercache.transform.remove_dead import remove_dead
 
@@ -66,7 +66,7 @@ def _distinct(analysis: Analysis, word: str) -> Iterator[Wanted]:
     # Raised shaders have new names for some; the scene has the user's.
     old = {new: name for name, new in analysis.renamed.items()}
     known: set[str] = set()
-    for name, kind in declared_inputs(stages, word, {}):
+    for name, kind in inputs_declared(stages, word, {}):
         root = root_of(name)
         told = old.get(root, root) + name[len(root) :]
         if told not in known:
