@@ -12,6 +12,7 @@ from shadercache.caching.configuration import Assignment, Configuration, Mode, b
 from shadercache.compiler import Analysis, Emission, emit_original, rewrite
 from shadercache.diagnostics import InputError, input_error
 from shadercache.front.read_options import ReadOptions
+from shadercache.linking.recorded_names import check_recorded
 from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.render.bundle import Bundle, LinkedObject
 from shadercache.scene.description import Scene, SceneObject
@@ -26,7 +27,7 @@ class Linker:
     def __init__(self, scene: Scene, analysis: Analysis) -> None:
         """Args: ``scene`` and ``analysis`` as ``analyse_scene`` gives them.
 
-        Raises as it does, for objects with shaders of their own.
+        Raises as it does, for objects with shaders of their own, and as ``check_recorded``.
         """
         self.analysis = analysis
         self._own: dict[tuple[Path, Path | None], Analysis] = {}
@@ -40,6 +41,9 @@ class Linker:
             for part in scene.objects
         )
         self.scene = replace(scene, objects=named)
+        if scene.recording is not None:
+            shaders = {part.name: self.analysis_of(part) for part in scene.parts}
+            check_recorded(scene.recording, shaders)
 
     def require_cached(self) -> None:
         """Raise :class:`InputError` SC542 where no object that the scene's own shader draws may be

@@ -17,23 +17,31 @@ from shadercache.linking.made_scene import made_scene
 from shadercache.scene.camera import uniform_values
 from shadercache.scene.description import Scene, SceneObject, View, load_scene
 from shadercache.scene.object_inputs import Inputs, with_aliases
+from shadercache.scene.recording import Recording, recorded
 from shadercache.source import Source
 
 FULL_SCREEN = "--mapping screen"
 
 
 def open_scene(
-    path: Path, reading: ReadOptions | None = None, mapping: MappingKind | None = None
+    path: Path,
+    reading: ReadOptions | None = None,
+    mapping: MappingKind | None = None,
+    recording: Recording | None = None,
 ) -> tuple[Scene, Analysis]:
     """The scene of a scene file, or a made one for a full-screen shader; and its shaders.
 
-    With ``mapping`` screen or user a full-screen shader may have a vertex shader beside it.
+    With ``mapping`` screen or user a full-screen shader may have a vertex shader beside it. A
+    ``recording`` is laid over the scene.
 
-    Raises as ``load_scene`` and ``analyse_scene``, and :class:`UsageError` SC006 for a shader that
-    needs geometry.
+    Raises as ``load_scene``, ``recorded`` and ``analyse_scene``, and :class:`UsageError` SC006 for
+    a shader that needs geometry.
     """
     if path.suffix == ".toml":
-        return analyse_scene(load_scene(path), reading, mapping)
+        scene = load_scene(path)
+        return analyse_scene(
+            scene if recording is None else recorded(scene, recording), reading, mapping
+        )
     beside = path.with_suffix(".vert")
     flat = mapping in ("screen", "user")
     vertex = beside if flat and beside.is_file() else None
@@ -43,7 +51,11 @@ def open_scene(
         message = f"the shader {path} has no scene, and its values lie on surfaces"
         hint = f"put a scene.toml that names it beside it, or draw it full-screen: {FULL_SCREEN}"
         raise usage_error("SC006", message, hint)
-    return made_scene(path, analysis, vertex), analysis
+    scene = made_scene(path, analysis, vertex)
+    if recording is not None:
+        # The scene has everything under its new name already.
+        scene = recorded(scene, recording.with_aliases(analysis.renamed))
+    return scene, analysis
 
 
 def analyse_scene(
@@ -103,10 +115,12 @@ def _is_constant(
     view: View, scene_object: SceneObject, names: Iterable[str], frames: range
 ) -> bool:
     """Do these uniforms have one value in all frames? Their size in pixels does not matter."""
-    every = [uniform_values(view, scene_object, frame, (64, 64)) for frame in frames]
-    return all(
-        name in values and np.array_equal(values[name], every[0][name])
-        for values in every
+    first, *rest = frames
+    at_first = uniform_values(view, scene_object, first, (64, 64))
+    # One after the other: what moves does so in the second frame, and a path may be long.
+    return all(name in at_first for name in names) and all(
+        np.array_equal(values[name], at_first[name])
+        for values in (uniform_values(view, scene_object, frame, (64, 64)) for frame in rest)
         for name in names
     )
 

@@ -91,7 +91,10 @@ def measure(
         groups=tuple(groups),
         shots=tuple(shot for run in runs for shot in run.shots),
         pictures={label: image for run in runs for label, image in run.pictures.items()},
-        notes=tuple(dict.fromkeys(note for run in runs for note in run.notes)),
+        notes=(
+            *dict.fromkeys(note for run in runs for note in run.notes),
+            *_beyond(world, options.frames),
+        ),
         gains=gains,
         assignments={
             subject.configuration: subject.assignment
@@ -99,6 +102,14 @@ def measure(
             if isinstance(subject, VariantSubject) and subject.assignment is not None
         },
     )
+
+
+def _beyond(world: RenderScene, frames: int) -> Iterator[str]:
+    """What is said of frames behind the end of a recording."""
+    recording = world.scene.recording
+    if recording is not None and frames > recording.frames:
+        had = f"{recording.path.name} has {recording.frames} frames"
+        yield f"{had}: those behind show its last one (--frames {recording.frames} leaves them out)"
 
 
 def _batches(subjects: Sequence[Subject], most: int) -> Iterator[list[Subject]]:

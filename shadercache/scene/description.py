@@ -28,6 +28,7 @@ from shadercache.scene.motion import (
     read_motion,
 )
 from shadercache.scene.object_inputs import Inputs, read_changes, read_inputs, read_names
+from shadercache.scene.recording import Recording, read_recording, recorded
 from shadercache.scene.toml_reader import Table, is_numbers, read_toml
 
 REUSE = ("on", "miss", "off")
@@ -129,7 +130,7 @@ class Scene:
     ``common`` is what its objects are unless they say otherwise, and the only object of a scene
     without any. ``changes`` says why a uniform or a texture changes, by its name: one of
     ``object_inputs.CAUSES``. ``nodes`` are names for node ids. ``mapping`` is how payloads are
-    found, if the scene says it.
+    found, if the scene says it. ``recording`` is what was laid over it.
     """
 
     path: Path
@@ -143,6 +144,7 @@ class Scene:
     demo: Demo | None = None
     reading: SceneReading = SceneReading()
     mapping: MappingKind | None = None
+    recording: Recording | None = None
 
     @property
     def parts(self) -> tuple[SceneObject, ...]:
@@ -176,7 +178,8 @@ def load_scene(path: Path) -> Scene:
     """Read a scene file, or ``scene.toml`` in the given folder.
 
     Raises:
-        InputError: SC501-SC507, one diagnostic for each mistake, with the file and the key.
+        InputError: SC501-SC507, one diagnostic for each mistake, with the file and the key; as
+            ``read_recording`` and ``recorded``.
     """
     if path.is_dir():
         path = path / "scene.toml"
@@ -216,8 +219,9 @@ def load_scene(path: Path) -> Scene:
         ),
         mapping=cast(MappingKind | None, mapping),
     )
+    recording = top.table("recording").file("file") if top.has("recording") else None
     top.finish()
-    return scene
+    return scene if recording is None else recorded(scene, read_recording(recording))
 
 
 def _objects(top: Table, common: SceneObject, nodes: Mapping[str, str]) -> tuple[SceneObject, ...]:

@@ -40,16 +40,17 @@ class CameraPath:
     """How a camera leaves its place: about its target, or along keys (Catmull-Rom between them).
 
     ``degrees_per_frame``: of an orbit, about ``Camera.up``. Before the first key and after the last
-    the camera rests there.
+    the camera rests there. ``recorded_cuts``: frames of cuts that a recording tells of.
     """
 
     degrees_per_frame: float = 0.0
     keys: tuple[Key, ...] = ()
+    recorded_cuts: frozenset[int] = frozenset()
 
     @property
     def cuts(self) -> frozenset[int]:
         """The frames at which runners are told of a cut."""
-        return frozenset(key.frame for key in self.keys if key.cut)
+        return self.recorded_cuts.union(key.frame for key in self.keys if key.cut)
 
 
 REST = CameraPath()

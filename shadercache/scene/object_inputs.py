@@ -105,7 +105,27 @@ class Rows:
         return mixed
 
 
-Animation: TypeAlias = Ramp | Rows
+@dataclass(frozen=True, eq=False)
+class Track:
+    """The numbers of a uniform as an engine had them: one row a frame, in the order of upload.
+
+    Behind its end it rests at the last row.
+    """
+
+    rows: NDArray[np.float64]
+
+    @property
+    def moves(self) -> bool:
+        """Does it change from frame to frame?"""
+        return bool((self.rows != self.rows[0]).any())
+
+    def at(self, frame: int) -> NDArray[np.float64]:
+        """The numbers at a frame."""
+        row: NDArray[np.float64] = self.rows[min(frame, len(self.rows) - 1)]
+        return row
+
+
+Animation: TypeAlias = Ramp | Rows | Track
 
 
 @dataclass(frozen=True, eq=False)
@@ -204,8 +224,8 @@ def read_inputs(table: Table) -> Inputs:
             _refuse_dots(uniforms, name, value)
         else:
             wanted = "a number, an array of numbers, or a semantic"
-            value = uniforms.checked(name, wanted, lambda v: bool(_constant(v)), stand_in=0.0)
-            constants[name] = _constant(value)
+            value = uniforms.checked(name, wanted, lambda v: bool(constant_of(v)), stand_in=0.0)
+            constants[name] = constant_of(value)
     attributes = read_names(table.table("attributes"))
     textures, played = _textures(table.table("textures"))
     instances = read_instances(table.table("instances")) if table.has("instances") else ALONE
@@ -224,7 +244,7 @@ def _refuse_dots(uniforms: Table, name: str, value: dict[str, Any]) -> None:
         uniforms.problem("SC505", name, f"{message}, not an empty table")
         return
     inner = value[member]
-    known = isinstance(inner, dict | str) or bool(_constant(inner))
+    known = isinstance(inner, dict | str) or bool(constant_of(inner))
     hint = "what moves has start and per_frame, or table and array"
     hint = f'write "{name}.{member}" in quotes; {hint}' if known else hint
     near = get_close_matches(member, _ANIMATED, 1)
@@ -241,7 +261,7 @@ def _read_animation(table: Table) -> Animation:
             rate=table.number("rate", 1.0),
             start=table.number("first", 0.0),
         )
-    start, step = (_constant(table.values.get(key)) for key in ("start", "per_frame"))
+    start, step = (constant_of(table.values.get(key)) for key in ("start", "per_frame"))
     known = table.has("start") and table.has("per_frame")
     fits = known and bool(start) and len(start) == len(step)
     table.require(
@@ -250,7 +270,7 @@ def _read_animation(table: Table) -> Animation:
     return Ramp(start, step) if fits else Ramp((0.0,), (0.0,))
 
 
-def _constant(value: Any) -> tuple[float, ...]:
+def constant_of(value: Any) -> tuple[float, ...]:
     """A number, a vector, or equally long vectors one after another; empty if it is neither."""
     if isinstance(value, bool) or is_number(value):
         return (float(value),)

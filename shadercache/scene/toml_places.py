@@ -23,15 +23,15 @@ def locate(source: Source, table: str, key: str) -> Span | None:
     headers = list(_HEADER.finditer(source.text))
     starts = [("", 0), *zip(_full_names(headers), (m.end() for m in headers), strict=True)]
     ends = [start for _, start in starts[1:]] + [len(source.text)]
-    for (name, start), end in zip(starts, ends, strict=True):
+    for (name, start), stop in zip(starts, ends, strict=True):
         if name != table:
             continue
-        found = _key(source, key, start, end) or _header(headers, starts, table, key)
+        found = _key(source, key, start, stop) or _header(headers, starts, table, key)
         if found is not None:
             return found
         if table:
-            written = len(_NUMBER.sub("", name))
-            return Span(start - 1 - written, start - 1)
+            end = start - (2 if source.text.startswith("]]", start - 2) else 1)
+            return Span(end - len(_NUMBER.sub("", name)), end)
     return _in_braces(source, table, key) if table else None
 
 

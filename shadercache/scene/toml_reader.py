@@ -25,23 +25,37 @@ MAX_SCENE = 1 << 20
 
 
 def read_toml(path: Path) -> tuple[Source, dict[str, Any]]:
-    """The text and the tables of a TOML file.
+    """The text and the tables of a scene file.
 
     Raises:
         InputError: SC501 unreadable file, SC502 not TOML.
     """
+    source = read_described(path, "scene", MAX_SCENE)
+    return source, parsed(source)
+
+
+def read_described(path: Path, what: str, most: int) -> Source:
+    """The text of a file; ``what`` it is for the message, ``most`` bytes it may have.
+
+    Raises:
+        InputError: SC501, it cannot be read.
+    """
     try:
-        source = Source(str(path), read_bytes(path, MAX_SCENE).decode("utf-8"))
+        return Source(str(path), read_bytes(path, most).decode("utf-8-sig"))
     except OSError as error:
-        raise input_error("SC501", f"cannot read the scene {path}: {error.strerror}") from None
+        raise input_error("SC501", f"cannot read the {what} {path}: {error.strerror}") from None
     except UnicodeDecodeError:
-        raise input_error("SC501", f"the scene {path} is not UTF-8 text") from None
+        raise input_error("SC501", f"the {what} {path} is not UTF-8 text") from None
+
+
+def parsed(source: Source) -> dict[str, Any]:
+    """The tables of a TOML text. Raises :class:`InputError` SC502 for what is none."""
     at = toml_nesting(source.text)
     if at is not None:
         message = f"more than {MAX_NESTING} brackets are open here"
         raise InputError(Diagnostic("SC502", message, source, Span(at, at + 1)))
     try:
-        return source, tomllib.loads(source.text)
+        return tomllib.loads(source.text)
     except ValueError as error:  # of TOML, or a number of thousands of digits
         raise InputError(_syntax_error(source, str(error))) from None
 

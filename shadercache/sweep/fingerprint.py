@@ -30,6 +30,8 @@ def scene_fingerprint(linker: Linker) -> str:
     files = sorted({path for part in linker.scene.parts for path in _files(part)})
     # A full-screen shader has no scene file: the path is the shader's, which is counted anyway.
     own = [linker.scene.path] if linker.scene.path.suffix == ".toml" else []
+    if linker.scene.recording is not None:
+        own.append(linker.scene.recording.path)
     contents = [_content(path) for path in (*own, *files)]
     text = linker.analysis.fragment.text
     return short_hash([__version__, linker.analysis.mapping, text, shaders, contents])

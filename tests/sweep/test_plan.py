@@ -50,6 +50,16 @@ def test_every_combination_is_planned_once(rings: SceneFile) -> None:
     assert [each.algorithm for each in one.configurations[:3]] == ["1-pass", "2-pass", "3-pass"]
 
 
+def test_a_recording_is_among_the_sources(rings: SceneFile) -> None:
+    recording = rings.path.with_name("frames.csv")
+    recording.write_text("u_scale\n1\n2\n")
+    rings.path.write_text(f'{rings.path.read_text()}\n[recording]\nfile = "frames.csv"\n')
+    before = keys(planned(rings))
+    assert keys(planned(rings)) == before
+    recording.write_text("u_scale\n1\n3\n")
+    assert not set(keys(planned(rings))) & set(before)
+
+
 def test_rates_are_planned(rings: SceneFile) -> None:
     trials = planned(rings, rates=("full", "half"), passes=("3",))
     found = [one.payload_rate for trial in trials for one in trial.configurations]

@@ -1,0 +1,131 @@
+"""What an engine had for uniforms, frame by frame, laid over a scene."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from difflib import get_close_matches
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from shadercache.diagnostics import Diagnostic, InputError, input_error
+from shadercache.scene.object_inputs import Inputs, Track, with_aliases
+from shadercache.scene.recorded_files import RecordedFile, RecordedName, from_csv, from_toml
+from shadercache.scene.toml_reader import read_described
+
+if TYPE_CHECKING:
+    from shadercache.scene.description import Scene, SceneObject
+
+MAX_RECORDING = 64 << 20
+"""Bytes of a recording."""
+
+_READERS = {".csv": from_csv, ".toml": from_toml}
+
+_MATRICES = (9, 16)
+
+
+@dataclass(frozen=True, eq=False)
+class Recording:
+    """The values of uniforms in every frame; matrices column by column, as OpenGL uploads them.
+
+    ``cuts``: the frames in which the camera jumps. ``file`` tells where each name stands.
+    """
+
+    path: Path
+    tracks: Mapping[RecordedName, Track]
+    cuts: frozenset[int]
+    file: RecordedFile
+
+    @property
+    def frames(self) -> int:
+        """How many frames it has, two at least."""
+        return min(len(track.rows) for track in self.tracks.values())
+
+    def of(self, name: str | None) -> dict[str, Track]:
+        """The tracks of an object by its name; None for those of all objects."""
+        return {key.name: track for key, track in self.tracks.items() if key.object == name}
+
+    def with_aliases(self, renamed: Mapping[str, str]) -> Recording:
+        """The same, with everything also under its new name."""
+        tracks = {
+            RecordedName(owner, name): track
+            for owner in {key.object for key in self.tracks}
+            for name, track in with_aliases(self.of(owner), renamed).items()
+        }
+        return replace(self, tracks=tracks)
+
+
+def read_recording(path: Path) -> Recording:
+    """Read a ``.csv`` or ``.toml`` file of what an engine had.
+
+    Raises:
+        InputError: SC501 for a file that cannot be read or is neither; SC502, SC504, SC505 for
+            TOML, SC550 for numbers that are not the same in every frame, not finite, or missing.
+    """
+    reader = _READERS.get(path.suffix.lower())
+    if reader is None:
+        message = f"the recording {path} is neither a .csv nor a .toml file"
+        raise input_error("SC501", message)
+    file = reader(read_described(path, "recording", MAX_RECORDING))
+    for rows in file.values.values():
+        rows.flags.writeable = False
+    tracks = {key: Track(rows) for key, rows in file.values.items()}
+    return Recording(path, tracks, file.cuts, file)
+
+
+def recorded(scene: Scene, recording: Recording) -> Scene:
+    """The scene with the recording's values for the uniforms that it names.
+
+    The path is as long as the recording, and cut where that is. Nothing that has recorded values is
+    left out for lying outside of the picture: where it is, the scene does not know.
+
+    Raises:
+        InputError: SC551 for an object that the scene does not have. Names of uniforms are checked
+            where shaders are linked.
+    """
+    _check_objects(scene, recording)
+
+    def played(part: SceneObject, name: str | None) -> SceneObject:
+        tracks = recording.of(None) | (recording.of(name) if name else {})
+        return replace(
+            part,
+            inputs=Inputs(animated=tracks).over(part.inputs),
+            motion=replace(part.motion, frames=recording.frames),
+            bounds=None if tracks else part.bounds,
+        )
+
+    path = replace(scene.view.camera_path, recorded_cuts=recording.cuts)
+    return replace(
+        scene,
+        # Objects have what is common from here as well, but for what is said of one alone.
+        common=played(scene.common, None if scene.objects else scene.common.name),
+        objects=tuple(played(part, part.name) for part in scene.objects),
+        view=replace(scene.view, camera_path=path),
+        changes={**_causes(recording), **scene.changes},
+        recording=recording,
+    )
+
+
+def _causes(recording: Recording) -> dict[str, str]:
+    """Why what the scene says nothing of may change: matrices do with the view."""
+    return {
+        key.name: "view" if track.rows.shape[1] in _MATRICES else "time"
+        for key, track in recording.tracks.items()
+        if track.moves
+    }
+
+
+def _check_objects(scene: Scene, recording: Recording) -> None:
+    known = [part.name for part in scene.parts]
+    problems: list[Diagnostic] = []
+    for key in recording.tracks:
+        if key.object is None or key.object in known:
+            continue
+        near = get_close_matches(key.object, known, 1)
+        meant = f"did you mean {near[0]}? " if near else ""
+        message = f"{key}: the scene {scene.name} has no object {key.object!r}"
+        hint = f"{meant}it has: {', '.join(known)}"
+        problems.append(recording.file.problem("SC551", key, message, hint))
+        known.append(key.object)  # told once
+    if problems:
+        raise InputError(problems)
