@@ -106,10 +106,9 @@ def measure(
 
 def _beyond(world: RenderScene, frames: int) -> Iterator[str]:
     """What is said of frames behind the end of a recording."""
-    recording = world.scene.recording
-    if recording is not None and frames > recording.frames:
-        had = f"{recording.path.name} has {recording.frames} frames"
-        yield f"{had}: those behind show its last one (--frames {recording.frames} leaves them out)"
+    recording, last = world.scene.recording, world.scene.view.playback.at(frames - 1)
+    if recording is not None and last >= recording.frames:
+        yield f"{recording.path.name} has {recording.frames} frames: those behind show its last one"
 
 
 def _batches(subjects: Sequence[Subject], most: int) -> Iterator[list[Subject]]:
