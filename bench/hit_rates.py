@@ -10,9 +10,9 @@ import argparse
 from pathlib import Path
 
 from shadercache.caching.configuration import Configuration, Refresh
-from shadercache.cli.scenes import configured
 from shadercache.files import write_bytes
 from shadercache.gpu.context import open_context
+from shadercache.linking.cache_settings import configured
 from shadercache.linking.linker import Linker
 from shadercache.linking.scene_shaders import open_scene
 from shadercache.measure.measure import outcome_curves

@@ -25,11 +25,11 @@ from shadercache.analysis.candidates import Candidate
 from shadercache.analysis.value_numbering import one_of_each
 from shadercache.caching.configuration import Configuration
 from shadercache.cli.progress import progress
-from shadercache.cli.scenes import configured
 from shadercache.compiler import Analysis
 from shadercache.diagnostics import DiagnosticError
 from shadercache.files import write_bytes
 from shadercache.gpu.context import open_context
+from shadercache.linking.cache_settings import configured
 from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.measure.result_files import environment, machine_name
 from shadercache.paths import data_path

@@ -19,9 +19,9 @@ from bench.papers.turns import Turns, Variant, as_in_the_papers, take_turns, unt
 from bench.papers.two_octaves import by_period, label
 from shadercache.caching.algorithms import USUAL
 from shadercache.caching.configuration import by_every_algorithm
-from shadercache.cli.scenes import configured
 from shadercache.cli.tables import format_table
 from shadercache.gpu.context import Gpu
+from shadercache.linking.cache_settings import configured
 from shadercache.linking.linker import Linker
 from shadercache.linking.scene_shaders import open_scene
 from shadercache.measure.subjects import Subject, subjects_of

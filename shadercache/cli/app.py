@@ -34,6 +34,7 @@ COMMANDS = {
     "bench": "bench",
     "sweep": "sweep",
     "report": "report",
+    "tune": "tune",
     "demo": "demo",
     "scene": "write_scene",
     "assets": "assets",

@@ -21,7 +21,7 @@ from shadercache.caching import configuration as cached
 from shadercache.caching.algorithms import ALGORITHMS, USUAL
 from shadercache.caching.settings import cache_choices
 from shadercache.cli.io import folder
-from shadercache.cli.scenes import configured, find_scene
+from shadercache.cli.scenes import find_scene
 from shadercache.diagnostics import usage_error
 from shadercache.front.read_options import MAX_TOKENS, Dialect, ReadOptions
 from shadercache.transform.hoist_fetches import FetchForm
@@ -241,6 +241,8 @@ class DrawOptions(CacheOptions, PictureOptions):
 
     def configured(self, scene: Scene) -> cached.Configuration:
         """The configuration in a scene. Raises :class:`UsageError` SC028."""
+        from shadercache.linking.cache_settings import configured
+
         base = replace(self.base, hit_test=cached.HitTest(epsilon=self.epsilon))
         return configured(scene, base, self.cache)
 

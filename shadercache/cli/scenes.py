@@ -6,9 +6,6 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from shadercache.caching.configuration import Configuration
-from shadercache.caching.layout import MOST_IN_HALF
-from shadercache.caching.settings import with_settings
 from shadercache.diagnostics import usage_error
 from shadercache.paths import data_path
 
@@ -82,18 +79,3 @@ def one_by_one(analysis: Analysis, nodes: Sequence[Candidate], every_node: bool)
 
     counts = dict.fromkeys(nodes, 1) if every_node else one_of_each(nodes, analysis.groups)
     return [Payload(node.id, (node,), count) for node, count in counts.items()]
-
-
-def configured(
-    scene: Scene, configuration: Configuration, settings: Sequence[str] | None
-) -> Configuration:
-    """A configuration with the settings of ``--cache``. Raises :class:`UsageError` SC028.
-
-    Objects and instances that share a cache are told apart by their numbers, unless ``ids=off`` is
-    said.
-    """
-    drawn = (part.inputs.instances.number for part in scene.parts if part.caching.on)
-    # Half floats tell no more of them apart.
-    several = ["ids=on"] if 1 < sum(drawn) <= MOST_IN_HALF else []
-    # The user's settings come last, for the last one holds.
-    return with_settings(configuration, [*several, *(settings or ())])

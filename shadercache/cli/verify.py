@@ -23,7 +23,7 @@ from shadercache.cli.options import (
     parse_passes,
 )
 from shadercache.cli.progress import progress
-from shadercache.cli.scenes import choose_nodes, configured, find_scene, one_by_one
+from shadercache.cli.scenes import choose_nodes, find_scene, one_by_one
 from shadercache.cli.tables import format_table, shorten, terminal_width
 
 if TYPE_CHECKING:
@@ -108,6 +108,7 @@ def command(
     """
     from shadercache.cluster import open_cluster
     from shadercache.gpu.context import open_context
+    from shadercache.linking.cache_settings import configured
     from shadercache.linking.scene_shaders import open_scene
     from shadercache.measure.result_files import environment, write_json
     from shadercache.verify.parallel import VerifiedScene, verify_in_parallel, verify_on

@@ -91,9 +91,14 @@ class RenderScene(Resource):
         It shares all that is on the GPU with this world, which must outlive it. Runners of several
         views take turns; each has a cache of its own.
         """
+        return self.showing(self.scene.seen_from(camera, path))
+
+    def showing(self, scene: Scene) -> RenderScene:
+        """The same objects in the same targets as another scene of them says; it shares all that is
+        on the GPU with this world, which must outlive it."""
         other = copy(self)
         other._uploads, other._owns_targets = None, False
-        other.scene = self.scene.seen_from(camera, path)
+        other.scene = scene
         other.drawables = tuple(drawable.seen_as(other.scene) for drawable in self.drawables)
         return other
 

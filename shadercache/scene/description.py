@@ -63,8 +63,8 @@ class Caching:
     """What is cached of an object, and how.
 
     ``node`` (an id, or several joined by ``+``) is that of an object with shaders of its own.
-    Unless it is ``on``, the original draws the object. ``block`` goes before that of a run,
-    ``period`` if it is shorter. ``mask`` is for the uniform of that role, an index of
+    Unless it is ``on``, the original draws the object; unless it is ``allowed``, always. ``block``
+    goes before that of a run, ``period`` if it is shorter. ``mask`` is for the uniform of that role, an index of
     :data:`REUSE`.
     """
 
@@ -73,6 +73,7 @@ class Caching:
     period: int | None = None
     block: int | None = None
     mask: int = 0
+    allowed: bool = True
 
 
 @dataclass(frozen=True, eq=False)
@@ -292,13 +293,15 @@ def _caching(table: Table, own_shader: bool, nodes: Mapping[str, str]) -> Cachin
     node = table.text("node") if table.has("node") else None
     message = f"{table.full('node')}: an object has a node of its own only with its own shader"
     table.require(own_shader or node is None, "node", message)
+    allowed = table.boolean("cached", True)
     return Caching(
         # The id of a node means nothing in another shader.
-        on=table.boolean("cached", True) and (node is not None or not own_shader),
+        on=allowed and (node is not None or not own_shader),
         node=None if node is None else "+".join(nodes.get(part, part) for part in node.split("+")),
         period=table.whole("period", None, least=1) if table.has("period") else None,
         block=table.whole("block", None, least=2) if table.has("block") else None,
         mask=REUSE.index(table.text("reuse", REUSE[0], REUSE)),
+        allowed=allowed,
     )
 
 

@@ -16,9 +16,9 @@ from laws.test_mutations import HITS_DISABLED, Replace, broken
 
 from shadercache.analysis.candidates import Candidate
 from shadercache.caching.configuration import Configuration
-from shadercache.cli.scenes import configured
 from shadercache.compiler import Analysis
 from shadercache.gpu.context import Gpu
+from shadercache.linking.cache_settings import configured
 from shadercache.linking.scene_shaders import open_scene
 from shadercache.paths import data_path
 from shadercache.render.bundle import Bundle

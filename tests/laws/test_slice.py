@@ -13,9 +13,9 @@ import pytest
 from laws.slices import VARIABLE, amount, day_slice, nodes_of_day, seed
 
 from shadercache.caching.configuration import Configuration
-from shadercache.cli.scenes import configured
 from shadercache.compiler import Analysis
 from shadercache.gpu.context import Gpu
+from shadercache.linking.cache_settings import configured
 from shadercache.linking.scene_shaders import analyse_scene
 from shadercache.paths import data_path
 from shadercache.scene.description import Scene, load_scene

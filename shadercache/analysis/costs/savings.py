@@ -84,7 +84,7 @@ class Savings:
         for saving in ranked:
             node = saving.node
             if not any(
-                self._alike(one.node, node) and not changes(node) < changes(one.node)
+                self.are_alike(one.node, node) and not changes(node) < changes(one.node)
                 for one in chosen
             ):
                 chosen.append(saving)
@@ -92,7 +92,8 @@ class Savings:
                 break
         return chosen
 
-    def _alike(self, one: Candidate, other: Candidate) -> bool:
+    def are_alike(self, one: Candidate, other: Candidate) -> bool:
+        """Do two values have most of their work in common?"""
         return self._common(one, other) > ALIKE * max(one.cost, other.cost)
 
     def _common(self, one: Candidate, other: Candidate) -> float:

@@ -1,0 +1,132 @@
+"""``shadercache tune``: choose what to cache, within a bound of the error, and prove the choice."""
+
+from __future__ import annotations
+
+import json
+import re
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from shadercache.cli import options
+from shadercache.cli.measuring import opened
+from shadercache.cli.tables import shorten
+from shadercache.diagnostics import usage_error
+from shadercache.measure.metrics.frame_errors import Metric
+
+if TYPE_CHECKING:
+    from shadercache.tuning.bound import Bound
+    from shadercache.tuning.tune import Answer, Tuning
+
+SMALL = options.PictureOptions(size="512")
+_SECONDS = re.compile(r"(\d+(?:\.\d+)?)\s*(s|m|min)?")
+_BESIDE = 60
+
+
+def command(
+    source: options.SceneOptions,
+    max_error: Annotated[
+        str,
+        typer.Option(
+            metavar="E,...",
+            help="What the error of a frame may be at most; of psnr in dB, at least.",
+        ),
+    ],
+    metric: Annotated[
+        Metric, typer.Option(help="In which metric; flip needs the extra 'metrics'.")
+    ] = "rmse",
+    budget: Annotated[
+        str, typer.Option(metavar="75s", help="How long to look; 2m are two minutes.")
+    ] = "75s",
+    picture: options.PictureOptions = SMALL,
+    as_json: Annotated[bool, typer.Option("--json", help="Print all that was found.")] = False,
+) -> None:
+    """Choose the values to cache, how, and how often to refresh them; prove it on other frames.
+
+    What is printed holds on frames that the choice was not made by: another part of the scene's
+    path, and a part at twice the speed, each with the error of every frame within the bound. Where
+    nothing is faster than the original it says so: leave the shader alone.
+    """
+    from shadercache.linking.linker import Linker
+    from shadercache.measure.result_files import environment
+    from shadercache.tuning.budget import Budget
+    from shadercache.tuning.result import to_json
+    from shadercache.tuning.tune import Question, tune
+
+    clock = Budget(parse_seconds(budget))
+    question = Question(parse_bounds(max_error, metric), clock.seconds)
+    linker = Linker(*source.open())
+    with opened(linker, picture, linker.scene.name) as (world, tell):
+        found = tune(
+            world,
+            linker,
+            question,
+            clock,
+            lambda spent, what: tell(int(1000 * min(1.0, spent)), 1000, what),
+        )
+        where = environment(world.gpu)
+    if as_json:
+        print(json.dumps(to_json(found, linker.scene, world.size, where), indent=1))
+        return
+    print(_head(found, world.size))
+    for answer in found.answers:
+        print(f"\n{_told(found, answer)}")
+
+
+def parse_seconds(text: str) -> float:
+    """``60s``, ``2m`` or ``90`` in seconds. Raises :class:`UsageError` SC008."""
+    match = _SECONDS.fullmatch(text.strip())
+    if match is None or float(match[1]) == 0.0:
+        raise usage_error("SC008", f"'{text}' is no value for --budget", "give 60s or 2m")
+    return float(match[1]) * (_BESIDE if (match[2] or "s").startswith("m") else 1)
+
+
+def parse_bounds(text: str, metric: Metric) -> tuple[Bound, ...]:
+    """The bounds of ``0.002,0.005``. Raises :class:`UsageError` SC008."""
+    from shadercache.tuning.bound import Bound
+
+    try:
+        limits = [float(part) for part in text.split(",")]
+    except ValueError:
+        hint = "give numbers above 0, separated by commas"
+        raise usage_error("SC008", f"'{text}' is no value for --max-error", hint) from None
+    return tuple(Bound(metric, limit) for limit in dict.fromkeys(limits))
+
+
+def _head(found: Tuning, size: tuple[int, int]) -> str:
+    tried = sum(len({one.value.ids for one in found.trials.families}) for _ in (0,))
+    offered = sum(sum(node.offered for node in group.analysis.nodes) for group in found.pools)
+    lines = [
+        f"original {found.original * 1e3:.1f} ms at {size[0]}x{size[1]}; {tried} values of "
+        f"{offered:,} offered nodes tried, {found.drawn} of {found.combinations:,} combinations "
+        f"drawn in {found.spent:.0f} s"
+    ]
+    if found.trials.failed:
+        count = len(found.trials.failed)
+        lines.append(f"{count} could not be drawn, such as: {found.trials.failed[0].why}")
+    return "\n".join(lines)
+
+
+def _told(found: Tuning, answer: Answer) -> str:
+    from shadercache.tuning.result import told
+
+    bound, proven = answer.bound, answer.chosen
+    if proven is None:
+        return f"{bound}: leave it alone; {answer.why}"
+    ratio = proven.speedup
+    lines = [
+        f"{bound}: {ratio.median:.2f}x [{ratio.low:.2f}-{ratio.high:.2f}] as fast as the original, "
+        f"error {bound.told(proven.mean)}, in the worst frame {bound.told(proven.worst)}"
+    ]
+    for family, period in proven.plan.parts:
+        source = family.group.analysis.fragment
+        for node in family.value.nodes:
+            line, column = source.position(node.expr.span.start)
+            name = source.part(node.expr.span.start).name
+            lines.append(f"  cache {shorten(node.text, 60)}   {name}:{line}:{column} ({node.id})")
+        lines.append(f"  by {told(family.at(period))}")
+    lines += [
+        f"  {passage.name}: {drawn.speedup.median:.2f}x, error {bound.told(drawn.worst)} at most"
+        for passage, drawn in proven.passages
+    ]
+    return "\n".join(lines)

@@ -1,0 +1,112 @@
+"""What is known of a value with a set of choices, over all refresh periods."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from shadercache.caching.configuration import Assignment, Configuration
+from shadercache.measure.metrics.frame_errors import Metric
+from shadercache.scene.description import Scene
+from shadercache.tuning.age_errors import error_of_period
+from shadercache.tuning.groups import ShaderGroup, assignment_of
+from shadercache.tuning.models import ErrorModel, TimeModel, fit_error, fit_time
+from shadercache.tuning.values import Value
+
+MOVING_HASTE, STILL_HASTE = 2.0, 1.2
+"""How many times larger an error is taken to be at twice the speed: of values that change with what
+moves, and of those that are only resampled more."""
+
+SHORT = (1, 2, 3, 4, 6, 8, 12, 16, 24)
+"""Periods that an error's model goes through, beside the longest."""
+
+
+@dataclass(eq=False)
+class Family:
+    """Configurations that differ in their period alone.
+
+    ``base`` has any period. ``time`` and ``error`` are fitted to few frames, maybe of a small
+    picture; ``scale`` is how many times larger the error was found to be when it was looked at.
+    ``haste``: how many times larger it is thought to be where the scene is played twice as fast.
+    """
+
+    group: ShaderGroup
+    value: Value
+    base: Configuration
+    time: TimeModel | None = None
+    error: ErrorModel | None = None
+    scale: float = 1.0
+    haste: float = 0.0
+
+    def __post_init__(self) -> None:
+        self.haste = self.haste or (MOVING_HASTE if self.value.changes else STILL_HASTE)
+
+    def at(self, period: int) -> Configuration:
+        """The configuration of a period."""
+        return self.base.with_refresh(period)
+
+    def share(self, period: int) -> float:
+        """The predicted time of a frame over the original's; 1 where nothing is known."""
+        return 1.0 if self.time is None else self.time.at(period)
+
+    def error_at(self, period: int) -> float:
+        """The predicted error at full size and usual speed; infinite where nothing is known."""
+        return float("inf") if self.error is None else self.scale * self.error.at(period)
+
+    def longest(self, limit: float, periods: Sequence[int]) -> int | None:
+        """The longest period whose predicted error is within a limit at twice the speed, too."""
+        fitting = [one for one in periods if self.haste * self.error_at(one) <= limit]
+        return max(fitting, default=None)
+
+    def learn_error(self, ages: Mapping[int, float], metric: Metric) -> None:
+        """Fit the error to what payloads of some ages came to."""
+        longest = max(ages) + 1
+        # At the full rate what is recomputed is the original's.
+        first = 1 if self.base.divisor > 1 else 2
+        periods = [period for period in (*SHORT, longest) if first <= period <= longest]
+        errors = [error_of_period(ages, period, metric) for period in periods]
+        self.error = fit_error(periods, errors)
+
+    def learn_time(self, shares: Mapping[int, float], mu: float) -> None:
+        """Fit the time to shares of the original's at some periods."""
+        self.time = fit_time(list(shares), list(shares.values()), mu)
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What is cached in a frame: at most one family of each group, with its period."""
+
+    parts: tuple[tuple[Family, int], ...]
+
+    @property
+    def share(self) -> float:
+        """The predicted time of a frame over the original's: groups save beside each other."""
+        return 1.0 - sum(1.0 - family.share(period) for family, period in self.parts)
+
+    @property
+    def error(self) -> float:
+        """The predicted error: errors of groups lie in different pixels, so squares add."""
+        return _together(family.error_at(period) for family, period in self.parts)
+
+    @property
+    def hasty_error(self) -> float:
+        """The same where the scene is played twice as fast."""
+        return _together(family.haste * family.error_at(period) for family, period in self.parts)
+
+    @property
+    def configurations(self) -> Iterator[tuple[ShaderGroup, Configuration]]:
+        """What each group has."""
+        return ((family.group, family.at(period)) for family, period in self.parts)
+
+    @property
+    def key(self) -> frozenset[Configuration]:
+        """Equal for plans that draw the same."""
+        return frozenset(chosen for _, chosen in self.configurations)
+
+    def assignment(self, scene: Scene) -> Assignment:
+        """What draws each object."""
+        return assignment_of(scene, dict(self.configurations))
+
+
+def _together(errors: Iterable[float]) -> float:
+    return float(sum(error**2 for error in errors) ** 0.5)

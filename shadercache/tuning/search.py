@@ -1,0 +1,216 @@
+"""The search: a survey of values, then of choices for the best, then a front at full size.
+
+Successive halving: each stage draws fewer things more closely. What was drawn before tells what
+comes next, by its models.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import chain, product, zip_longest
+
+from shadercache.caching.configuration import Configuration
+from shadercache.measure.metrics.frame_errors import Metric
+from shadercache.tuning.bound import Bound
+from shadercache.tuning.families import Family, Plan
+from shadercache.tuning.groups import ShaderGroup
+from shadercache.tuning.laboratory import Drawn, Run
+from shadercache.tuning.trials import IN_TURNS, Trials
+from shadercache.tuning.values import Pool, Value, sets_of
+
+SURVEY, REFINE, FINAL = 0.35, 0.62, 0.82
+"""Shares of the budget by which each stage ends; the rest is for the proof."""
+
+PROMISING = 3
+"""Values of a group that are tried with other choices, for each bound."""
+
+HELPFUL = 4
+"""Choices that are tried with more than one value."""
+
+FINALISTS = 3
+"""Plans that are drawn at full size, for each bound."""
+
+LEAST_FRAMES = 32
+COMPARED = 16
+"""Of a run at full size the last frames are compared, when payloads are as old as they get."""
+
+OPTIONS = 8
+"""Of a group so many points of its front are combined with those of other groups."""
+
+
+@dataclass(frozen=True)
+class Finalist:
+    """A plan that was drawn at full size."""
+
+    plan: Plan
+    drawn: Drawn
+
+    @property
+    def pays(self) -> bool:
+        """Is it surely faster than the original?"""
+        return self.drawn.speedup.low > 1.0
+
+
+class Search:
+    """Looks for the fastest plan within each bound."""
+
+    def __init__(
+        self, trials: Trials, pools: Mapping[ShaderGroup, Pool], bounds: Sequence[Bound]
+    ) -> None:
+        self.trials, self.pools, self.bounds = trials, pools, tuple(bounds)
+        self.finalists: list[Finalist] = []
+        self._periods = trials.setting.space.periods
+
+    def run(self) -> list[Finalist]:
+        """All stages. Raises :class:`DiagnosticError` where nothing can be drawn at full size."""
+        self.survey()
+        self.refine()
+        # Twice: what the first round finds at full size corrects what the second one chooses.
+        for _ in range(2):
+            self.finish()
+        return self.finalists
+
+    def survey(self) -> None:
+        """Every value with the first choices, until a share of the budget is spent."""
+        batches = (
+            _batches([self.trials.first_of(group, value) for value in pool.values])
+            for group, pool in self.pools.items()
+        )
+        # The best of each group first.
+        for batch in chain.from_iterable(zip_longest(*batches)):
+            if batch and not self.trials.fit(batch, SURVEY):
+                return
+
+    def refine(self) -> None:
+        """Other choices, for the values that promise most; then sets, and what is like the best."""
+        for group, pool in self.pools.items():
+            promising = self._promising(group)
+            if not promising:
+                continue
+            best, *others = promising
+            self._fit(self._around(best))
+            kinds = self._helpful(best)
+            self._fit(self._across(best, kinds))
+            kinds = self._helpful(best)
+            self._fit(self.trials.family(other, kind) for kind in kinds for other in others)
+            self._fit(self._sets(group, pool))
+            self._fit(
+                self.trials.family(self.trials.first_of(group, value), kind)
+                for value in pool.alike.get(best.value, ())[:IN_TURNS]
+                for kind in kinds[:1]
+            )
+
+    def finish(self) -> None:
+        """Draw the plans that promise most at full size, and correct the models by that."""
+        drawn = {one.plan.key for one in self.finalists}
+        wanted: dict[object, Plan] = {}
+        for bound in self.bounds:
+            fresh = [one for one in self.plans(bound.error) if one.key not in drawn]
+            wanted |= {plan.key: plan for plan in fresh[:FINALISTS]}
+        plans = list(wanted.values())
+        while plans and not self.trials.budget.fits(FINAL, (self._whole(plans), len(plans), 0)):
+            plans.pop()
+        # One at least, whatever the budget: nothing is chosen that was not drawn.
+        if not plans and not self.finalists:
+            plans = list(wanted.values())[:1]
+        if not plans:
+            return
+        spent = self.trials.budget.spent / self.trials.budget.seconds
+        self.trials.tell(spent, f"{len(plans)} at full size")
+        for plan, result in zip(plans, self.trials.draw(plans, self._whole(plans)), strict=True):
+            self.finalists.append(Finalist(plan, result))
+            self.trials.correct(plan, result)
+
+    def _whole(self, plans: Sequence[Plan]) -> Run:
+        return whole_run(plans, self.trials.setting.metric)
+
+    def plans(self, limit: float) -> list[Plan]:
+        """Those whose predicted error is within a limit at twice the speed too, the fastest
+        first."""
+        fronts = [[None, *self._front(group, limit)] for group in self.pools]
+        plans = (Plan(tuple(part for part in parts if part)) for parts in product(*fronts))
+        fitting = [
+            plan for plan in plans if plan.parts and plan.hasty_error <= limit and _fits(plan)
+        ]
+        return sorted(fitting, key=lambda plan: plan.share)
+
+    def _front(self, group: ShaderGroup, limit: float) -> list[tuple[Family, int]]:
+        """The longest period of each family within the limit; for several groups shorter ones
+        too, since they share it."""
+        found: list[tuple[Family, int]] = []
+        for part in (1.0, 0.6) if len(self.pools) > 1 else (1.0,):
+            for family in self.trials.families:
+                period = family.longest(part * limit, self._periods)
+                if family.group is group and period is not None and family.share(period) < 1.0:
+                    found.append((family, period))
+        ranked = sorted(dict.fromkeys(found), key=lambda one: one[0].share(one[1]))
+        return ranked[: OPTIONS if len(self.pools) > 1 else None]
+
+    def _promising(self, group: ShaderGroup) -> list[Family]:
+        """First families of the values that are fastest within any bound, the best first."""
+        found: dict[Value, Family] = {}
+        firsts = [family for family in self.trials.families if family.group is group]
+        for bound in self.bounds:
+            ranked = sorted(firsts, key=lambda one: self._best_share(one, bound))
+            # What is nearest to a bound that none reaches may reach it with other choices.
+            near = min(firsts, key=lambda one: one.error_at(self._periods[0]), default=None)
+            for family in (*ranked[:PROMISING], *([near] if near else [])):
+                found.setdefault(family.value, family)
+        return list(found.values())
+
+    def _best_share(self, family: Family, bound: Bound) -> float:
+        period = family.longest(bound.error, self._periods)
+        return 1.0 if period is None else family.share(period)
+
+    def _around(self, first: Family) -> Iterator[Family]:
+        kinds = self.trials.setting.space.around(first.base, not first.value.changes)
+        return (self.trials.family(first, kind) for kind in kinds)
+
+    def _helpful(self, best: Family) -> list[Configuration]:
+        """The choices that make the best value faster within any bound, those that do so most
+        first."""
+        same = [one for one in self.trials.families if one.value is best.value]
+        found: dict[Configuration, None] = {}
+        for bound in self.bounds:
+            least = self._best_share(best, bound)
+            better = [one for one in same if self._best_share(one, bound) < least]
+            for one in sorted(better, key=lambda one: self._best_share(one, bound)):
+                found.setdefault(one.base)
+        return list(found)[:HELPFUL]
+
+    def _across(self, best: Family, kinds: Sequence[Configuration]) -> Iterator[Family]:
+        """Two helpful choices together: each of a slot with each algorithm."""
+        algorithms = [kind.algorithm for kind in kinds if kind.algorithm != best.base.algorithm]
+        slots = [kind for kind in kinds if kind.algorithm == best.base.algorithm]
+        for kind in slots:
+            for name in dict.fromkeys(algorithms):
+                yield self.trials.family(best, replace(kind, algorithm=name))
+
+    def _sets(self, group: ShaderGroup, pool: Pool) -> Iterator[Family]:
+        values = sets_of(pool, group.analysis)
+        return (self.trials.first_of(group, value) for value in values)
+
+    def _fit(self, families: Iterable[Family]) -> None:
+        fresh = [family for family in families if not self.trials.known(family)]
+        for batch in _batches(fresh):
+            if not self.trials.fit(batch, REFINE):
+                return
+
+
+def whole_run(plans: Sequence[Plan], metric: Metric) -> Run:
+    """A run at full size that is longer than any payload gets old."""
+    oldest = max(period for plan in plans for _, period in plan.parts)
+    frames = max(LEAST_FRAMES, oldest + COMPARED)
+    return Run(frames, tuple(range(frames - COMPARED, frames)), metric)
+
+
+def _batches(families: Sequence[Family]) -> Iterator[list[Family]]:
+    """A few at a time."""
+    return (list(families[at : at + IN_TURNS]) for at in range(0, len(families), IN_TURNS))
+
+
+def _fits(plan: Plan) -> bool:
+    """Can its groups share a cache? They do where all but nodes and refresh is alike."""
+    kinds = {(one.algorithm, one.look_up, one.storage.format) for _, one in plan.configurations}
+    return len(kinds) < 2

@@ -1,0 +1,197 @@
+"""Families drawn and fitted: what the search knows, and what it has drawn to know it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from shadercache.caching.configuration import Assignment, Configuration
+from shadercache.diagnostics import DiagnosticError
+from shadercache.measure.metrics.frame_errors import Metric
+from shadercache.render.variant_runner import NEVER
+from shadercache.scene.description import Scene
+from shadercache.tuning.budget import Budget
+from shadercache.tuning.families import Family, Plan
+from shadercache.tuning.groups import ShaderGroup
+from shadercache.tuning.laboratory import Drawn, Measures, Run
+from shadercache.tuning.models import HitModel, fit_error, fit_hits
+from shadercache.tuning.space import BASE_PERIOD, Space, of_one_image
+from shadercache.tuning.values import Value
+
+AGES = (0, 1, 2, 3, 5, 8, 13)
+"""Ages whose errors are looked at: those of one run that refreshes nothing."""
+
+OFTEN = 2
+"""The period that is timed beside the one that refreshes nothing: misses in half of all pixels."""
+
+FRAMES = 6
+"""Of a run for times: hits and refreshes are spread evenly from the second frame on."""
+
+IN_TURNS = 4
+"""Families that take turns; more of them would drift apart in what they are compared with."""
+
+USUAL_MU = 0.95
+"""What is taken for mu where no hits could be counted."""
+
+Tell = Callable[[float, str], None]
+"""Called with the share of the budget that is spent, and what is being done."""
+
+
+@dataclass(frozen=True, slots=True)
+class Failed:
+    """What could not be drawn, and the diagnostic's words."""
+
+    configuration: Configuration
+    text: str
+    why: str
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """What all trials share. ``small``: is the small picture so much cheaper that errors are first
+    looked at there?"""
+
+    scene: Scene
+    space: Space
+    base: Configuration
+    metric: Metric
+    small: bool
+
+    @property
+    def look(self) -> Run:
+        """A run for the errors of ages. Flicker follows from the RMSE of these."""
+        metric: Metric = "flip" if self.metric == "flip" else "rmse"
+        return Run(AGES[-1] + 1, AGES, metric, self.small)
+
+
+@dataclass
+class Trials:
+    """The families of a scene. ``drawn``: every assignment there was."""
+
+    measures: Measures
+    setting: Setting
+    budget: Budget
+    tell: Tell
+    families: list[Family] = field(default_factory=list)
+    hits: dict[ShaderGroup, HitModel] = field(default_factory=dict)
+    failed: list[Failed] = field(default_factory=list)
+    drawn: set[Assignment] = field(default_factory=set)
+
+    def first_of(self, group: ShaderGroup, value: Value) -> Family:
+        """A family that a value is surveyed with; it is not drawn yet."""
+        return Family(group, value, _with(self.setting.space.first(self.setting.base), value))
+
+    def family(self, first: Family, kind: Configuration) -> Family:
+        """A family of the same value with other choices; what is known of its error is taken on."""
+        found = Family(first.group, first.value, _with(kind, first.value))
+        for known in self.families:
+            same = known.group is first.group and known.value is first.value
+            if same and known.error is not None and of_one_image(known.base, found.base):
+                found.error, found.scale, found.haste = known.error, known.scale, known.haste
+        return found
+
+    def known(self, family: Family) -> bool:
+        """Has the same been drawn, or tried?"""
+        drawn = {(one.group, one.base) for one in self.families}
+        failed = {one.configuration for one in self.failed}
+        return (family.group, family.base) in drawn or family.base in failed
+
+    def fit(self, families: Sequence[Family], until: float) -> bool:
+        """Draw and fit families, if that is likely to end before a share of the budget is spent.
+
+        False where it was not done. What the driver refuses or draws without numbers is kept among
+        the ``failed``.
+        """
+        fresh = [family for family in families if family.error is None]
+        look = (self.setting.look, len(fresh), len(fresh))
+        timed = 2 * len(families) - (0 if self.setting.small else len(fresh))
+        time = (Run(FRAMES), timed, len(families) - len(fresh))
+        if not self.budget.fits(until, *([look] if fresh else []), time):
+            return False
+        self.tell(self.budget.spent / self.budget.seconds, families[0].value.text)
+        try:
+            self._time(families, self._look(fresh))
+        except DiagnosticError as error:
+            if len(families) > 1:
+                done = [self.fit([family], until) for family in families]
+                return all(done)
+            [family] = families
+            self.failed.append(Failed(family.base, family.value.text, error.diagnostics[0].message))
+            return True
+        self.families += families
+        return True
+
+    def _look(self, families: Sequence[Family]) -> dict[Family, float]:
+        """Errors by age, and hit rates. At full size these runs tell the time of hits as well,
+        which is returned."""
+        if not families:
+            return {}
+        # Hits are counted once for a group: they hardly depend on what is cached.
+        run = replace(self.setting.look, hits=families[0].group not in self.hits)
+        results = self.draw([Plan(((family, NEVER),)) for family in families], run)
+        for family, drawn in zip(families, results, strict=True):
+            family.learn_error(dict(zip(AGES, drawn.errors, strict=True)), self.setting.metric)
+            if rates := drawn.hit_rates[1:]:
+                self.hits[family.group] = fit_hits([NEVER] * len(rates), rates)
+        shares = (drawn.share for drawn in results)
+        return {} if run.small else dict(zip(families, shares, strict=True))
+
+    def _time(self, families: Sequence[Family], hits: Mapping[Family, float]) -> None:
+        """Times of hits and misses; ``hits``: those that are known."""
+        wanted = [(one, NEVER) for one in families if one not in hits]
+        wanted += [(one, OFTEN) for one in families]
+        results = self.draw([Plan((one,)) for one in wanted], Run(FRAMES))
+        shares: dict[Family, dict[int, float]] = {
+            one: {NEVER: hits[one]} if one in hits else {} for one in families
+        }
+        for (family, period), drawn in zip(wanted, results, strict=True):
+            shares[family][period] = drawn.share
+        for family, by_period in shares.items():
+            known = self.hits.get(family.group)
+            family.learn_time(by_period, known.mu.value if known else USUAL_MU)
+
+    def correct(self, plan: Plan, drawn: Drawn) -> None:
+        """Scale the errors of a plan's families by what was found at full size."""
+        for family, period in plan.parts:
+            if plan.error > 0.0:
+                family.scale *= drawn.worst / plan.error
+            elif drawn.worst > 0.0:
+                # No age showed any error, so there is nothing to scale.
+                family.error, family.scale = fit_error([period], [drawn.worst]), 1.0
+            self._spread(family)
+
+    def correct_haste(self, plan: Plan, worst: float) -> None:
+        """The same by what was found at twice the speed."""
+        if plan.hasty_error > 0.0:
+            factor = worst / plan.hasty_error
+            for family, _ in plan.parts:
+                family.haste *= factor
+                self._spread(family)
+
+    def _spread(self, known: Family) -> None:
+        """What is known of a family's error is known of all that draw the same images."""
+        for family in self.families:
+            same = family.group is known.group and family.value is known.value
+            if same and of_one_image(known.base, family.base):
+                family.error, family.scale, family.haste = known.error, known.scale, known.haste
+
+    def draw(self, plans: Sequence[Plan], run: Run) -> list[Drawn]:
+        """Draw plans in turns; how long that takes is noted. Raises as ``Laboratory.draw``."""
+        assignments = [plan.assignment(self.setting.scene) for plan in plans]
+        seen = {_programs(one) for one in self.drawn}
+        fresh = len({_programs(one) for one in assignments} - seen)
+        began = self.budget.now()
+        results = self.measures.draw(assignments, run)
+        self.budget.note(run, len(plans), self.budget.now() - began, fresh)
+        self.drawn |= set(assignments)
+        return results
+
+
+def _programs(assignment: Assignment) -> frozenset[str]:
+    """What names the programs of an assignment."""
+    chosen = (one for _, one in assignment.objects if one is not None)
+    return frozenset(one.program_key for one in chosen)
+
+
+def _with(kind: Configuration, value: Value) -> Configuration:
+    return replace(kind.with_refresh(BASE_PERIOD), nodes=value.ids)
