@@ -64,8 +64,8 @@ class Caching:
 
     ``node`` (an id, or several joined by ``+``) is that of an object with shaders of its own.
     Unless it is ``on``, the original draws the object; unless it is ``allowed``, always. ``block``
-    goes before that of a run, ``period`` if it is shorter. ``mask`` is for the uniform of that role, an index of
-    :data:`REUSE`.
+    goes before that of a run, ``period`` if it is shorter. ``mask`` is for the uniform of that
+    role, an index of :data:`REUSE`.
     """
 
     on: bool = True
