@@ -8,7 +8,7 @@ from time import monotonic
 
 from shadercache.tuning.laboratory import Run
 
-COMPILING = 0.8
+COMPILING = 0.4
 """Seconds that a variant's programs are thought to take before any was compiled."""
 
 

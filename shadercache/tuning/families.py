@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from shadercache.caching.configuration import Assignment, Configuration
 from shadercache.measure.metrics.frame_errors import Metric
 from shadercache.scene.description import Scene
 from shadercache.tuning.age_errors import error_of_period
 from shadercache.tuning.groups import ShaderGroup, assignment_of
-from shadercache.tuning.models import ErrorModel, TimeModel, fit_error, fit_time
+from shadercache.tuning.models import ErrorModel, TimeModel, fit_error
 from shadercache.tuning.values import Value
 
 MOVING_HASTE, STILL_HASTE = 2.0, 1.2
@@ -45,6 +45,11 @@ class Family:
         """The configuration of a period."""
         return self.base.with_refresh(period)
 
+    @property
+    def kind(self) -> Configuration:
+        """The choices without the value."""
+        return replace(self.base, nodes=())
+
     def share(self, period: int) -> float:
         """The predicted time of a frame over the original's; 1 where nothing is known."""
         return 1.0 if self.time is None else self.time.at(period)
@@ -66,10 +71,6 @@ class Family:
         periods = [period for period in (*SHORT, longest) if first <= period <= longest]
         errors = [error_of_period(ages, period, metric) for period in periods]
         self.error = fit_error(periods, errors)
-
-    def learn_time(self, shares: Mapping[int, float], mu: float) -> None:
-        """Fit the time to shares of the original's at some periods."""
-        self.time = fit_time(list(shares), list(shares.values()), mu)
 
 
 @dataclass(frozen=True)

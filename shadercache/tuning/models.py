@@ -126,6 +126,15 @@ def fit_time(periods: Sequence[float], shares: Sequence[float], mu: float) -> Ti
     return TimeModel(hit, miss, mu, goodness)
 
 
+def time_of_hits(share: float, period: float, mu: float, miss: float) -> TimeModel:
+    """The model through one point, where the time of misses is known from elsewhere."""
+    rate = mu * (1.0 - 1.0 / period)
+    hit = max(0.0, (share - (1.0 - rate) * miss) / rate)
+    unknown = (-np.inf, np.inf)
+    exact = Goodness(1.0, 0.0, 1)
+    return TimeModel(Parameter(hit, *unknown), Parameter(miss, *unknown), mu, exact)
+
+
 def fit_error(periods: Sequence[float], errors: Sequence[float]) -> ErrorModel:
     """Fit the error's growth to errors at some periods.
 

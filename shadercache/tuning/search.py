@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import chain, product, zip_longest
+from itertools import product
 
 from shadercache.caching.configuration import Configuration
 from shadercache.measure.metrics.frame_errors import Metric
@@ -16,10 +16,11 @@ from shadercache.tuning.bound import Bound
 from shadercache.tuning.families import Family, Plan
 from shadercache.tuning.groups import ShaderGroup
 from shadercache.tuning.laboratory import Drawn, Run
+from shadercache.tuning.static_times import fit_static
 from shadercache.tuning.trials import IN_TURNS, Trials
 from shadercache.tuning.values import Pool, Value, sets_of
 
-SURVEY, REFINE, FINAL = 0.35, 0.62, 0.82
+SURVEY, REFINE, FINAL = 0.25, 0.5, 0.72
 """Shares of the budget by which each stage ends; the rest is for the proof."""
 
 PROMISING = 3
@@ -73,41 +74,50 @@ class Search:
 
     def survey(self) -> None:
         """Every value with the first choices, until a share of the budget is spent."""
-        batches = (
-            _batches([self.trials.first_of(group, value) for value in pool.values])
-            for group, pool in self.pools.items()
-        )
-        # The best of each group first.
-        for batch in chain.from_iterable(zip_longest(*batches)):
-            if batch and not self.trials.fit(batch, SURVEY):
-                return
+        left = {group: list(pool.values) for group, pool in self.pools.items()}
+        while any(left.values()):
+            # A batch of each group in turns, the best first.
+            for group, values in left.items():
+                batch = [self.trials.first_of(group, value) for value in values[:IN_TURNS]]
+                if batch and not self.trials.fit(batch, SURVEY):
+                    return
+                left[group] = self._worth(group, values[IN_TURNS:])
+
+    def _worth(self, group: ShaderGroup, values: Sequence[Value]) -> list[Value]:
+        """Those that would be faster than the original, by what others took."""
+        drawn = [one for one in self.trials.families if one.group is group and one.time]
+        times = [one.time for one in drawn if one.time]
+        known = fit_static([one.value.share for one in drawn], times)
+        longest = self._periods[-1]
+        return [
+            value
+            for value in values
+            if known is None or known.at(value.share, longest) < 1.0 + known.residual
+        ]
 
     def refine(self) -> None:
-        """Other choices, for the values that promise most; then sets, and what is like the best."""
+        """Other choices, for the values that promise most; sets; what is like the best; and last
+        what makes the best choice a little better."""
         for group, pool in self.pools.items():
             promising = self._promising(group)
             if not promising:
                 continue
             best, *others = promising
-            self._fit(self._around(best))
-            kinds = self._helpful(best)
-            self._fit(self._across(best, kinds))
+            self._fit(self._main(best))
+            self._fit(self._across(best, self._helpful(best)))
             kinds = self._helpful(best)
             self._fit(self.trials.family(other, kind) for kind in kinds for other in others)
             self._fit(self._sets(group, pool))
-            self._fit(
-                self.trials.family(self.trials.first_of(group, value), kind)
-                for value in pool.alike.get(best.value, ())[:IN_TURNS]
-                for kind in kinds[:1]
-            )
+            self._fit(self._like(best, pool, kinds))
+            self._fit(self._minor(group))
 
     def finish(self) -> None:
         """Draw the plans that promise most at full size, and correct the models by that."""
         drawn = {one.plan.key for one in self.finalists}
         wanted: dict[object, Plan] = {}
         for bound in self.bounds:
-            fresh = [one for one in self.plans(bound.error) if one.key not in drawn]
-            wanted |= {plan.key: plan for plan in fresh[:FINALISTS]}
+            fresh = [one for one in self.plans(bound.error) if one.key not in drawn][:FINALISTS]
+            wanted |= {plan.key: plan for plan in (*fresh, *self._adapting(bound))}
         plans = list(wanted.values())
         while plans and not self.trials.budget.fits(FINAL, (self._whole(plans), len(plans), 0)):
             plans.pop()
@@ -121,6 +131,23 @@ class Search:
         for plan, result in zip(plans, self.trials.draw(plans, self._whole(plans)), strict=True):
             self.finalists.append(Finalist(plan, result))
             self.trials.correct(plan, result)
+
+    def _adapting(self, bound: Bound) -> Iterator[Plan]:
+        """What was fastest at full size, refreshed where it changes. No run that refreshes nothing
+        tells the error of that, so it is drawn as it is."""
+        pays = [one for one in self.finalists if one.pays and one.drawn.worst <= bound.error]
+        best = max(pays, key=lambda one: one.drawn.speedup.median, default=None)
+        if best is None or len(best.plan.parts) > 1:
+            return
+        [(family, _)] = best.plan.parts
+        if family.base.refresh.adaptive:
+            return
+        for kind in self.trials.setting.space.adapting(family.base):
+            adaptive = self.trials.family(family, kind)
+            if not self.trials.known(adaptive):
+                adaptive.time, adaptive.error = family.time, family.error
+                self.trials.families.append(adaptive)
+                yield Plan(((adaptive, self._periods[-1]),))
 
     def _whole(self, plans: Sequence[Plan]) -> Run:
         return whole_run(plans, self.trials.setting.metric)
@@ -163,9 +190,23 @@ class Search:
         period = family.longest(bound.error, self._periods)
         return 1.0 if period is None else family.share(period)
 
-    def _around(self, first: Family) -> Iterator[Family]:
-        kinds = self.trials.setting.space.around(first.base, not first.value.changes)
+    def _main(self, first: Family) -> Iterator[Family]:
+        kinds = self.trials.setting.space.main(first.base, not first.value.changes)
         return (self.trials.family(first, kind) for kind in kinds)
+
+    def _like(self, best: Family, pool: Pool, kinds: Sequence[Configuration]) -> Iterator[Family]:
+        """Values that share most of the best one's work, by the choice that helped it most."""
+        for value in pool.alike.get(best.value, ())[:IN_TURNS]:
+            first = self.trials.first_of(best.group, value)
+            yield self.trials.family(first, kinds[0]) if kinds else first
+
+    def _minor(self, group: ShaderGroup) -> Iterator[Family]:
+        for bound in self.bounds:
+            for plan in self.plans(bound.error)[:1]:
+                for family, _ in plan.parts:
+                    if family.group is group:
+                        kinds = self.trials.setting.space.minor(family.base)
+                        yield from (self.trials.family(family, kind) for kind in kinds)
 
     def _helpful(self, best: Family) -> list[Configuration]:
         """The choices that make the best value faster within any bound, those that do so most
@@ -201,7 +242,7 @@ class Search:
 def whole_run(plans: Sequence[Plan], metric: Metric) -> Run:
     """A run at full size that is longer than any payload gets old."""
     oldest = max(period for plan in plans for _, period in plan.parts)
-    frames = max(LEAST_FRAMES, oldest + COMPARED)
+    frames = max(LEAST_FRAMES, oldest + COMPARED // 2)
     return Run(frames, tuple(range(frames - COMPARED, frames)), metric)
 
 

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import TypeAlias
+
+import numpy as np
 
 from shadercache.caching.configuration import Assignment, Configuration
 from shadercache.diagnostics import DiagnosticError
@@ -14,7 +17,7 @@ from shadercache.tuning.budget import Budget
 from shadercache.tuning.families import Family, Plan
 from shadercache.tuning.groups import ShaderGroup
 from shadercache.tuning.laboratory import Drawn, Measures, Run
-from shadercache.tuning.models import HitModel, fit_error, fit_hits
+from shadercache.tuning.models import HitModel, fit_error, fit_hits, fit_time, time_of_hits
 from shadercache.tuning.space import BASE_PERIOD, Space, of_one_image
 from shadercache.tuning.values import Value
 
@@ -32,6 +35,9 @@ IN_TURNS = 4
 
 USUAL_MU = 0.95
 """What is taken for mu where no hits could be counted."""
+
+Point: TypeAlias = tuple[Family, int]
+"""A family, and a period of it."""
 
 Tell = Callable[[float, str], None]
 """Called with the share of the budget that is spent, and what is being done."""
@@ -103,14 +109,16 @@ class Trials:
         the ``failed``.
         """
         fresh = [family for family in families if family.error is None]
-        look = (self.setting.look, len(fresh), len(fresh))
-        timed = 2 * len(families) - (0 if self.setting.small else len(fresh))
-        time = (Run(FRAMES), timed, len(families) - len(fresh))
-        if not self.budget.fits(until, *([look] if fresh else []), time):
+        time = self._timed(families, fresh)
+        runs = [
+            (self.setting.look, len(fresh), len(fresh)),
+            (Run(FRAMES), len(time), len(families) - len(fresh)),
+        ]
+        if not self.budget.fits(until, *(run for run in runs if run[1])):
             return False
         self.tell(self.budget.spent / self.budget.seconds, families[0].value.text)
         try:
-            self._time(families, self._look(fresh))
+            self._time(time, self._look(fresh))
         except DiagnosticError as error:
             if len(families) > 1:
                 done = [self.fit([family], until) for family in families]
@@ -136,19 +144,49 @@ class Trials:
         shares = (drawn.share for drawn in results)
         return {} if run.small else dict(zip(families, shares, strict=True))
 
-    def _time(self, families: Sequence[Family], hits: Mapping[Family, float]) -> None:
+    def _timed(self, families: Sequence[Family], fresh: Sequence[Family]) -> list[Point]:
+        """What is drawn for times alone: hits, where no look tells them, and misses, where they are
+        not known of a family of the same kind."""
+        looked = () if self.setting.small else fresh
+        hits = [(one, NEVER) for one in families if one not in looked]
+        kinds = {one.kind: one for one in families if self._miss(one) is None}
+        return [*hits, *((one, OFTEN) for one in kinds.values())]
+
+    def _miss(self, family: Family) -> float | None:
+        """The time of misses of families of the same kind: it hardly depends on the value."""
+        known = [
+            one.time.miss.value
+            for one in self.families
+            if one.group is family.group and one.kind == family.kind and one.time is not None
+        ]
+        return float(np.median(known)) if known else None
+
+    def _time(self, points: Sequence[Point], hits: Mapping[Family, float]) -> None:
         """Times of hits and misses; ``hits``: those that are known."""
-        wanted = [(one, NEVER) for one in families if one not in hits]
-        wanted += [(one, OFTEN) for one in families]
-        results = self.draw([Plan((one,)) for one in wanted], Run(FRAMES))
-        shares: dict[Family, dict[int, float]] = {
-            one: {NEVER: hits[one]} if one in hits else {} for one in families
-        }
-        for (family, period), drawn in zip(wanted, results, strict=True):
-            shares[family][period] = drawn.share
-        for family, by_period in shares.items():
-            known = self.hits.get(family.group)
-            family.learn_time(by_period, known.mu.value if known else USUAL_MU)
+        plans = [Plan((point,)) for point in points]
+        results = self.draw(plans, Run(FRAMES)) if plans else []
+        shares = {(family, NEVER): share for family, share in hits.items()}
+        shares |= {point: drawn.share for point, drawn in zip(points, results, strict=True)}
+        # Those whose misses were drawn first: others of their kind take them over.
+        families = dict.fromkeys(family for family, _ in (*points[::-1], *shares))
+        misses: dict[object, float] = {}
+        for family in families:
+            group = self.hits.get(family.group)
+            mu = group.mu.value if group else USUAL_MU
+            own = {
+                period: shares[family, period]
+                for period in (OFTEN, NEVER)
+                if (family, period) in shares
+            }
+            if len(own) == 2:
+                family.time = fit_time(list(own), list(own.values()), mu)
+                misses[family.kind] = family.time.miss.value
+        for family in families:
+            if family.time is None:
+                miss = misses.get(family.kind) or self._miss(family)
+                assert miss is not None
+                mu = self.hits[family.group].mu.value if family.group in self.hits else USUAL_MU
+                family.time = time_of_hits(shares[family, NEVER], NEVER, mu, miss)
 
     def correct(self, plan: Plan, drawn: Drawn) -> None:
         """Scale the errors of a plan's families by what was found at full size."""

@@ -20,6 +20,10 @@ from shadercache.tuning.space import Space
 from shadercache.tuning.trials import AGES, FRAMES, Setting, Tell, Trials
 from shadercache.tuning.values import Pool, changing_inputs, pool_of
 
+SMALL = 0.35
+"""A small picture is looked at where it takes less than this share of the time: full size tells
+times as well."""
+
 
 @dataclass(frozen=True, slots=True)
 class Question:
@@ -71,8 +75,8 @@ class Tuning:
         with each other."""
         space = self.question.space
         kinds = len(space.algorithms) + len(space.rates) - 1
-        slots = (space.periods, space.filters, space.blocks, space.formats, space.adaptive)
-        each = kinds * prod(len(choices) for choices in slots)
+        slots = (space.periods, space.filters, space.blocks, space.formats)
+        each = kinds * prod(map(len, slots)) * (1 + len(space.adaptive))
         counts = (len(group.analysis.savings.ranked()) for group in self.pools)
         return prod(1 + count * each for count in counts) - 1
 
@@ -99,7 +103,7 @@ def tune(
     pools = {group: pool_of(group, scene) for group in groups}
     with Laboratory(world, linker) as laboratory:
         original = laboratory.originals(small=False)
-        small = laboratory.originals(small=True) < 0.5 * original
+        small = laboratory.originals(small=True) < SMALL * original
         base = configured(scene, question.base, None)
         setting = Setting(scene, question.space, base, question.bounds[0].metric, small)
         trials = Trials(laboratory, setting, budget, tell)
