@@ -32,27 +32,43 @@ const choice = {
   },
 };
 
-// What takes long is done later, one after another, so that the page shows what it has meanwhile.
-const waiting = new Set();
-let running = false;
-
-// A set: a plot that several listeners ask for is drawn once.
-function soon(task) {
-  if (!waiting.size && !running) setTimeout(nextTask);
-  waiting.add(task);
+function speedText(row) {
+  const [middle, low, high] = row.speedup.map((value) => value.toFixed(2));
+  return `${middle}× [${low}–${high}]`;
 }
 
-async function nextTask() {
-  const [task] = waiting;
-  // Taken out before it runs: who asks for it meanwhile has something newer to show.
-  waiting.delete(task);
-  running = true;
-  await task();
-  running = false;
-  if (waiting.size) setTimeout(nextTask);
-  // The first time only: whoever opens the page by a script waits for this mark.
-  else document.documentElement.dataset.drawn ||= String(Math.round(performance.now()));
+// How a configuration works, without what it caches.
+function wayText(row) {
+  if (row.kind === "peer") return "instead of caching";
+  const settings = row.settings ? `, ${row.settings}` : "";
+  return `${row.algorithm}, Δn\u00a0${row.period}, k\u00a0${row.block}${settings}`;
 }
+
+// The label of a payload is an id where it has no name; its text says more then.
+function labelText(row, group) {
+  const node = row.node == null ? null : group.nodes[row.node];
+  return node && node.ids.includes(row.label) ? node.text : row.label;
+}
+
+function errorWords(row) {
+  const told = Object.entries(page.metrics).filter(([name]) => row.errors[name] != null);
+  return [told.map(([name, words]) => `${words} ${errorText(row.errors[name])}`).join(", ")];
+}
+
+// What is said of a row where its point is pointed at.
+function rowCard(at) {
+  const row = choice.group.rows[at], uri = page.pictures[row.thumbnail];
+  return [
+    ...(uri ? [make("img", { src: uri, alt: "" })] : []),
+    make("b", {}, short(labelText(row, choice.group), 90)),
+    make("p", {}, wayText(row)),
+    make("p", {}, make("strong", {}, speedText(row)), ` as fast, ${percent(row.time[0])} of the time`),
+    make("p", {}, ...errorWords(row)),
+    ...(row.hits == null ? [] : [make("p", {}, `hits ${percent(row.hits)}`)]),
+  ];
+}
+pointing.card = rowCard;
+pointing.choose = (at) => choice.chooseRow(at);
 
 // Rows with a result, each with its place in the group.
 function measuredRows(group) {

@@ -194,7 +194,7 @@ function drawCurves() {
     xaxis: timeAxis({ range: [0, farthest] }),
     yaxis: errorAxis(page.metrics[metric], limits),
     shapes: [upright(100, "", "solid", color("faint")).shape],
-    annotations: placeLabels(place, { farthest, limits }, ends.slice(0, 10), crowd, []),
+    annotations: placeLabels(place, timeAndError(farthest, limits), ends.slice(0, 10), crowd, []),
   }));
 }
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import shlex
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -16,15 +16,13 @@ import numpy as np
 
 from shadercache.caching.algorithms import algorithm
 from shadercache.caching.configuration import Configuration
-from shadercache.caching.settings import written_settings
 from shadercache.measure.metrics.perceived import Perceived
 from shadercache.paths import data_path
+from shadercache.report.parts.words import settings_in_words
 from shadercache.sweep.row import PayloadEntry, Row, SceneEntry, TrialResult
 
 BINS = 24
 """Steps of the histograms of frame times."""
-
-_PLAIN = written_settings(Configuration())
 
 
 def page_row(row: Row, node: int | None) -> dict[str, Any]:
@@ -59,17 +57,6 @@ def page_node(payload: PayloadEntry) -> dict[str, Any]:
         "staticRatio": _rounded(payload.static_ratio),
         "equal": payload.equal,
     }
-
-
-def settings_in_words(chosen: Configuration) -> Iterator[str]:
-    """What of a cache differs from the default, as the command line has it."""
-    if chosen.storage.format != Configuration().storage.format:
-        yield f"format={chosen.storage.format}"
-    if chosen.payload_rate != Configuration().payload_rate:
-        yield f"rate={chosen.payload_rate}"
-    for word, value in written_settings(chosen).items():
-        if value != _PLAIN[word]:
-            yield f"{word}={value}"
 
 
 def scene_in_words(scene: SceneEntry) -> str:

@@ -8,11 +8,16 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
-from shadercache.caching.algorithms import NAMES, algorithm
+from shadercache.caching.algorithms import NAMES
 from shadercache.diagnostics import shortened
 from shadercache.report.page.page_group import SMALL_ERROR, Measured, PageGroup
+from shadercache.report.parts.words import (
+    algorithm_in_words,
+    capital,
+    error_in_words,
+    listed,
+)
 
-_NUMBERS = ("no passes", "one pass", "two passes", "three passes", "four passes")
 _KINDS = {
     "refused": "the compiler refuses",
     "rejected": "the driver does not take",
@@ -39,7 +44,7 @@ def variant_in_words(one: Measured) -> str:
     """Such as "`albedo` in two passes, refreshed every 32 frames"."""
     if one.row.configuration is None:
         return one.row.label
-    words = _in_words(one.row.configuration["algorithm"])
+    words = algorithm_in_words(one.row.configuration["algorithm"])
     period = one.row.configuration["refresh"]["period"]
     often = "in every frame" if period == 1 else f"every {period} frames"
     return f"`{_cached(one)}` in {words}, refreshed {often}"
@@ -58,11 +63,6 @@ def speed_in_words(one: Measured) -> str:
     return f"{ratio.median:.2f}× as fast [{ratio.low:.2f}–{ratio.high:.2f}] at an RMSE of {error}"
 
 
-def error_in_words(error: float) -> str:
-    """An error between 0 and 1 with two significant digits and without the nought."""
-    return "0" if error == 0.0 else f"{error:.2g}".removeprefix("0")
-
-
 def _best(group: PageGroup) -> Iterator[str]:
     best = group.best
     if best is None:
@@ -72,7 +72,7 @@ def _best(group: PageGroup) -> Iterator[str]:
     small = sum(one.result.image.rmse <= SMALL_ERROR for one in group.variants)
     if small and best.result.times.ratio.median > 1.0:
         yield (
-            f"*{_capital(variant_in_words(best))}, is {speed_in_words(best)}*: "
+            f"*{capital(variant_in_words(best))}, is {speed_in_words(best)}*: "
             f"the fastest of {small} variants whose error stays below {limit}, "
             f"of {len(group.variants)} in all."
         )
@@ -111,7 +111,7 @@ def _against_peers(group: PageGroup) -> Iterator[str]:
     least = error_in_words(front[0].result.image.rmse)
     yield (
         f"Beside what one would do instead: below an RMSE of {least} nothing is faster than the "
-        f"original, then the fastest is {_listed(parts)}."
+        f"original, then the fastest is {listed(parts)}."
     )
 
 
@@ -131,8 +131,8 @@ def _by_algorithm(group: PageGroup) -> Iterator[str]:
     several = [same for same in labels.values() if len({one.algorithm for one in same}) > 1]
     if len(several) > 1:
         won = Counter(min(same, key=lambda one: one.time).algorithm for same in several)
-        counts = [f"{_in_words(name)} for {won[name]}" for name in NAMES if won[name]]
-        yield f"Of {len(several)} cached values the fastest is {_listed(counts)}."
+        counts = [f"{algorithm_in_words(name)} for {won[name]}" for name in NAMES if won[name]]
+        yield f"Of {len(several)} cached values the fastest is {listed(counts)}."
     # A variant is slower only where its whole interval says so.
     slower = sum(one.result.times.ratio.high < 1.0 for one in group.variants)
     if slower:
@@ -155,20 +155,4 @@ def _failures(group: PageGroup) -> Iterator[str]:
         parts = [f"{number} that {_KINDS[kind]}" for kind, number in counts.most_common()]
         total = counts.total()
         are = "is 1 configuration" if total == 1 else f"are {total} configurations"
-        yield f"There {are} without a result: {_listed(parts)}."
-
-
-def _listed(parts: Sequence[str]) -> str:
-    if len(parts) < 2:
-        return "".join(parts)
-    return f"{', '.join(parts[:-1])} and {parts[-1]}"
-
-
-def _capital(text: str) -> str:
-    return text[:1].upper() + text[1:]
-
-
-def _in_words(name: str) -> str:
-    record = algorithm(name)
-    words = _NUMBERS[len(record.passes)]
-    return words if record.usual else f"{words} ({name})"
+        yield f"There {are} without a result: {listed(parts)}."

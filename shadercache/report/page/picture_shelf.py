@@ -1,15 +1,12 @@
 """The pictures of the page: each once, as a data URI, as many as there is room for.
 
-What is compared by eye is kept with loss, or ten pictures of noise would fill the page.
-The difference is computed before that; outcomes and ages are kept as they are.
+The difference is computed before anything is lost; outcomes and ages are kept as they are.
 """
 
 from __future__ import annotations
 
 import io
-from base64 import b64encode
 from collections.abc import Callable, Iterator
-from typing import Any
 
 import numpy as np
 from PIL import Image
@@ -18,6 +15,7 @@ from shadercache.caching.configuration import Configuration
 from shadercache.measure.shown import Picture
 from shadercache.report.debug_views import age_colors
 from shadercache.report.images import difference_picture, hit_picture
+from shadercache.report.parts.picture_uris import exact_uri, lossy_uri
 from shadercache.sweep.pictures import AGE_STEPS
 from shadercache.sweep.row import Row
 
@@ -25,7 +23,6 @@ THUMBNAIL = 120
 """Longest edge of what is shown under the pointer, pixels."""
 
 _KEPT = ("original", "cached", "outcomes", "ages", "payload")
-_QUALITY = 92
 _THUMBNAIL_QUALITY = 60
 
 
@@ -55,7 +52,7 @@ class PictureShelf:
             if image is None:
                 return None
             image.thumbnail((THUMBNAIL, THUMBNAIL))
-            self.uris[name] = _uri(image, quality=_THUMBNAIL_QUALITY)
+            self.uris[name] = lossy_uri(image, _THUMBNAIL_QUALITY)
             self._room -= len(self.uris[name])
         return name
 
@@ -81,9 +78,9 @@ class PictureShelf:
         for kind in ("original", "cached", "payload"):
             if kind in pictures:
                 name = f"{kind}-{hashes[kind]}"
-                yield kind, name, self.uris.get(name) or _uri(pictures[kind], quality=_QUALITY)
+                yield kind, name, self.uris.get(name) or lossy_uri(pictures[kind])
         for layer, hashed, pixels in _layers(row, pictures):
-            yield layer, f"{layer}-{hashed}", _uri(Image.fromarray(pixels), lossless=True)
+            yield layer, f"{layer}-{hashed}", exact_uri(Image.fromarray(pixels))
 
     def _opened(self, hashed: str) -> Image.Image | None:
         try:
@@ -112,9 +109,3 @@ def _layers(row: Row, pictures: dict[str, Image.Image]) -> Iterator[tuple[str, s
         ages = np.asarray(pictures["ages"], np.float32) / np.float32(AGE_STEPS)
         period = Configuration.from_json(row.configuration).refresh.period
         yield "age", hashes["ages"], age_colors(ages, mask != 0, period)
-
-
-def _uri(image: Image.Image, **how: Any) -> str:
-    buffer = io.BytesIO()
-    image.convert("RGB").save(buffer, "WEBP", **how)
-    return f"data:image/webp;base64,{b64encode(buffer.getvalue()).decode()}"

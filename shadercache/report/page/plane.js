@@ -42,7 +42,7 @@ function drawPlane() {
   const labels = planeLabels(group, metric, peers, width, height, place.clientWidth < NARROW);
   const crowd = known.map(({ row }) => ({ x: width(row), y: height(row) }));
   const strokes = [...stairs(traces), [100, 10 ** limits[0], 100, 10 ** limits[1]]];
-  const notes = placeLabels(place, { farthest, limits }, labels, crowd, strokes);
+  const notes = placeLabels(place, timeAndError(farthest, limits), labels, crowd, strokes);
   draw(place, traces, layout(place, {
     xaxis: axis(`time of a frame, % of the original’s ${ms(group.original[0])}`, { range: [0, farthest] }),
     yaxis: errorAxis(`${page.metrics[metric]} (less is better)`, limits),

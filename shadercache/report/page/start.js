@@ -43,7 +43,7 @@ function redraw() {
 
 setUpGroups();
 setUpPickers();
-setUpViewer();
+setUpPictures();
 setUpDetails();
 setUpPlane();
 setUpFigures();

@@ -17,13 +17,13 @@ from PIL import Image
 
 from shadercache.diagnostics import InputError, UsageError
 from shadercache.paths import data_path
-from shadercache.report.page import page_file as making
 from shadercache.report.page.page_contents import fill_pictures
 from shadercache.report.page.page_data import PageSource, page_data
 from shadercache.report.page.page_file import page_file
 from shadercache.report.page.page_group import page_groups
 from shadercache.report.page.page_rows import histogram, repeat_command, scene_in_words
 from shadercache.report.page.picture_shelf import PictureShelf
+from shadercache.report.parts import page_parts as making
 from shadercache.sweep.row import Row
 
 from .conftest import Sourced

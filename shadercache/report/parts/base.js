@@ -1,5 +1,5 @@
 "use strict";
-// What every part of the page uses: elements, words for numbers, the theme.
+// What every part of a page uses: elements, words for numbers, the theme.
 
 const page = JSON.parse(document.getElementById("data").textContent);
 
@@ -46,24 +46,6 @@ function errorText(error) {
 
 function ms(value) {
   return value == null ? "–" : `${value < 10 ? value.toFixed(2) : value.toFixed(1)} ms`;
-}
-
-function speedText(row) {
-  const [middle, low, high] = row.speedup.map((value) => value.toFixed(2));
-  return `${middle}× [${low}–${high}]`;
-}
-
-// How a configuration works, without what it caches.
-function wayText(row) {
-  if (row.kind === "peer") return "instead of caching";
-  const settings = row.settings ? `, ${row.settings}` : "";
-  return `${row.algorithm}, Δn\u00a0${row.period}, k\u00a0${row.block}${settings}`;
-}
-
-// The label of a payload is an id where it has no name; its text says more then.
-function labelText(row, group) {
-  const node = row.node == null ? null : group.nodes[row.node];
-  return node && node.ids.includes(row.label) ? node.text : row.label;
 }
 
 function short(text, length) {

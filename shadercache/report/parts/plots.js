@@ -53,6 +53,10 @@ const PLOT_OPTIONS = {
   displaylogo: false, modeBarButtons: [["toImage", "zoom2d", "pan2d", "zoomIn2d", "zoomOut2d", "resetScale2d"]],
 };
 
+// What a page says of a point that is pointed at, as elements, and does where one is clicked: both
+// are called with the point's customdata.
+const pointing = { card: () => [], choose: () => {} };
+
 // Draws into a place, with a key above it, and sees to it that the card tells of what is pointed at.
 function draw(place, traces, shape) {
   place.classList.remove("empty");
@@ -69,7 +73,7 @@ function draw(place, traces, shape) {
   place.on("plotly_unhover", hideCard);
   place.on("plotly_click", (event) => {
     const at = event.points[0].customdata;
-    if (at != null) choice.chooseRow(at);
+    if (at != null) pointing.choose(at);
   });
 }
 
@@ -166,13 +170,22 @@ function overlap(a, b) {
     Math.max(0, Math.min(a[3], b[3]) - Math.max(a[1], b[1]));
 }
 
-// Annotations for points {x, y, text, color} in a plot over time and error. Each stands where it
-// covers the least of the points in `crowd` and of the upright and level `strokes` [x, y, x, y];
-// one that would cover much is left out.
-function placeLabels(place, { farthest, limits }, points, crowd, strokes) {
+// Where a plot with a linear axis of time and a logarithmic one of errors has a point: from 0 to 1
+// from the left, and from below; and what Plotly takes for an annotation's place.
+function timeAndError(farthest, limits) {
+  return {
+    across: (x) => x / farthest, along: (y) => (Math.log10(y) - limits[0]) / (limits[1] - limits[0]),
+    noteX: (x) => x, noteY: Math.log10,
+  };
+}
+
+// Annotations for points {x, y, text, color} in a plot with such axes. Each stands where it covers
+// the least of the points in `crowd` and of the upright and level `strokes` [x, y, x, y]; one that
+// would cover much is left out.
+function placeLabels(place, axes, points, crowd, strokes) {
   const width = place.clientWidth - MARGIN.l - MARGIN.r, height = place.clientHeight - MARGIN.t - MARGIN.b;
-  const right = (x) => (x / farthest) * width;
-  const down = (y) => (1 - (Math.log10(y) - limits[0]) / (limits[1] - limits[0])) * height;
+  const right = (x) => axes.across(x) * width;
+  const down = (y) => (1 - axes.along(y)) * height;
   const obstacles = crowd.map(({ x, y }) => [right(x) - 5, down(y) - 5, right(x) + 5, down(y) + 5]);
   for (const [x, y, toX, toY] of strokes) {
     const across = [right(x), right(toX)].sort((a, b) => a - b), along = [down(y), down(toY)].sort((a, b) => a - b);
@@ -196,7 +209,7 @@ function placeLabels(place, { farthest, limits }, points, crowd, strokes) {
     taken.push(best.area);
     const [dx, dy, xanchor, yanchor] = best.side;
     notes.push({
-      x: point.x, y: Math.log10(point.y), text: escaped(point.text), showarrow: false, xshift: dx, yshift: dy,
+      x: axes.noteX(point.x), y: axes.noteY(point.y), text: escaped(point.text), showarrow: false, xshift: dx, yshift: dy,
       xanchor, yanchor, borderpad: 0, font: { size: 12, color: point.color }, bgcolor: veil(),
     });
   }
@@ -220,16 +233,8 @@ let shownAt = 0;
 function showCard(at, event) {
   if (at == null) return;
   shownAt = scrollY;
-  const row = choice.group.rows[at], card = byId("card");
-  const uri = page.pictures[row.thumbnail];
-  card.replaceChildren(
-    ...(uri ? [make("img", { src: uri, alt: "" })] : []),
-    make("b", {}, short(labelText(row, choice.group), 90)),
-    make("p", {}, wayText(row)),
-    make("p", {}, make("strong", {}, speedText(row)), ` as fast, ${percent(row.time[0])} of the time`),
-    make("p", {}, ...errorWords(row)),
-    ...(row.hits == null ? [] : [make("p", {}, `hits ${percent(row.hits)}`)]),
-  );
+  const card = byId("card");
+  card.replaceChildren(...pointing.card(at));
   card.hidden = false;
   const touch = event && event.touches && event.touches[0];
   const { clientX, clientY } = touch || event || { clientX: 0, clientY: 0 };
@@ -237,11 +242,6 @@ function showCard(at, event) {
   const right = clientX + 18 + width < innerWidth ? clientX + 18 : clientX - 18 - width;
   card.style.left = `${Math.max(8, Math.min(right, innerWidth - width - 8))}px`;
   card.style.top = `${Math.max(8, Math.min(clientY - height / 2, innerHeight - height - 8))}px`;
-}
-
-function errorWords(row) {
-  const told = Object.entries(page.metrics).filter(([name]) => row.errors[name] != null);
-  return [told.map(([name, words]) => `${words} ${errorText(row.errors[name])}`).join(", ")];
 }
 
 function hideCard() {
