@@ -58,9 +58,26 @@ class Family:
         """The predicted error at full size and usual speed; infinite where nothing is known."""
         return float("inf") if self.error is None else self.scale * self.error.at(period)
 
+    def hasty_error_at(self, period: int) -> float:
+        """The same at twice the speed, where what is reused errs more, and what is not does not."""
+        fresh = self.error_at(1)
+        return fresh + self.haste * (self.error_at(period) - fresh)
+
+    def correct_haste(self, period: int, worst: float) -> None:
+        """Learn from the error that was found at twice the speed."""
+        fresh, usual = self.error_at(1), self.error_at(period)
+        if usual > fresh:
+            self.haste = max(0.0, worst - fresh) / (usual - fresh)
+
     def longest(self, limit: float, periods: Sequence[int]) -> int | None:
-        """The longest period whose predicted error is within a limit at twice the speed, too."""
-        fitting = [one for one in periods if self.haste * self.error_at(one) <= limit]
+        """The longest period whose predicted error is within a limit at twice the speed, too.
+
+        Payloads at a fraction of the rate save something even where all of them are recomputed. Of
+        what adapts nothing is known but at the period that it was drawn with, the longest.
+        """
+        some = (1, *periods) if self.base.divisor > 1 else periods
+        tried = some[-1:] if self.base.refresh.adaptive else some
+        fitting = [one for one in tried if self.hasty_error_at(one) <= limit]
         return max(fitting, default=None)
 
     def learn_error(self, ages: Mapping[int, float], metric: Metric) -> None:
@@ -92,7 +109,7 @@ class Plan:
     @property
     def hasty_error(self) -> float:
         """The same where the scene is played twice as fast."""
-        return _together(family.haste * family.error_at(period) for family, period in self.parts)
+        return _together(family.hasty_error_at(period) for family, period in self.parts)
 
     @property
     def configurations(self) -> Iterator[tuple[ShaderGroup, Configuration]]:

@@ -135,6 +135,11 @@ def time_of_hits(share: float, period: float, mu: float, miss: float) -> TimeMod
     return TimeModel(Parameter(hit, *unknown), Parameter(miss, *unknown), mu, exact)
 
 
+def constant_time(share: float) -> TimeModel:
+    """The model of what takes that share whatever the period is."""
+    return time_of_hits(share, np.inf, 1.0, share)
+
+
 def fit_error(periods: Sequence[float], errors: Sequence[float]) -> ErrorModel:
     """Fit the error's growth to errors at some periods.
 

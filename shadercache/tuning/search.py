@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import product
+from itertools import groupby, product
 
 from shadercache.caching.configuration import Configuration
 from shadercache.measure.metrics.frame_errors import Metric
@@ -103,8 +103,11 @@ class Search:
             if not promising:
                 continue
             best, *others = promising
-            self._fit(self._main(best))
-            self._fit(self._across(best, self._helpful(best)))
+            # What would save most may keep a bound at a fraction of the rate.
+            dearest = min(self._firsts(group), key=lambda one: one.share(self._periods[-1]))
+            for lead in dict.fromkeys((best, dearest)):
+                self._fit(self._main(lead))
+                self._fit(self._across(lead, self._helpful(lead)))
             kinds = self._helpful(best)
             self._fit(self.trials.family(other, kind) for kind in kinds for other in others)
             self._fit(self._sets(group, pool))
@@ -177,7 +180,7 @@ class Search:
     def _promising(self, group: ShaderGroup) -> list[Family]:
         """First families of the values that are fastest within any bound, the best first."""
         found: dict[Value, Family] = {}
-        firsts = [family for family in self.trials.families if family.group is group]
+        firsts = self._firsts(group)
         for bound in self.bounds:
             ranked = sorted(firsts, key=lambda one: self._best_share(one, bound))
             # What is nearest to a bound that none reaches may reach it with other choices.
@@ -185,6 +188,12 @@ class Search:
             for family in (*ranked[:PROMISING], *([near] if near else [])):
                 found.setdefault(family.value, family)
         return list(found.values())
+
+    def _firsts(self, group: ShaderGroup) -> list[Family]:
+        """One family of each value that was drawn, by the first choices."""
+        first = self.trials.setting.space.first(self.trials.setting.base)
+        own = [family for family in self.trials.families if family.group is group]
+        return [family for family in own if family.kind == first]
 
     def _best_share(self, family: Family, bound: Bound) -> float:
         period = family.longest(bound.error, self._periods)
@@ -247,8 +256,11 @@ def whole_run(plans: Sequence[Plan], metric: Metric) -> Run:
 
 
 def _batches(families: Sequence[Family]) -> Iterator[list[Family]]:
-    """A few at a time."""
-    return (list(families[at : at + IN_TURNS]) for at in range(0, len(families), IN_TURNS))
+    """A few at a time, those at a fraction of the rate apart."""
+    for _, same in groupby(families, key=lambda family: family.base.divisor > 1):
+        several = list(same)
+        for at in range(0, len(several), IN_TURNS):
+            yield several[at : at + IN_TURNS]
 
 
 def _fits(plan: Plan) -> bool:

@@ -6,8 +6,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
-import numpy as np
-
 from shadercache.caching.configuration import Assignment, Configuration
 from shadercache.diagnostics import DiagnosticError
 from shadercache.measure.metrics.frame_errors import Metric
@@ -17,7 +15,14 @@ from shadercache.tuning.budget import Budget
 from shadercache.tuning.families import Family, Plan
 from shadercache.tuning.groups import ShaderGroup
 from shadercache.tuning.laboratory import Drawn, Measures, Run
-from shadercache.tuning.models import HitModel, fit_error, fit_hits, fit_time, time_of_hits
+from shadercache.tuning.models import (
+    HitModel,
+    constant_time,
+    fit_error,
+    fit_hits,
+    fit_time,
+    time_of_hits,
+)
 from shadercache.tuning.space import BASE_PERIOD, Space, of_one_image
 from shadercache.tuning.values import Value
 
@@ -82,6 +87,7 @@ class Trials:
     hits: dict[ShaderGroup, HitModel] = field(default_factory=dict)
     failed: list[Failed] = field(default_factory=list)
     drawn: set[Assignment] = field(default_factory=set)
+    _misses: dict[tuple[ShaderGroup, Configuration], float] = field(default_factory=dict)
 
     def first_of(self, group: ShaderGroup, value: Value) -> Family:
         """A family that a value is surveyed with; it is not drawn yet."""
@@ -106,12 +112,12 @@ class Trials:
         """Draw and fit families, if that is likely to end before a share of the budget is spent.
 
         False where it was not done. What the driver refuses or draws without numbers is kept among
-        the ``failed``.
+        the ``failed``. ``families``: all at the full rate, or all at a fraction of it.
         """
         fresh = [family for family in families if family.error is None]
         time = self._timed(families, fresh)
         runs = [
-            (self.setting.look, len(fresh), len(fresh)),
+            (self._look_run(families), len(fresh), len(fresh)),
             (Run(FRAMES), len(time), len(families) - len(fresh)),
         ]
         if not self.budget.fits(until, *(run for run in runs if run[1])):
@@ -135,7 +141,7 @@ class Trials:
         if not families:
             return {}
         # Hits are counted once for a group: they hardly depend on what is cached.
-        run = replace(self.setting.look, hits=families[0].group not in self.hits)
+        run = replace(self._look_run(families), hits=families[0].group not in self.hits)
         results = self.draw([Plan(((family, NEVER),)) for family in families], run)
         for family, drawn in zip(families, results, strict=True):
             family.learn_error(dict(zip(AGES, drawn.errors, strict=True)), self.setting.metric)
@@ -144,49 +150,42 @@ class Trials:
         shares = (drawn.share for drawn in results)
         return {} if run.small else dict(zip(families, shares, strict=True))
 
+    def _look_run(self, families: Sequence[Family]) -> Run:
+        look = self.setting.look
+        # A smaller picture is no measure of what fewer payloads do to this one.
+        return replace(look, small=look.small and families[0].base.divisor == 1)
+
     def _timed(self, families: Sequence[Family], fresh: Sequence[Family]) -> list[Point]:
         """What is drawn for times alone: hits, where no look tells them, and misses, where they are
-        not known of a family of the same kind."""
-        looked = () if self.setting.small else fresh
+        not known of a family of the same kind. At a fraction of the rate misses depend on the
+        value, and there are frames of nothing else."""
+        looked = () if self._look_run(families).small else fresh
         hits = [(one, NEVER) for one in families if one not in looked]
-        kinds = {one.kind: one for one in families if self._miss(one) is None}
-        return [*hits, *((one, OFTEN) for one in kinds.values())]
-
-    def _miss(self, family: Family) -> float | None:
-        """The time of misses of families of the same kind: it hardly depends on the value."""
-        known = [
-            one.time.miss.value
-            for one in self.families
-            if one.group is family.group and one.kind == family.kind and one.time is not None
+        slow = [(one, 1) for one in families if one.base.divisor > 1]
+        full = [
+            one
+            for one in families
+            if one.base.divisor == 1 and (one.group, one.kind) not in self._misses
         ]
-        return float(np.median(known)) if known else None
+        kinds = {one.kind: one for one in full}
+        return [*hits, *slow, *((one, OFTEN) for one in kinds.values())]
 
     def _time(self, points: Sequence[Point], hits: Mapping[Family, float]) -> None:
         """Times of hits and misses; ``hits``: those that are known."""
         plans = [Plan((point,)) for point in points]
         results = self.draw(plans, Run(FRAMES)) if plans else []
-        shares = {(family, NEVER): share for family, share in hits.items()}
-        shares |= {point: drawn.share for point, drawn in zip(points, results, strict=True)}
-        # Those whose misses were drawn first: others of their kind take them over.
-        families = dict.fromkeys(family for family, _ in (*points[::-1], *shares))
-        misses: dict[object, float] = {}
-        for family in families:
-            group = self.hits.get(family.group)
-            mu = group.mu.value if group else USUAL_MU
-            own = {
-                period: shares[family, period]
-                for period in (OFTEN, NEVER)
-                if (family, period) in shares
-            }
-            if len(own) == 2:
+        shares: dict[Family, dict[int, float]] = {one: {NEVER: hits[one]} for one in hits}
+        for (family, period), drawn in zip(points, results, strict=True):
+            shares.setdefault(family, {})[period] = drawn.share
+        # Those with two points first: the others take the time of misses from them.
+        for family, own in sorted(shares.items(), key=lambda entry: -len(entry[1])):
+            mu = self.hits[family.group].mu.value if family.group in self.hits else USUAL_MU
+            if len(own) > 1:
                 family.time = fit_time(list(own), list(own.values()), mu)
-                misses[family.kind] = family.time.miss.value
-        for family in families:
-            if family.time is None:
-                miss = misses.get(family.kind) or self._miss(family)
-                assert miss is not None
-                mu = self.hits[family.group].mu.value if family.group in self.hits else USUAL_MU
-                family.time = time_of_hits(shares[family, NEVER], NEVER, mu, miss)
+                self._misses[family.group, family.kind] = family.time.miss.value
+            else:
+                miss = self._misses[family.group, family.kind]
+                family.time = time_of_hits(own[NEVER], NEVER, mu, miss)
 
     def correct(self, plan: Plan, drawn: Drawn) -> None:
         """Scale the errors of a plan's families by what was found at full size."""
@@ -196,15 +195,18 @@ class Trials:
             elif drawn.worst > 0.0:
                 # No age showed any error, so there is nothing to scale.
                 family.error, family.scale = fit_error([period], [drawn.worst]), 1.0
+            if family.base.refresh.adaptive:
+                family.time = constant_time(drawn.share)
             self._spread(family)
 
     def correct_haste(self, plan: Plan, worst: float) -> None:
         """The same by what was found at twice the speed."""
-        if plan.hasty_error > 0.0:
-            factor = worst / plan.hasty_error
-            for family, _ in plan.parts:
-                family.haste *= factor
-                self._spread(family)
+        expected = plan.hasty_error
+        for family, period in plan.parts:
+            # Of several, each has its part in what was found.
+            part = family.hasty_error_at(period) / expected if expected > 0.0 else 1.0
+            family.correct_haste(period, part * worst)
+            self._spread(family)
 
     def _spread(self, known: Family) -> None:
         """What is known of a family's error is known of all that draw the same images."""
