@@ -15,7 +15,7 @@ from shadercache.tuning.search import Search, whole_run
 ROUNDS = 5
 """How often other plans are tried: safer ones, or bolder ones where there is room below a bound."""
 
-FASTER = 0.98
+FASTER = 0.99
 """Beside a plan that holds another is tried if it is expected to take less than this share of its
 time."""
 

@@ -206,14 +206,17 @@ class Trials:
             # Of several, each has its part in what was found.
             part = family.hasty_error_at(period) / expected if expected > 0.0 else 1.0
             family.correct_haste(period, part * worst)
-            self._spread(family)
+            # How a value changes with speed is much the same however it is stored.
+            for one in self.families:
+                if one.group is family.group and one.value is family.value:
+                    one.haste = family.haste
 
     def _spread(self, known: Family) -> None:
         """What is known of a family's error is known of all that draw the same images."""
         for family in self.families:
             same = family.group is known.group and family.value is known.value
             if same and of_one_image(known.base, family.base):
-                family.error, family.scale, family.haste = known.error, known.scale, known.haste
+                family.error, family.scale = known.error, known.scale
 
     def draw(self, plans: Sequence[Plan], run: Run) -> list[Drawn]:
         """Draw plans in turns; how long that takes is noted. Raises as ``Laboratory.draw``."""
