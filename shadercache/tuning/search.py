@@ -78,10 +78,13 @@ class Search:
         while any(left.values()):
             # A batch of each group in turns, the best first.
             for group, values in left.items():
-                batch = [self.trials.first_of(group, value) for value in values[:IN_TURNS]]
-                if batch and not self.trials.fit(batch, SURVEY):
+                # The first is drawn in any case: without it there is nothing to say.
+                turns = IN_TURNS if self.trials.families else 1
+                until = SURVEY if self.trials.families else 1.0
+                batch = [self.trials.first_of(group, value) for value in values[:turns]]
+                if batch and not self.trials.fit(batch, until):
                     return
-                left[group] = self._worth(group, values[IN_TURNS:])
+                left[group] = self._worth(group, values[turns:])
 
     def _worth(self, group: ShaderGroup, values: Sequence[Value]) -> list[Value]:
         """Those that would be faster than the original, by what others took."""

@@ -146,7 +146,8 @@ def _why(search: Search, proof: Proof, bound: Bound) -> str:
             else ("there is no value to cache: the shader computes nothing that may be reused")
         )
     if not trials.families:
-        return f"no variant could be drawn: {trials.failed[0].why}"
+        why = trials.failed[0].why if trials.failed else "the budget was spent before"
+        return f"no variant could be drawn: {why}"
     faster = [one for one in trials.families if one.share(max(trials.setting.space.periods)) < 1.0]
     if not faster:
         best = min(trials.families, key=lambda one: one.share(max(trials.setting.space.periods)))
