@@ -25,7 +25,7 @@ from shadercache.tuning.budget import Budget
 from shadercache.tuning.laboratory import Drawn, Run
 from shadercache.tuning.proof import Proof
 from shadercache.tuning.search import Search
-from shadercache.tuning.trials import AGES, Setting, Trials
+from shadercache.tuning.trials import AGES, Trials, TrialSetting
 from shadercache.tuning.values import pool_of
 
 BOUNDS = (0.0025, 0.005, 0.01, 0.02)
@@ -97,7 +97,7 @@ def _compared(name: str, path: Path) -> tuple[list[tuple[str, ...]], bool]:
         for period, one in row.get("periods", {}).items()
     }
     grid = Grid.of(name)
-    setting = Setting(grid.linker.scene, SPACE, grid.base, "rmse", False)
+    setting = TrialSetting(grid.linker.scene, SPACE, grid.base, "rmse", False)
     trials = Trials(recorded, setting, Budget(SECONDS), lambda spent, what: None)
     pools = {grid.group: pool_of(grid.group, grid.linker.scene)}
     search = Search(trials, pools, [Bound("rmse", limit) for limit in BOUNDS])

@@ -24,11 +24,11 @@ from shadercache.paths import data_path
 from shadercache.render.render_scene import RenderScene
 from shadercache.tuning.bound import Bound
 from shadercache.tuning.budget import Budget
+from shadercache.tuning.choose import TuneQuestion, Tuning, tune
 from shadercache.tuning.laboratory import Drawn, Laboratory
 from shadercache.tuning.proof import Proven
 from shadercache.tuning.result import to_json, told
 from shadercache.tuning.search import whole_run
-from shadercache.tuning.tune import Question, Tuning, tune
 
 BOUNDS = (0.0025, 0.005, 0.01, 0.02)
 SPEEDS = (1, 2)
@@ -50,7 +50,7 @@ def main() -> None:
 def _checked(name: str, size: int, seconds: float) -> list[tuple[str, ...]]:
     budget = Budget(seconds)
     linker = Linker(*open_scene(Path(data_path("corpus", name, "scene.toml"))))
-    question = Question(tuple(Bound("rmse", limit) for limit in BOUNDS), seconds)
+    question = TuneQuestion(tuple(Bound("rmse", limit) for limit in BOUNDS), seconds)
     with (
         open_context() as gpu,
         progress(name, 1000) as advance,

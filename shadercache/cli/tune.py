@@ -16,7 +16,7 @@ from shadercache.measure.metrics.frame_errors import Metric
 
 if TYPE_CHECKING:
     from shadercache.tuning.bound import Bound
-    from shadercache.tuning.tune import Answer, Tuning
+    from shadercache.tuning.choose import Answer, Tuning
 
 SMALL = options.PictureOptions(size="512")
 _SECONDS = re.compile(r"(\d+(?:\.\d+)?)\s*(s|m|min)?")
@@ -50,11 +50,11 @@ def command(
     from shadercache.linking.linker import Linker
     from shadercache.measure.result_files import environment
     from shadercache.tuning.budget import Budget
+    from shadercache.tuning.choose import TuneQuestion, tune
     from shadercache.tuning.result import to_json
-    from shadercache.tuning.tune import Question, tune
 
     clock = Budget(parse_seconds(budget))
-    question = Question(parse_bounds(max_error, metric), clock.seconds)
+    question = TuneQuestion(parse_bounds(max_error, metric), clock.seconds)
     linker = Linker(*source.open())
     with opened(linker, picture, linker.scene.name) as (world, tell):
         found = tune(

@@ -15,9 +15,9 @@ from shadercache.foreign_files import read_text
 from shadercache.front.read_options import ReadOptions
 from shadercache.linking.made_scene import made_scene
 from shadercache.scene.camera import uniform_values
-from shadercache.scene.description import Scene, SceneObject, View, load_scene
+from shadercache.scene.description import Scene, SceneObject, View, load_scene, recorded
 from shadercache.scene.object_inputs import Inputs, with_aliases
-from shadercache.scene.recording import Recording, recorded
+from shadercache.scene.recording import Recording
 from shadercache.source import Source
 
 FULL_SCREEN = "--mapping screen"

@@ -28,7 +28,7 @@ from shadercache.scene.motion import (
     read_motion,
 )
 from shadercache.scene.object_inputs import Inputs, read_changes, read_inputs, read_names
-from shadercache.scene.recording import Recording, read_recording, recorded
+from shadercache.scene.recording import Recording, causes_of, check_objects, read_recording
 from shadercache.scene.toml_reader import Table, is_numbers, read_toml
 
 REUSE = ("on", "miss", "off")
@@ -223,6 +223,39 @@ def load_scene(path: Path) -> Scene:
     recording = top.table("recording").file("file") if top.has("recording") else None
     top.finish()
     return scene if recording is None else recorded(scene, read_recording(recording))
+
+
+def recorded(scene: Scene, recording: Recording) -> Scene:
+    """The scene with the recording's values for the uniforms that it names.
+
+    The path is as long as the recording, and cut where that is. Nothing that has recorded values is
+    left out for lying outside of the picture: where it is, the scene does not know.
+
+    Raises:
+        InputError: SC551 for an object that the scene does not have. Names of uniforms are checked
+            where shaders are linked.
+    """
+    check_objects(recording, scene.name, [part.name for part in scene.parts])
+
+    def played(part: SceneObject, name: str | None) -> SceneObject:
+        tracks = recording.of(None) | (recording.of(name) if name else {})
+        return replace(
+            part,
+            inputs=Inputs(animated=tracks).over(part.inputs),
+            motion=replace(part.motion, frames=recording.frames),
+            bounds=None if tracks else part.bounds,
+        )
+
+    path = replace(scene.view.camera_path, recorded_cuts=recording.cuts)
+    return replace(
+        scene,
+        # Objects have what is common from here as well, but for what is said of one alone.
+        common=played(scene.common, None if scene.objects else scene.common.name),
+        objects=tuple(played(part, part.name) for part in scene.objects),
+        view=replace(scene.view, camera_path=path),
+        changes={**causes_of(recording), **scene.changes},
+        recording=recording,
+    )
 
 
 def _objects(top: Table, common: SceneObject, nodes: Mapping[str, str]) -> tuple[SceneObject, ...]:

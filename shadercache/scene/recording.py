@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from shadercache.diagnostics import Diagnostic, InputError, input_error
-from shadercache.scene.object_inputs import Inputs, Track, with_aliases
+from shadercache.scene.object_inputs import Track, with_aliases
 from shadercache.scene.recorded_files import RecordedFile, RecordedName, from_csv, from_toml
 from shadercache.scene.toml_reader import read_described
-
-if TYPE_CHECKING:
-    from shadercache.scene.description import Scene, SceneObject
 
 MAX_RECORDING = 64 << 20
 """Bytes of a recording."""
@@ -73,40 +69,7 @@ def read_recording(path: Path) -> Recording:
     return Recording(path, tracks, file.cuts, file)
 
 
-def recorded(scene: Scene, recording: Recording) -> Scene:
-    """The scene with the recording's values for the uniforms that it names.
-
-    The path is as long as the recording, and cut where that is. Nothing that has recorded values is
-    left out for lying outside of the picture: where it is, the scene does not know.
-
-    Raises:
-        InputError: SC551 for an object that the scene does not have. Names of uniforms are checked
-            where shaders are linked.
-    """
-    _check_objects(scene, recording)
-
-    def played(part: SceneObject, name: str | None) -> SceneObject:
-        tracks = recording.of(None) | (recording.of(name) if name else {})
-        return replace(
-            part,
-            inputs=Inputs(animated=tracks).over(part.inputs),
-            motion=replace(part.motion, frames=recording.frames),
-            bounds=None if tracks else part.bounds,
-        )
-
-    path = replace(scene.view.camera_path, recorded_cuts=recording.cuts)
-    return replace(
-        scene,
-        # Objects have what is common from here as well, but for what is said of one alone.
-        common=played(scene.common, None if scene.objects else scene.common.name),
-        objects=tuple(played(part, part.name) for part in scene.objects),
-        view=replace(scene.view, camera_path=path),
-        changes={**_causes(recording), **scene.changes},
-        recording=recording,
-    )
-
-
-def _causes(recording: Recording) -> dict[str, str]:
+def causes_of(recording: Recording) -> dict[str, str]:
     """Why what the scene says nothing of may change: matrices do with the view."""
     return {
         key.name: "view" if track.rows.shape[1] in _MATRICES else "time"
@@ -115,15 +78,16 @@ def _causes(recording: Recording) -> dict[str, str]:
     }
 
 
-def _check_objects(scene: Scene, recording: Recording) -> None:
-    known = [part.name for part in scene.parts]
+def check_objects(recording: Recording, scene: str, objects: Sequence[str]) -> None:
+    """Raise :class:`InputError` SC551 for objects that a scene of that name does not have."""
+    known = list(objects)
     problems: list[Diagnostic] = []
     for key in recording.tracks:
         if key.object is None or key.object in known:
             continue
         near = get_close_matches(key.object, known, 1)
         meant = f"did you mean {near[0]}? " if near else ""
-        message = f"{key}: the scene {scene.name} has no object {key.object!r}"
+        message = f"{key}: the scene {scene} has no object {key.object!r}"
         hint = f"{meant}it has: {', '.join(known)}"
         problems.append(recording.file.problem("SC551", key, message, hint))
         known.append(key.object)  # told once

@@ -27,7 +27,7 @@ _FASTEST, _SLOWEST = 10.0, 1e-4
 
 
 @dataclass(frozen=True, slots=True)
-class Parameter:
+class Estimate:
     """A fitted number with its 95 % interval; infinite where so few points cannot tell."""
 
     value: float
@@ -49,7 +49,7 @@ class Goodness:
 class HitModel:
     """``mu``: the share of what is seen that was seen in the frame before."""
 
-    mu: Parameter
+    mu: Estimate
     goodness: Goodness
 
     def at(self, period: float) -> float:
@@ -62,8 +62,8 @@ class TimeModel:
     """What a frame takes where all is found (``hit``) and where nothing is (``miss``), as shares of
     the original's."""
 
-    hit: Parameter
-    miss: Parameter
+    hit: Estimate
+    miss: Estimate
     mu: float
     goodness: Goodness
 
@@ -81,8 +81,8 @@ class ErrorModel:
     payloads at a fraction of the rate, whose error is above 0 even where all is recomputed.
     """
 
-    alpha: Parameter
-    rate: Parameter
+    alpha: Estimate
+    rate: Estimate
     goodness: Goodness
     points: tuple[tuple[float, float], ...]
     follows: bool
@@ -132,7 +132,7 @@ def time_of_hits(share: float, period: float, mu: float, miss: float) -> TimeMod
     hit = max(0.0, (share - (1.0 - rate) * miss) / rate)
     unknown = (-np.inf, np.inf)
     exact = Goodness(1.0, 0.0, 1)
-    return TimeModel(Parameter(hit, *unknown), Parameter(miss, *unknown), mu, exact)
+    return TimeModel(Estimate(hit, *unknown), Estimate(miss, *unknown), mu, exact)
 
 
 def constant_time(share: float) -> TimeModel:
@@ -150,17 +150,17 @@ def fit_error(periods: Sequence[float], errors: Sequence[float]) -> ErrorModel:
     points = tuple(sorted(zip(x.tolist(), y.tolist(), strict=True)))
     largest = float(y.max())
     if largest == 0.0:
-        nothing = Parameter(0.0, 0.0, 0.0)
+        nothing = Estimate(0.0, 0.0, 0.0)
         exact = Goodness(1.0, 0.0, len(y))
-        return ErrorModel(nothing, Parameter(0.0, 0.0, np.inf), exact, points, True)
+        return ErrorModel(nothing, Estimate(0.0, 0.0, np.inf), exact, points, True)
     if np.all(x == 1.0):
-        unknown = Parameter(largest, -np.inf, np.inf)
+        unknown = Estimate(largest, -np.inf, np.inf)
         return ErrorModel(unknown, unknown, Goodness(0.0, largest, len(y)), points, False)
     best = _decay(x - 1.0, y / largest)
     fitted = best[0] * -np.expm1(-best[1] * (x - 1.0))
     goodness = _goodness(y, fitted * largest, len(y))
     alpha, rate = _intervals(x - 1.0, y / largest, best)
-    alpha = Parameter(*(largest * one for one in (alpha.value, alpha.low, alpha.high)))
+    alpha = Estimate(*(largest * one for one in (alpha.value, alpha.low, alpha.high)))
     return ErrorModel(alpha, rate, goodness, points, goodness.residual <= CLOSE * largest)
 
 
@@ -171,7 +171,7 @@ def _points(periods: Sequence[float], values: Sequence[float]) -> tuple[Floats, 
     return x, y
 
 
-def _linear(matrix: Floats, y: Floats) -> tuple[list[Parameter], Goodness]:
+def _linear(matrix: Floats, y: Floats) -> tuple[list[Estimate], Goodness]:
     """Least squares with parameters of at least 0."""
     values = optimize.lsq_linear(matrix, y, bounds=(0.0, np.inf)).x
     free = len(y) - matrix.shape[1]
@@ -204,7 +204,7 @@ def _decay(x: Floats, y: Floats) -> tuple[float, float]:
     return alpha_of(rate), rate
 
 
-def _intervals(x: Floats, y: Floats, best: tuple[float, float]) -> tuple[Parameter, Parameter]:
+def _intervals(x: Floats, y: Floats, best: tuple[float, float]) -> tuple[Estimate, Estimate]:
     """What the curvature at the best fit says of alpha and rate."""
     alpha, rate = best
     gradient = np.stack([-np.expm1(-rate * x), alpha * x * np.exp(-rate * x)], axis=1)
@@ -214,13 +214,13 @@ def _intervals(x: Floats, y: Floats, best: tuple[float, float]) -> tuple[Paramet
     return one, other
 
 
-def _parameters(values: Floats, inverse: AnyFloats, left: Floats, free: int) -> list[Parameter]:
+def _parameters(values: Floats, inverse: AnyFloats, left: Floats, free: int) -> list[Estimate]:
     if free <= 0:
-        return [Parameter(float(value), -np.inf, np.inf) for value in values]
+        return [Estimate(float(value), -np.inf, np.inf) for value in values]
     deviation = np.sqrt(float(left @ left) / free * np.diag(inverse))
     reach = float(special.stdtrit(free, 0.975)) * deviation
     return [
-        Parameter(float(value), float(value - half), float(value + half))
+        Estimate(float(value), float(value - half), float(value + half))
         for value, half in zip(values, reach, strict=True)
     ]
 

@@ -8,11 +8,11 @@ from typing import Any
 from shadercache.caching.configuration import Configuration
 from shadercache.measure.result_files import plain
 from shadercache.scene.description import Scene
+from shadercache.tuning.choose import Answer, Tuning
 from shadercache.tuning.families import Family, Plan
 from shadercache.tuning.groups import ShaderGroup
 from shadercache.tuning.laboratory import Drawn
 from shadercache.tuning.proof import Proven
-from shadercache.tuning.tune import Answer, Tuning
 from shadercache.tuning.values import Value
 
 SCHEMA_VERSION = 1

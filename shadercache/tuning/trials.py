@@ -58,7 +58,7 @@ class Failed:
 
 
 @dataclass(frozen=True, slots=True)
-class Setting:
+class TrialSetting:
     """What all trials share. ``small``: is the small picture so much cheaper that errors are first
     looked at there?"""
 
@@ -80,7 +80,7 @@ class Trials:
     """The families of a scene. ``drawn``: every assignment there was."""
 
     measures: Measures
-    setting: Setting
+    setting: TrialSetting
     budget: Budget
     tell: Tell
     families: list[Family] = field(default_factory=list)

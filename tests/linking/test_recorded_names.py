@@ -12,8 +12,8 @@ from shadercache.linking.inputs_declared import uniform_sizes
 from shadercache.linking.linker import Linker
 from shadercache.linking.scene_shaders import analyse_scene, open_scene
 from shadercache.scene.camera import uniform_values
-from shadercache.scene.description import load_scene
-from shadercache.scene.recording import read_recording, recorded
+from shadercache.scene.description import load_scene, recorded
+from shadercache.scene.recording import read_recording
 from tests.recordings import dumped, write_csv
 
 

@@ -20,8 +20,8 @@ from shadercache.paths import data_path
 from shadercache.render.pass_runners import render_original
 from shadercache.render.render_scene import RenderScene
 from shadercache.render.variant_runner import VariantRunner
-from shadercache.scene.description import Scene, load_scene
-from shadercache.scene.recording import read_recording, recorded
+from shadercache.scene.description import Scene, load_scene, recorded
+from shadercache.scene.recording import read_recording
 from tests.altered import altered
 from tests.configured import configured
 from tests.recordings import Frames, dumped, write_csv, write_toml

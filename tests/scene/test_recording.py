@@ -10,8 +10,8 @@ import pytest
 from shadercache.diagnostics import InputError
 from shadercache.scene import recording as recordings
 from shadercache.scene.camera import uniform_values
-from shadercache.scene.description import Scene, load_scene
-from shadercache.scene.recording import Recording, read_recording, recorded
+from shadercache.scene.description import Scene, load_scene, recorded
+from shadercache.scene.recording import Recording, read_recording
 from tests.recordings import dumped, write_csv, write_toml
 
 SIZE = (64, 64)

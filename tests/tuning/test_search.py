@@ -18,7 +18,7 @@ from shadercache.tuning.groups import ShaderGroup, groups_of
 from shadercache.tuning.proof import Proof, Proven
 from shadercache.tuning.search import Search
 from shadercache.tuning.space import Space
-from shadercache.tuning.trials import Setting, Trials
+from shadercache.tuning.trials import Trials, TrialSetting
 from shadercache.tuning.values import Pool, pool_of
 from tests.tuning.physics import Computed, Physics
 
@@ -57,7 +57,7 @@ def truth(pools: dict[ShaderGroup, Pool]) -> dict[str, Physics]:
 def searched(
     linker: Linker, pools: dict[ShaderGroup, Pool], world: Computed, seconds: float = 150.0
 ) -> Search:
-    setting = Setting(linker.scene, SPACE, Configuration(), "rmse", False)
+    setting = TrialSetting(linker.scene, SPACE, Configuration(), "rmse", False)
     budget = Budget(seconds, world.clock)
     trials = Trials(world, setting, budget, lambda spent, what: None)
     return Search(trials, pools, [Bound("rmse", limit) for limit in BOUNDS])

@@ -17,7 +17,7 @@ from shadercache.tuning.laboratory import Laboratory
 from shadercache.tuning.proof import Proof, Proven
 from shadercache.tuning.search import LEAST_FRAMES, Finalist, Search
 from shadercache.tuning.space import Space
-from shadercache.tuning.trials import AGES, FRAMES, Setting, Tell, Trials
+from shadercache.tuning.trials import AGES, FRAMES, Tell, Trials, TrialSetting
 from shadercache.tuning.values import Pool, changing_inputs, pool_of
 
 SMALL = 0.35
@@ -26,7 +26,7 @@ times as well."""
 
 
 @dataclass(frozen=True, slots=True)
-class Question:
+class TuneQuestion:
     """What is asked: bounds of one metric, the time that tuning may take (seconds), and the choices
     that it has. ``base``: what all configurations have in common."""
 
@@ -55,7 +55,7 @@ class Tuning:
     """All that was found. ``combinations`` there are, of which ``drawn`` were drawn; ``original``:
     seconds of a frame; ``spent``: seconds that all of it took."""
 
-    question: Question
+    question: TuneQuestion
     pools: dict[ShaderGroup, Pool]
     trials: Trials
     finalists: tuple[Finalist, ...]
@@ -82,7 +82,7 @@ class Tuning:
 
 
 def tune(
-    world: RenderScene, linker: Linker, question: Question, budget: Budget, tell: Tell
+    world: RenderScene, linker: Linker, question: TuneQuestion, budget: Budget, tell: Tell
 ) -> Tuning:
     """The fastest configurations of a scene within bounds of its error.
 
@@ -105,7 +105,7 @@ def tune(
         original = laboratory.originals(small=False)
         small = laboratory.originals(small=True) < SMALL * original
         base = configured(scene, question.base, None)
-        setting = Setting(scene, question.space, base, question.bounds[0].metric, small)
+        setting = TrialSetting(scene, question.space, base, question.bounds[0].metric, small)
         trials = Trials(laboratory, setting, budget, tell)
         found: list[Finalist] = []
         search = Search(trials, pools, question.bounds)
