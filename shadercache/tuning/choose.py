@@ -125,7 +125,7 @@ def tune(
 
 def _require(budget: Budget, original: float) -> None:
     """Is there time for one value, at full size, and for its proof?"""
-    draws = 2 * (AGES[-1] + 1 + FRAMES) + 3 * 2 * LEAST_FRAMES
+    draws = 2 * (AGES[-1] + 1 + FRAMES) + 2 * 2 * LEAST_FRAMES
     needed = draws * original + COMPILING
     if budget.left() < needed:
         message = f"a budget of {budget.seconds:g} s is too short: one trial with its proof takes"
@@ -148,13 +148,26 @@ def _why(search: Search, proof: Proof, bound: Bound) -> str:
     if not trials.families:
         why = trials.failed[0].why if trials.failed else "the budget was spent before"
         return f"no variant could be drawn: {why}"
-    faster = [one for one in trials.families if one.share(max(trials.setting.space.periods)) < 1.0]
-    if not faster:
-        best = min(trials.families, key=lambda one: one.share(max(trials.setting.space.periods)))
-        share = best.share(max(trials.setting.space.periods))
+    return _why_none(search, proof, bound) + _untried(search)
+
+
+def _untried(search: Search) -> str:
+    count = sum(map(len, search.untried.values()))
+    if not count:
+        return ""
+    values = "value was" if count == 1 else "values were"
+    return f" ({count} {values} not tried for want of time: a longer --budget tries them)"
+
+
+def _why_none(search: Search, proof: Proof, bound: Bound) -> str:
+    """Why none of what was drawn was chosen."""
+    trials = search.trials
+    longest = trials.setting.space.periods[-1]
+    best = min(trials.families, key=lambda one: one.share(longest))
+    if best.share(longest) >= 1.0:
         return (
             f"no value is worth a look-up here: with the best, '{best.value.text}', a frame takes "
-            f"{share:.2f} times as long as the original's"
+            f"{best.share(longest):.2f} times as long as the original's"
         )
     tried = [one for one in proof.proven if one.speedup.low > 1.0]
     if tried:

@@ -32,8 +32,8 @@ HELPFUL = 4
 FINALISTS = 3
 """Plans that are drawn at full size, for each bound."""
 
-LEAST_FRAMES = 32
-COMPARED = 16
+LEAST_FRAMES = 24
+COMPARED = 12
 """Of a run at full size the last frames are compared, when payloads are as old as they get."""
 
 OPTIONS = 8
@@ -61,10 +61,11 @@ class Search:
     ) -> None:
         self.trials, self.pools, self.bounds = trials, pools, tuple(bounds)
         self.finalists: list[Finalist] = []
+        self.untried = {group: list(pool.values) for group, pool in pools.items()}
         self._periods = trials.setting.space.periods
 
     def run(self) -> list[Finalist]:
-        """All stages. Raises :class:`DiagnosticError` where nothing can be drawn at full size."""
+        """All stages; what there is no time for is left out, and ``untried`` has the values."""
         self.survey()
         self.refine()
         # Twice: what the first round finds at full size corrects what the second one chooses.
@@ -74,7 +75,7 @@ class Search:
 
     def survey(self) -> None:
         """Every value with the first choices, until a share of the budget is spent."""
-        left = {group: list(pool.values) for group, pool in self.pools.items()}
+        left = self.untried
         while any(left.values()):
             # A batch of each group in turns, the best first.
             for group, values in left.items():
@@ -127,9 +128,6 @@ class Search:
         plans = list(wanted.values())
         while plans and not self.trials.budget.fits(FINAL, (self._whole(plans), len(plans), 0)):
             plans.pop()
-        # One at least, whatever the budget: nothing is chosen that was not drawn.
-        if not plans and not self.finalists:
-            plans = list(wanted.values())[:1]
         if not plans:
             return
         spent = self.trials.budget.spent / self.trials.budget.seconds
