@@ -63,13 +63,13 @@ def _tuned(path: Path, asked: argparse.Namespace) -> tuple[tuple[str, ...], Any]
         ):
             question = TuneQuestion((bound,), asked.seconds)
             found = tune(world, linker, question, budget, lambda spent, what: None)
-            report = to_json(found, linker.scene, world.size, environment(gpu))
+            report = to_json(found, linker.scene, environment(gpu))
     except DiagnosticError as error:
         first = error.diagnostics[0]
         words = f"{first.message} [{first.code}]"
         return (name, "", "", "", words), {"refused": words}
     [answer] = found.answers
-    original = f"{found.original * 1e3:.1f}"
+    original = f"{found.drawings.original * 1e3:.1f}"
     if answer.chosen is None:
         return (name, original, "", "", f"leave it alone: {answer.why}"), report
     proven = answer.chosen

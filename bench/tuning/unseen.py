@@ -62,7 +62,7 @@ def _checked(name: str, size: int, seconds: float) -> list[tuple[str, ...]]:
         with Laboratory(world, linker) as laboratory:
             further = _further(laboratory, linker, chosen)
         where = environment(gpu)
-        report: dict[str, Any] = to_json(found, linker.scene, world.size, where)
+        report: dict[str, Any] = to_json(found, linker.scene, where)
     worst = {id(one): max(drawn.worst for drawn in seen) for one, seen in further}
     report["further"] = [
         None if answer.chosen is None else worst[id(answer.chosen)] for answer in found.answers

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -18,9 +19,28 @@ if TYPE_CHECKING:
     from shadercache.tuning.bound import Bound
     from shadercache.tuning.choose import Answer, Tuning
 
-SMALL = options.PictureOptions(size="512")
+AUTO, LARGEST = "auto", "512"
 _SECONDS = re.compile(r"(\d+(?:\.\d+)?)\s*(s|m|min)?")
 _BESIDE = 60
+
+
+@dataclass(frozen=True, kw_only=True)
+class TunePicture(options.PictureOptions):
+    """As for other commands, but the size may be left to the tool."""
+
+    size: Annotated[
+        str,
+        typer.Option(
+            metavar="W[xH]", help="Picture size; auto is 512, or less where a frame takes long."
+        ),
+    ] = AUTO
+
+    def __post_init__(self) -> None:
+        if self.size != AUTO:
+            super().__post_init__()
+
+
+PICTURE = TunePicture()
 
 
 def command(
@@ -38,7 +58,7 @@ def command(
     budget: Annotated[
         str, typer.Option(metavar="75s", help="How long to look; 2m are two minutes.")
     ] = "75s",
-    picture: options.PictureOptions = SMALL,
+    picture: TunePicture = PICTURE,
     as_json: Annotated[bool, typer.Option("--json", help="Print all that was found.")] = False,
 ) -> None:
     """Choose the values to cache, how, and how often to refresh them; prove it on other frames.
@@ -54,7 +74,9 @@ def command(
     from shadercache.tuning.result import to_json
 
     clock = Budget(parse_seconds(budget))
-    question = TuneQuestion(parse_bounds(max_error, metric), clock.seconds)
+    fixed = picture.size != AUTO
+    question = TuneQuestion(parse_bounds(max_error, metric), clock.seconds, fixed)
+    picture = picture if fixed else replace(picture, size=LARGEST)
     linker = Linker(*source.open())
     with opened(linker, picture, linker.scene.name) as (world, tell):
         found = tune(
@@ -66,9 +88,9 @@ def command(
         )
         where = environment(world.gpu)
     if as_json:
-        print(json.dumps(to_json(found, linker.scene, world.size, where), indent=1))
+        print(json.dumps(to_json(found, linker.scene, where), indent=1))
         return
-    print(_head(found, world.size))
+    print(_head(found))
     for answer in found.answers:
         print(f"\n{_told(found, answer)}")
 
@@ -93,17 +115,18 @@ def parse_bounds(text: str, metric: Metric) -> tuple[Bound, ...]:
     return tuple(Bound(metric, limit) for limit in dict.fromkeys(limits))
 
 
-def _head(found: Tuning, size: tuple[int, int]) -> str:
-    tried = sum(len({one.value.ids for one in found.trials.families}) for _ in (0,))
-    offered = sum(sum(node.offered for node in group.analysis.nodes) for group in found.pools)
+def _head(found: Tuning) -> str:
+    drawings = found.drawings
+    trials, (width, height) = drawings.trials, drawings.size
+    tried = len({(one.group, one.value.ids) for one in trials.families})
+    offered = sum(node.offered for group in found.pools for node in group.analysis.nodes)
     lines = [
-        f"original {found.original * 1e3:.1f} ms at {size[0]}x{size[1]}; {tried} values of "
+        f"original {drawings.original * 1e3:.1f} ms at {width}x{height}; {tried} values of "
         f"{offered:,} offered nodes tried, {found.drawn} of {found.combinations:,} combinations "
-        f"drawn in {found.spent:.0f} s"
+        f"drawn in {drawings.spent:.0f} s"
     ]
-    if found.trials.failed:
-        count = len(found.trials.failed)
-        lines.append(f"{count} could not be drawn, such as: {found.trials.failed[0].why}")
+    if trials.failed:
+        lines.append(f"{len(trials.failed)} could not be drawn, such as: {trials.failed[0].why}")
     return "\n".join(lines)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import ExitStack
 from dataclasses import dataclass, field
 from math import prod
 
@@ -25,13 +26,22 @@ SMALL = 0.35
 times as well."""
 
 
+COMFORT = 4.0
+"""A budget is comfortable that allows for so many values and proofs."""
+
+SMALLEST = 128
+"""Pixels, along the shorter edge, below which no size is made smaller."""
+
+
 @dataclass(frozen=True, slots=True)
 class TuneQuestion:
     """What is asked: bounds of one metric, the time that tuning may take (seconds), and the choices
-    that it has. ``base``: what all configurations have in common."""
+    that it has. ``base``: what all configurations have in common. Unless the ``size_is_fixed``, a
+    scene that is slow to draw is tuned at a smaller one."""
 
     bounds: tuple[Bound, ...]
     seconds: float = 75.0
+    size_is_fixed: bool = False
     space: Space = field(default_factory=Space)
     base: Configuration = field(default_factory=Configuration)
 
@@ -51,23 +61,31 @@ class Answer:
 
 
 @dataclass(frozen=True)
+class Drawings:
+    """What was drawn: at which size, in how many seconds (``spent``); ``original``: seconds of a
+    frame of it."""
+
+    size: tuple[int, int]
+    original: float
+    spent: float
+    trials: Trials
+    finalists: tuple[Finalist, ...]
+
+
+@dataclass(frozen=True)
 class Tuning:
-    """All that was found. ``combinations`` there are, of which ``drawn`` were drawn; ``original``:
-    seconds of a frame; ``spent``: seconds that all of it took."""
+    """All that was found. ``combinations`` there are, of which ``drawn`` were drawn."""
 
     question: TuneQuestion
     pools: dict[ShaderGroup, Pool]
-    trials: Trials
-    finalists: tuple[Finalist, ...]
+    drawings: Drawings
     proven: tuple[Proven, ...]
     answers: tuple[Answer, ...]
-    original: float
-    spent: float
 
     @property
     def drawn(self) -> int:
         """How many configurations were drawn."""
-        return len(self.trials.drawn)
+        return len(self.drawings.trials.drawn)
 
     @property
     def combinations(self) -> int:
@@ -101,32 +119,53 @@ def tune(
         hint = "give it a [motion] or a camera path, or recorded frames with --frames"
         raise input_error("SC048", message, hint=hint)
     pools = {group: pool_of(group, scene) for group in groups}
-    with Laboratory(world, linker) as laboratory:
+    with ExitStack() as held:
+        laboratory = _laboratory(world, linker, question, budget, held)
         original = laboratory.originals(small=False)
         small = laboratory.originals(small=True) < SMALL * original
         base = configured(scene, question.base, None)
         setting = TrialSetting(scene, question.space, base, question.bounds[0].metric, small)
         trials = Trials(laboratory, setting, budget, tell)
-        found: list[Finalist] = []
         search = Search(trials, pools, question.bounds)
         proof = Proof(search)
         chosen: dict[Bound, Proven | None] = dict.fromkeys(question.bounds)
         if any(pool.values for pool in pools.values()):
             _require(budget, original)
-            found = search.run()
+            search.run()
             chosen = proof.run()
+        size = laboratory.size
     answers = tuple(
         Answer(bound, one, "" if one else _why(search, proof, bound))
         for bound, one in chosen.items()
     )
-    proven = tuple(proof.proven)
-    return Tuning(question, pools, trials, tuple(found), proven, answers, original, budget.spent)
+    drawn = Drawings(size, original, budget.spent, trials, tuple(search.finalists))
+    return Tuning(question, pools, drawn, tuple(proof.proven), answers)
+
+
+def _laboratory(
+    world: RenderScene, linker: Linker, question: TuneQuestion, budget: Budget, held: ExitStack
+) -> Laboratory:
+    """One at the size of the world, or at a smaller one if that may be and time is short."""
+    while True:
+        laboratory = Laboratory(world, linker)
+        width, height = world.size
+        needed = COMFORT * _needed(laboratory.originals(small=False))
+        if question.size_is_fixed or needed < budget.left() or min(width, height) <= SMALLEST:
+            return held.enter_context(laboratory)
+        laboratory.release()
+        world = world.drawn_apart((width // 2, height // 2), world.scene.view.engine)
+        held.enter_context(world)
+
+
+def _needed(original: float) -> float:
+    """Seconds that one value and its proof take."""
+    draws = 2 * (AGES[-1] + 1 + FRAMES) + 2 * 2 * LEAST_FRAMES
+    return draws * original + COMPILING
 
 
 def _require(budget: Budget, original: float) -> None:
     """Is there time for one value, at full size, and for its proof?"""
-    draws = 2 * (AGES[-1] + 1 + FRAMES) + 2 * 2 * LEAST_FRAMES
-    needed = draws * original + COMPILING
+    needed = _needed(original)
     if budget.left() < needed:
         message = f"a budget of {budget.seconds:g} s is too short: one trial with its proof takes"
         seconds = budget.spent + needed

@@ -91,6 +91,7 @@ class Laboratory(Resource):
         width, height = (max(1, edge // DIVISOR) for edge in world.size)
         self._small = world.drawn_apart((width, height), world.scene.view.engine)
         self._worlds = {False: world, True: self._small}
+        self.size = world.size
 
     def originals(self, small: bool) -> float:
         """Seconds that a frame of the original takes, after the first."""

@@ -18,7 +18,7 @@ from shadercache.tuning.values import Value
 SCHEMA_VERSION = 1
 
 
-def to_json(tuning: Tuning, scene: Scene, size: tuple[int, int], where: Mapping[str, Any]) -> Any:
+def to_json(tuning: Tuning, scene: Scene, where: Mapping[str, Any]) -> Any:
     """Everything; times in seconds or as shares of the original's, numbers without end as null.
 
     Families, finalists and what was proven are lists; others refer to their entries by number.
@@ -26,7 +26,8 @@ def to_json(tuning: Tuning, scene: Scene, size: tuple[int, int], where: Mapping[
     Args:
         where: as ``result_files.environment`` gives it.
     """
-    question, trials = tuning.question, tuning.trials
+    question, drawings = tuning.question, tuning.drawings
+    trials = drawings.trials
     families = {id(family): number for number, family in enumerate(trials.families)}
     proven = {id(one): number for number, one in enumerate(tuning.proven)}
     values = _values(tuning)
@@ -40,11 +41,11 @@ def to_json(tuning: Tuning, scene: Scene, size: tuple[int, int], where: Mapping[
             "environment": dict(where),
             "scene": scene.name,
             "title": scene.title,
-            "size": list(size),
+            "size": list(drawings.size),
             "metric": question.bounds[0].metric,
             "bounds": [bound.limit for bound in question.bounds],
-            "budget": {"seconds": question.seconds, "spent": tuning.spent},
-            "original": tuning.original,
+            "budget": {"seconds": question.seconds, "spent": drawings.spent},
+            "original": drawings.original,
             "combinations": tuning.combinations,
             "drawn": tuning.drawn,
             "periods": list(question.space.periods),
@@ -56,7 +57,7 @@ def to_json(tuning: Tuning, scene: Scene, size: tuple[int, int], where: Mapping[
                     "predicted": {"share": one.plan.share, "error": one.plan.error},
                     "drawn": _drawn(one.drawn),
                 }
-                for one in tuning.finalists
+                for one in drawings.finalists
             ],
             "proven": [{"plan": plan(one.plan), **_proven(one)} for one in tuning.proven],
             "answers": [_answer(one, proven, scene) for one in tuning.answers],
@@ -71,14 +72,14 @@ def to_json(tuning: Tuning, scene: Scene, size: tuple[int, int], where: Mapping[
 def _values(tuning: Tuning) -> dict[ShaderGroup, list[Value]]:
     """All values of each group that were thought of: those tried first, then sets and the like."""
     found = {group: list(pool.values) for group, pool in tuning.pools.items()}
-    for family in tuning.trials.families:
+    for family in tuning.drawings.trials.families:
         if not any(family.value is value for value in found[family.group]):
             found[family.group].append(family.value)
     return found
 
 
 def _group(tuning: Tuning, group: ShaderGroup, values: list[Value]) -> dict[str, Any]:
-    hits = tuning.trials.hits.get(group)
+    hits = tuning.drawings.trials.hits.get(group)
     return {
         "fragment": group.name,
         "objects": list(group.objects),
