@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from shadercache.front.parse import parse
     from shadercache.measure.measure import measure
     from shadercache.source import Source
+    from shadercache.tuning.choose import tune
     from shadercache.verify.parallel import VerifiedScene
     from shadercache.verify.parallel import verify_in_parallel as verify
 
@@ -32,6 +33,7 @@ __all__ = [
     "measure",
     "parse",
     "rewrite",
+    "tune",
     "verify",
 ]
 
@@ -45,6 +47,7 @@ _HOME = {
     "measure": "shadercache.measure.measure:measure",
     "parse": "shadercache.front.parse:parse",
     "rewrite": "shadercache.compiler:rewrite",
+    "tune": "shadercache.tuning.choose:tune",
     "verify": "shadercache.verify.parallel:verify_in_parallel",
 }
 """Public name: the module it lives in, and its name there."""
