@@ -5,74 +5,26 @@ from __future__ import annotations
 import base64
 import io
 import json
-import struct
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from PIL import Image
 
-_TYPES = {"i1": 5120, "u1": 5121, "i2": 5122, "u2": 5123, "u4": 5125, "f4": 5126}
-_SHAPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4", 16: "MAT4"}
+from shadercache.scene.models.write_gltf import GltfWriter
 
 
 @dataclass
-class Maker:
-    """A glTF document as it grows."""
+class Maker(GltfWriter):
+    """A glTF document of a test."""
 
-    document: dict[str, Any] = field(default_factory=lambda: {"asset": {"version": "2.0"}})
-    data: bytes = b""
-
-    def add(self, kind: str, **entry: Any) -> int:
-        """Another entry of a list; returns its number."""
-        self.document.setdefault(kind, []).append(entry)
-        return len(self.document[kind]) - 1
-
-    def view(self, data: bytes, **more: Any) -> int:
-        """Bytes in a view of their own."""
-        self.data += b"\0" * (-len(self.data) % 4)
-        offset = len(self.data)
-        self.data += data
-        return self.add("bufferViews", buffer=0, byteOffset=offset, byteLength=len(data), **more)
-
-    def array(self, values: Any, dtype: str = "f4", **more: Any) -> int:
-        """An accessor."""
-        array = np.asarray(values, f"<{dtype}")
-        array = array.reshape(len(array), -1)
-        return self.add(
-            "accessors",
-            bufferView=self.view(array.tobytes()),
-            componentType=_TYPES[dtype],
-            count=len(array),
-            type=_SHAPES[array.shape[1]],
-            **more,
-        )
-
-    def picture(self, color: tuple[int, int, int] = (200, 90, 40), form: str = "PNG") -> int:
+    def squares(self, color: tuple[int, int, int] = (200, 90, 40), form: str = "PNG") -> int:
         """A texture of two colours, embedded."""
         pixels = np.zeros((8, 8, 3), np.uint8)
         pixels[:4], pixels[4:] = color, (20, 60, 160)
         packed = io.BytesIO()
         Image.fromarray(pixels).save(packed, form)
-        mime = f"image/{form.lower()}"
-        image = self.add("images", bufferView=self.view(packed.getvalue()), mimeType=mime)
-        return self.add("textures", source=image)
-
-    def roots(self, *nodes: int) -> None:
-        """What the scene shows."""
-        self.add("scenes", nodes=list(nodes))
-
-    def glb(self, path: Path) -> Path:
-        """Write a GLB file."""
-        data = self.data + b"\0" * (-len(self.data) % 4)
-        self.document["buffers"] = [{"byteLength": len(data)}]
-        text = json.dumps(self.document).encode()
-        text += b" " * (-len(text) % 4)
-        chunks = struct.pack("<I4s", len(text), b"JSON") + text
-        chunks += struct.pack("<I4s", len(data), b"BIN\0") + data
-        path.write_bytes(struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks)
-        return path
+        return self.picture(packed.getvalue(), f"image/{form.lower()}")
 
     def gltf(self, path: Path, embedded: bool = False) -> Path:
         """Write a glTF file with its bytes beside it, or inside."""
@@ -173,7 +125,7 @@ def arms() -> Maker:
     position, uv, faces = grid(6, 6)
     attributes = {"POSITION": made.array(position), "TEXCOORD_0": made.array(uv)}
     red = made.add("materials", pbrMetallicRoughness={"baseColorFactor": [1, 0, 0, 1]})
-    textured = {"baseColorTexture": {"index": made.picture()}, "roughnessFactor": 0.3}
+    textured = {"baseColorTexture": {"index": made.squares()}, "roughnessFactor": 0.3}
     wood = made.add("materials", name="Wood", pbrMetallicRoughness=textured, doubleSided=True)
     indices = made.array(faces.ravel(), "u2")
     base = {"attributes": attributes, "indices": indices, "material": red}
@@ -201,7 +153,7 @@ def quad(form: str = "PNG") -> Maker:
     """A textured square without normals."""
     made = Maker()
     position, uv, faces = grid(4, 4)
-    material = {"pbrMetallicRoughness": {"baseColorTexture": {"index": made.picture(form=form)}}}
+    material = {"pbrMetallicRoughness": {"baseColorTexture": {"index": made.squares(form=form)}}}
     made.add("materials", **material)
     primitive = {
         "attributes": {"POSITION": made.array(position), "TEXCOORD_0": made.array(uv)},

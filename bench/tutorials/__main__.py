@@ -90,7 +90,7 @@ def _outcomes(
 ) -> Iterator[Outcome]:
     """Those that are not known, one after another in a process that may die."""
     work.mkdir(parents=True, exist_ok=True)
-    models = work / "ring.gltf", work / "sheet.gltf"
+    models = work / "ring.glb", work / "sheet.glb"
     write_ring(models[0])
     write_sheet(models[1])
     left = [program for program in programs if program.name not in kept]
