@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from math import cos, sin, sqrt
 
 from shadercache.diagnostics import Diagnostic, InputError, input_error
 from shadercache.lang.types import Type
@@ -22,6 +23,9 @@ from shadercache.scene.models.parts import Material, Model
 
 _COLOR = re.compile(r"(?:base|diffuse|albedo|material|kd)?(?:colou?r|factor|albedo|diffuse|kd)")
 _VIEWS = {"view", "model-view", "view-projection", "model-view-projection"}
+_APART = 1.3
+"""Radians between two lights, seen from above."""
+_AWAY = sqrt(2.0 * 2.0 + 3.0 * 3.0 + 2.5 * 2.5)
 UNKNOWN = "its meaning is not known; this is a stand-in"
 
 
@@ -150,7 +154,7 @@ def _uniform(item: Wanted, model: Model, frame: Frame) -> list[Guess]:
             for part, values in constants_of(item.name, word, kind).items()
             for guess in [_member(part, values, frame)]
         ]
-    known = _known(item, word, model, frame)
+    known = _known(item, word, model, frame) or _lights(kind, word, frame)
     if known is not None:
         return [Guess(item.name, known[0], f"{item.spelt}{known[1]}", not known[1])]
     return [
@@ -161,9 +165,15 @@ def _uniform(item: Wanted, model: Model, frame: Frame) -> list[Guess]:
 
 def _member(name: str, values: tuple[float, ...], frame: Frame) -> Guess:
     """A part of a struct, of which only the number of components is told."""
-    light = _light(plain(name), plain(name.partition(".")[0]), frame) if len(values) == 3 else None
-    if light is not None:
-        return Guess(name, light[0], f"vec3{light[1]}", False)
+    word, root = plain(name), plain(name.partition(".")[0])
+    at = re.search(r"\[(\d+)\]", name)
+    if len(values) == 3:
+        light = _light(word, root, frame, int(at[1]) if at else 0)
+        if light is not None:
+            return Guess(name, light[0], f"vec3{light[1]}", False)
+    known = _number_of(word, frame) if len(values) == 1 else None
+    if known is not None:
+        return Guess(name, known[0], f"one number{known[1]}", False)
     return Guess(name, numbers(values), UNKNOWN, False)
 
 
@@ -213,10 +223,23 @@ def _check_bones(item: Wanted, model: Model) -> None:
         raise input_error("SC523", message, f"declare mat4 {item.name}[{most}]")
 
 
-def _light(word: str, around: str, frame: Frame) -> tuple[str, str] | None:
-    """Where a light is, where it comes from, or its colour."""
-    away = frame.upright(2.0, 3.0, 2.5)
+def _lights(kind: Type, word: str, frame: Frame) -> tuple[str, str] | None:
+    """The same for an array of them, each in another direction."""
+    if len(kind.dims) != 1 or kind.is_unsized or not kind.element.is_float or kind.rows != 3:
+        return None
+    each = [_light(word, "", frame, number) for number in range(kind.dims[0] or 1)]
+    known = [light for light in each if light is not None]
+    return (f"[{', '.join(value for value, _ in known)}]", known[0][1]) if known else None
+
+
+def _light(word: str, around: str, frame: Frame, number: int = 0) -> tuple[str, str] | None:
+    """Where a light is, where it comes from, or its colour; ``around``: what it is a member of."""
+    turn = number * _APART
+    # Each further one stands elsewhere about the upright axis.
+    x, z = (2.0 * cos(turn) - 2.5 * sin(turn), 2.0 * sin(turn) + 2.5 * cos(turn))
+    away = frame.upright(x, 3.0, z)
     place = [at + frame.radius * step for at, step in zip(frame.centre, away, strict=True)]
+    towards = [round(step / _AWAY, 3) for step in away]
     if re.search(r"light|sun|lamp|key", word + around):
         if re.search(r"colou?r|intensity|radiance|diffuse|specular|power", word):
             return "[1.0, 1.0, 1.0]", ": white light (guess)"
@@ -224,9 +247,9 @@ def _light(word: str, around: str, frame: Frame) -> tuple[str, str] | None:
             return "[0.1, 0.1, 0.1]", ": dim light (guess)"
         if "pos" in word:
             return numbers(place), ": a light above the model, in the world (guess)"
-        return numbers(
-            frame.upright(0.455, 0.683, 0.57)
-        ), ": towards the light, unit length (guess)"
+        if around and word == "direction":
+            return numbers([-step for step in towards]), ": from the light, unit length (guess)"
+        return numbers(towards), ": towards the light, unit length (guess)"
     if re.search(r"ambient", word):
         return "[0.1, 0.1, 0.1]", ": dim light (guess)"
     if re.search(r"colou?r|albedo|diffuse|tint", word):
@@ -242,6 +265,11 @@ def _number_of(word: str, frame: Frame) -> tuple[str, str] | None:
         r"metal": (0.0, ": no metal (guess)"),
         r"shin|specularpower|gloss": (32.0, ": an exponent (guess)"),
         r"alpha|opacity": (1.0, ": opaque (guess)"),
+        r"^constant$": (1.0, ": of the attenuation (guess)"),
+        r"^linear$": (0.09, ": of the attenuation (guess)"),
+        r"^quadratic$": (0.032, ": of the attenuation (guess)"),
+        r"outer": (0.95, ": cosine of a cone (guess)"),
+        r"cutoff|inner": (0.97, ": cosine of a cone (guess)"),
         r"intensity|exposure|strength|scale|^ao$": (1.0, ": one (guess)"),
     }
     for pattern, (value, why) in known.items():

@@ -27,11 +27,15 @@ MOST_OBJECTS = 64
 
 @dataclass(frozen=True)
 class FirstScene:
-    """The text of a scene file, how many objects it draws, and what could not be guessed."""
+    """The text of a scene file, how many objects it draws, and what could not be guessed.
+
+    ``guesses``: what attributes and uniforms are given.
+    """
 
     text: str
     objects: int
     unknown: tuple[str, ...]
+    guesses: tuple[Guess, ...]
 
 
 class Sources(NamedTuple):
@@ -92,7 +96,8 @@ class _SceneWriter:
         ]
         unknown = [*g.unknown(uniforms), *self._without_texture()]
         count = len(self.model.parts) if self._apart() else 1
-        return FirstScene("\n".join(text) + "\n", count, tuple(unknown))
+        guesses = (*attributes, *uniforms)
+        return FirstScene("\n".join(text) + "\n", count, tuple(unknown), guesses)
 
     def _apart(self) -> bool:
         return len(self.model.parts) <= MOST_OBJECTS
