@@ -33,6 +33,7 @@ SMALL, TRIAL = options.DrawOptions(size="512"), TrialOptions()
 
 
 def command(
+    context: typer.Context,
     source: options.SceneOptions,
     nodes: Annotated[
         list[str] | None,
@@ -76,7 +77,7 @@ def command(
     algorithms = options.parse_passes(passes)
     periods, blocks = options.parse_periods(period), options.parse_blocks(block)
     rates = options.parse_rates(rate)
-    scene, analysis = source.open()
+    scene, analysis = source.open(context)
     if nodes:
         payloads = choose_nodes(scene, analysis, options.split_names(nodes))
     else:

@@ -21,7 +21,7 @@ from shadercache.caching import configuration as cached
 from shadercache.caching.algorithms import ALGORITHMS, USUAL
 from shadercache.caching.settings import cache_choices
 from shadercache.cli.io import folder
-from shadercache.cli.scenes import find_scene
+from shadercache.cli.scenes import open_target
 from shadercache.diagnostics import usage_error
 from shadercache.front.read_options import MAX_TOKENS, Dialect, ReadOptions
 from shadercache.transform.hoist_fetches import FetchForm
@@ -43,6 +43,16 @@ _MACRO = re.compile(r"[A-Za-z_]\w*(\([^()]*\))?", re.ASCII)
 # Nobody may redefine these (GLSL 4.60 section 3.3).
 _FIXED_MACROS = frozenset(("defined", "__LINE__", "__FILE__", "__VERSION__"))
 
+TARGET_HELP = "Scene, or a shader without one: full-screen, or shown by a made object."
+
+VertexOption: TypeAlias = Annotated[
+    Path | None,
+    typer.Option(
+        "--vert",
+        metavar="FILE",
+        help="Vertex shader of FRAG; if left out, FRAG with .vert, or one that is made.",
+    ),
+]
 FragmentArgument: TypeAlias = Annotated[
     str, typer.Argument(metavar="FRAG", help="Fragment shader; - is stdin.")
 ]
@@ -175,16 +185,13 @@ class ShaderOptions(SourceOptions):
 class SceneOptions(ShaderOptions):
     """Which scene, and how its shaders are read and analysed."""
 
-    target: Annotated[
-        str, typer.Argument(metavar="SCENE|FRAG", help="Scene, or a full-screen shader.")
-    ]
+    target: Annotated[str, typer.Argument(metavar="SCENE|FRAG", help=TARGET_HELP)]
+    vert: VertexOption = None
 
-    def open(self) -> tuple[Scene, Analysis]:
-        """The scene with its analysed shaders. Raises as :func:`open_scene`."""
-        from shadercache.linking.scene_shaders import open_scene
-
-        reading = self.read_options()
-        return open_scene(find_scene(self.target), reading, self.mapping)
+    def open(self, context: typer.Context) -> tuple[Scene, Analysis]:
+        """The scene with its analysed shaders. Raises as :func:`open_target`."""
+        opened = open_target(context, self.target, self.vert, self.read_options(), self.mapping)
+        return opened.scene, opened.analysis
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -59,7 +59,7 @@ def command(
     from shadercache.report.variant_pictures import write_pictures
 
     [edge] = options.parse_blocks(str(block))
-    scene, analysis = source.open()
+    scene, analysis = source.open(context)
     [by] = options.parse_passes(passes)
     payload = choose_set(scene, analysis, node)
     analysis.require_all(payload.nodes, unprofitable)

@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, NamedTuple
 
-from shadercache.diagnostics import usage_error
+from shadercache.analysis.mapping import MappingKind
+from shadercache.diagnostics import Diagnostic, Severity, usage_error
+from shadercache.front.read_options import ReadOptions
 from shadercache.paths import data_path
 
 if TYPE_CHECKING:
+    from typer import Context
+
     from shadercache.analysis.candidates import Candidate
     from shadercache.compiler import Analysis
     from shadercache.scene.description import Scene
@@ -54,6 +59,51 @@ def find_scene(target: str) -> Path:
     known = ", ".join(sorted(path.parent.name for path in data_path("corpus").glob("*/*.toml")))
     hint = f"give a scene file, its folder, a shader beside a {SCENE_FILE}, or one of: {known}"
     raise usage_error("SC006", f"no scene is meant by '{target}'", hint)
+
+
+class OpenedTarget(NamedTuple):
+    """What a command draws, and how other processes open the same.
+
+    ``path``: a scene file, or a full-screen shader with its ``mapping`` and ``vertex`` shader.
+    """
+
+    scene: Scene
+    analysis: Analysis
+    path: Path
+    mapping: MappingKind | None
+    vertex: Path | None = None
+
+
+def open_target(
+    context: Context,
+    target: str,
+    vertex: Path | None,
+    reading: ReadOptions,
+    mapping: MappingKind | None,
+) -> OpenedTarget:
+    """The scene that a command is about; a shader without one may be shown by a made object.
+
+    That lies in a folder which is there until the command ends. Of what was guessed the user is
+    told. Raises as :func:`find_scene`, ``open_scene`` and ``open_shader``, and :class:`UsageError`
+    SC008 for a vertex shader beside a scene.
+    """
+    from shadercache.linking.made_object import open_shader
+    from shadercache.linking.scene_shaders import open_scene
+
+    path = find_scene(target)
+    if path.suffix == ".toml":
+        if vertex is not None:
+            raise usage_error("SC008", f"--vert: the scene {path} names its vertex shader itself")
+        return OpenedTarget(*open_scene(path, reading, mapping), path, mapping)
+    folder = context.with_resource(TemporaryDirectory(prefix="shadercache-"))
+    scene, analysis, notes = open_shader(path, vertex, reading, mapping, Path(folder))
+    if notes:
+        message = f"{path} has no scene, and what it needs is guessed: {'; '.join(notes)}"
+        hint = "'shadercache scene' writes a scene file for your own model, to be corrected"
+        context.obj.show([Diagnostic("SC040", message, None, None, hint, Severity.NOTE)])
+    vertex = scene.common.vertex if scene.path == path else None
+    # Nobody who opens it again looks at how the vertices are moved.
+    return OpenedTarget(scene, analysis, scene.path, "screen" if vertex else mapping, vertex)
 
 
 def choose_nodes(scene: Scene, analysis: Analysis, wanted: Sequence[str]) -> list[Payload]:

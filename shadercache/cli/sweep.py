@@ -15,7 +15,7 @@ from shadercache.caching.configuration import DIVISORS
 from shadercache.cli import options
 from shadercache.cli.measuring import TrialOptions
 from shadercache.cli.progress import progress
-from shadercache.cli.scenes import find_scene
+from shadercache.cli.scenes import find_scene, open_target
 from shadercache.cli.tables import format_table
 from shadercache.diagnostics import usage_error
 
@@ -183,9 +183,10 @@ CHOICES, READ, WHICH, CREW = ChoiceOptions(), options.ShaderOptions(), WhichOpti
 
 
 def command(
+    context: typer.Context,
     targets: Annotated[
         list[str] | None,
-        typer.Argument(metavar="SCENE|FRAG...", help="Scenes, or full-screen shaders."),
+        typer.Argument(metavar="SCENE|FRAG...", help="Scenes, or shaders without one."),
     ] = None,
     choice: ChoiceOptions = CHOICES,
     trial: TrialOptions = TRIAL,
@@ -217,7 +218,7 @@ def command(
     choices = choice.read(targets or (), trial)
     if not (choices.scenes or exports):
         raise usage_error("SC003", "there is nothing to sweep", "give a scene, or --export")
-    trials = _planned(choices, reading)
+    trials = _planned(context, choices, reading)
     if trials:
         with crew.open() as workers:
             _sweep(trials, workers, output, which, dry_run)
@@ -228,15 +229,25 @@ def command(
             write_export(path, rows)
 
 
-def _planned(choices: Choices, reading: options.ShaderOptions) -> list[SweepTrial]:
-    from shadercache.sweep.plan import SceneFile, plan_scene
+def _planned(
+    context: typer.Context, choices: Choices, reading: options.ShaderOptions
+) -> list[SweepTrial]:
+    from shadercache.sweep.plan import plan_scene
 
-    read = reading.read_options()
-    return [
-        trial
-        for target in choices.scenes
-        for trial in plan_scene(SceneFile(find_scene(target), read, reading.mapping), choices)
-    ]
+    files = [_file(context, target, reading) for target in choices.scenes]
+    return [trial for file in files for trial in plan_scene(file, choices)]
+
+
+def _file(context: typer.Context, target: str, reading: options.ShaderOptions) -> SceneFile:
+    """What is opened by whoever carries out trials."""
+    from shadercache.sweep.plan import SceneFile
+
+    path, read = find_scene(target), reading.read_options()
+    if path.suffix == ".toml":
+        return SceneFile(path, read, reading.mapping)
+    opened = open_target(context, target, None, read, reading.mapping)
+    made = None if opened.path == path else opened.path
+    return SceneFile(path, read, opened.mapping, made)
 
 
 def _sweep(

@@ -16,14 +16,16 @@ from shadercache.caching.configuration import Configuration
 from shadercache.cli.options import (
     NODE_HELP,
     PASSES,
+    TARGET_HELP,
     ClusterOption,
     RateOption,
     SettingsOption,
     ShaderOptions,
+    VertexOption,
     parse_passes,
 )
 from shadercache.cli.progress import progress
-from shadercache.cli.scenes import choose_nodes, find_scene, one_by_one
+from shadercache.cli.scenes import choose_nodes, one_by_one, open_target
 from shadercache.cli.tables import format_table, shorten, terminal_width
 
 if TYPE_CHECKING:
@@ -64,12 +66,9 @@ class WholeScene:
 
 
 def command(
-    target: Annotated[
-        str,
-        typer.Argument(
-            metavar="SCENE|FRAG", help="Scene, a shader beside its scene, or a full-screen shader."
-        ),
-    ],
+    context: typer.Context,
+    target: Annotated[str, typer.Argument(metavar="SCENE|FRAG", help=TARGET_HELP)],
+    vert: VertexOption = None,
     node: Annotated[
         list[str] | None,
         typer.Option(metavar="NODE", help=f"{NODE_HELP}, or a set A+B; may be repeated."),
@@ -109,15 +108,15 @@ def command(
     from shadercache.cluster import open_cluster
     from shadercache.gpu.context import open_context
     from shadercache.linking.cache_settings import configured
-    from shadercache.linking.scene_shaders import open_scene
     from shadercache.measure.result_files import environment, write_json
     from shadercache.verify.parallel import VerifiedScene, verify_in_parallel, verify_on
     from shadercache.verify.quick_choice import quick_choice
     from shadercache.verify.verifier import Verifier
 
     algorithms = parse_passes(variants.passes)
-    path, read_options = find_scene(target), reading.read_options()
-    scene, analysis = open_scene(path, read_options, reading.mapping)
+    read_options = reading.read_options()
+    opened = open_target(context, target, vert, read_options, reading.mapping)
+    scene, analysis = opened.scene, opened.analysis
     configuration = configured(scene, Configuration(payload_rate=variants.rate), variants.cache)
     if node:
         payloads = choose_nodes(scene, analysis, node)
@@ -137,7 +136,9 @@ def command(
         about = environment(gpu)
         whole = WholeScene(verifier.round_trip(), verifier.references.ties, equal, left_out)
     with progress(f"verifying {scene.name}", len(payloads)) as advance:
-        verified = VerifiedScene(path, read_options, reading.mapping, configuration, algorithms)
+        verified = VerifiedScene(
+            opened.path, read_options, opened.mapping, configuration, algorithms, opened.vertex
+        )
         ids = ["+".join(payload.ids) for payload in payloads]
         if cluster is None:
             count = min(jobs or os.cpu_count() or 1, max(1, len(ids)))

@@ -28,11 +28,12 @@ def open_scene(
     reading: ReadOptions | None = None,
     mapping: MappingKind | None = None,
     recording: Recording | None = None,
+    vertex: Path | None = None,
 ) -> tuple[Scene, Analysis]:
     """The scene of a scene file, or a made one for a full-screen shader; and its shaders.
 
-    With ``mapping`` screen or user a full-screen shader may have a vertex shader beside it. A
-    ``recording`` is laid over the scene.
+    With ``mapping`` screen or user a full-screen shader may have a vertex shader: ``vertex``, or
+    the one beside it. A ``recording`` is laid over the scene.
 
     Raises as ``load_scene``, ``recorded`` and ``analyse_scene``, and :class:`UsageError` SC006 for
     a shader that needs geometry.
@@ -42,20 +43,35 @@ def open_scene(
         return analyse_scene(
             scene if recording is None else recorded(scene, recording), reading, mapping
         )
-    beside = path.with_suffix(".vert")
-    flat = mapping in ("screen", "user")
-    vertex = beside if flat and beside.is_file() else None
-    sources = read_shader(path), None if vertex is None else read_shader(vertex)
-    analysis = analyse(*sources, reading, mapping)
-    if analysis.mapping == "surface":
-        message = f"the shader {path} has no scene, and its values lie on surfaces"
-        hint = f"put a scene.toml that names it beside it, or draw it full-screen: {FULL_SCREEN}"
-        raise usage_error("SC006", message, hint)
-    scene = made_scene(path, analysis, vertex)
+    if vertex is None and mapping in ("screen", "user"):
+        vertex = vertex_beside(path)
+    scene, analysis = full_screen(path, vertex, reading, mapping)
     if recording is not None:
         # The scene has everything under its new name already.
         scene = recorded(scene, recording.with_aliases(analysis.renamed))
     return scene, analysis
+
+
+def vertex_beside(fragment: Path) -> Path | None:
+    """The vertex shader that lies beside a fragment shader, if one does."""
+    beside = fragment.with_suffix(".vert")
+    return beside if beside.is_file() else None
+
+
+def full_screen(
+    path: Path,
+    vertex: Path | None,
+    reading: ReadOptions | None = None,
+    mapping: MappingKind | None = None,
+) -> tuple[Scene, Analysis]:
+    """The scene of a shader that is drawn over the screen. Raises as :func:`open_scene`."""
+    sources = read_shader(path), None if vertex is None else read_shader(vertex)
+    analysis = analyse(*sources, reading, mapping)
+    if analysis.mapping == "surface":
+        message = f"the shader {path} has no scene, and its values lie on surfaces"
+        hint = f"give a scene.toml that names it, or draw it full-screen: {FULL_SCREEN}"
+        raise usage_error("SC006", message, hint)
+    return made_scene(path, analysis, vertex), analysis
 
 
 def analyse_scene(

@@ -5,7 +5,7 @@ Arrays of an ``.npz`` file (n vertices, m triangles):
 * ``position`` (n, 3), or ``position_u16`` (n, 3) with ``bounds`` (2, 3): the lowest and highest
   corner of the box that 0..65535 spans;
 * ``normal`` (n, 3), or ``normal_i16`` / ``normal_i8``: signed normalised, made unit length again;
-  ``tangent`` likewise;
+  ``tangent`` likewise, or (n, 4) with the sign of the bitangent as it is in glTF;
 * any other (n, c) or (n,) array of numbers, with 1 to 4 components (``uv``, ``color``, ...);
 * ``index`` (m, 3), or ``index_delta`` (3 m,): differences of the flattened indices.
 """
@@ -25,6 +25,7 @@ from shadercache.scene.models.load import is_model, load_model, whole_model
 from shadercache.scene.npz import load_npz
 
 _HELPERS = ("bounds", "index", "index_delta")
+_WIDTHS = {"position": (3,), "normal": (3,), "tangent": (3, 4)}
 _LARGEST = {"u16": 65535.0, "i16": 32767.0, "i8": 127.0}
 
 
@@ -113,7 +114,7 @@ def _decode(
 
 
 def _check_array(path: Path, name: str, array: NDArray[np.float32], count: int) -> None:
-    wanted = (3,) if name in ("position", "normal", "tangent") else (1, 2, 3, 4)
+    wanted = _WIDTHS.get(name, (1, 2, 3, 4))
     if len(array) != count or count == 0 or array.shape[1] not in wanted:
         raise _bad_shape(path, name, f"{array.shape}, with {count} positions")
     if not np.isfinite(array).all():

@@ -28,11 +28,15 @@ IN_TURNS = 6
 
 @dataclass(frozen=True, slots=True)
 class SceneFile:
-    """A scene file or a full-screen shader, and how its shaders are read."""
+    """A scene file or a shader that has none, and how its shaders are read.
+
+    ``made``: the scene file that was made for a shader, which is drawn; the shader is what counts.
+    """
 
     path: Path
     reading: ReadOptions
     mapping: MappingKind | None = None
+    made: Path | None = None
 
     @property
     def options(self) -> Iterator[str]:
@@ -43,7 +47,7 @@ class SceneFile:
 
     def open(self) -> Linker:
         """Raises as :func:`open_scene`."""
-        return Linker(*open_scene(self.path, self.reading, self.mapping))
+        return Linker(*open_scene(self.made or self.path, self.reading, self.mapping))
 
 
 @dataclass(frozen=True, slots=True)

@@ -42,18 +42,19 @@ _verified: VerifiedScene | None = None
 
 @dataclass(frozen=True, slots=True)
 class VerifiedScene:
-    """A scene file, or a full-screen shader; how its shaders are read, and what is verified, by
-    which algorithms."""
+    """A scene file, or a full-screen shader, which may have a vertex shader; how its shaders are
+    read, and what is verified, by which algorithms."""
 
     path: Path
     reading: ReadOptions | None = None
     mapping: MappingKind | None = None
     configuration: Configuration | None = None
     algorithms: tuple[str, ...] = USUAL
+    vertex: Path | None = None
 
     def open(self) -> Verifier:
         """Raises as :func:`open_scene` and :class:`Verifier`."""
-        opened = open_scene(self.path, self.reading, self.mapping)
+        opened = open_scene(self.path, self.reading, self.mapping, None, self.vertex)
         verifier = Verifier(open_context(), opened, configuration=self.configuration)
         verifier.algorithms = self.algorithms
         return verifier

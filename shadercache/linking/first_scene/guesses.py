@@ -238,7 +238,9 @@ def _light(word: str, around: str, frame: Frame, number: int = 0) -> tuple[str, 
     # Each further one stands elsewhere about the upright axis.
     x, z = (2.0 * cos(turn) - 2.5 * sin(turn), 2.0 * sin(turn) + 2.5 * cos(turn))
     away = frame.upright(x, 3.0, z)
-    place = [at + frame.radius * step for at, step in zip(frame.centre, away, strict=True)]
+    # Near enough for lights whose strength falls with the square of the distance.
+    near = 0.5 * frame.radius
+    place = [at + near * step for at, step in zip(frame.centre, away, strict=True)]
     towards = [round(step / _AWAY, 3) for step in away]
     if re.search(r"light|sun|lamp|key", word + around):
         if re.search(r"colou?r|intensity|radiance|diffuse|specular|power", word):

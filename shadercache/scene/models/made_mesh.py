@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 Numbers = NDArray[np.float64]
 
-_TUBE, _BUMPS = 0.15, 0.14
+_TUBE, _BUMPS = 0.25, 0.1
 _STEP = 1e-4
 
 
@@ -51,7 +51,7 @@ def with_all_arrays(
 
 
 def knot(around: int, across: int) -> tuple[Mapping[str, Numbers], NDArray[np.int64]]:
-    """Arrays and triangles of a knotted tube with bumps, about the origin, from -1.2 to 1.2.
+    """Arrays and triangles of a knotted tube with bumps, about the origin, from -1.3 to 1.3.
 
     Its strands pass before one another: whichever way it turns, parts of it come into view and
     parts vanish.
@@ -63,8 +63,8 @@ def knot(around: int, across: int) -> tuple[Mapping[str, Numbers], NDArray[np.in
     along /= np.linalg.norm(along, axis=1, keepdims=True)
     normal = np.cross(along, across_it)
     normal /= np.linalg.norm(normal, axis=1, keepdims=True)
-    # The tube is about ten times as long as it is round.
-    uv = np.stack([10.0 * long, short], 1)
+    # The tube is about seven times as long as it is round.
+    uv = np.stack([7.0 * long, short], 1)
     return with_all_arrays(position, normal, along, uv), grid_triangles(around, across)
 
 

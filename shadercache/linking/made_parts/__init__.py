@@ -1,0 +1,1 @@
+"""What a made object is made of: a mesh, pictures, a vertex shader where there is none."""
