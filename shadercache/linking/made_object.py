@@ -22,7 +22,7 @@ from shadercache.linking.first_scene.scene_text import FirstScene, Sources, firs
 from shadercache.linking.first_scene.shader_inputs import inputs_of
 from shadercache.linking.made_parts.made_pictures import made_pictures
 from shadercache.linking.made_parts.made_vertex import made_vertex
-from shadercache.linking.made_scene import START, made_scene
+from shadercache.linking.made_scene import START
 from shadercache.linking.scene_shaders import (
     analyse_scene,
     full_screen,
@@ -81,15 +81,16 @@ def open_shader(
     """The scene of a shader that has none.
 
     It is drawn over the screen where the mapping says so, where it reads no varyings, and where no
-    uniform moves vertices; else on a knot. Raises as :func:`made_object`.
+    uniform moves vertices; else on a knot.
+
+    Raises as :func:`made_object`, and UsageError SC006 for a shader without varyings whose values
+    shall lie on surfaces.
     """
     beside = vertex or vertex_beside(fragment)
     if mapping in ("screen", "user"):
         return MadeObject(*full_screen(fragment, beside, reading, mapping), ())
-    if vertex is None and mapping is None:
-        alone = analyse(read_shader(fragment), None, reading)
-        if alone.mapping != "surface":
-            return MadeObject(made_scene(fragment, alone), alone, ())
+    if vertex is None and analyse(read_shader(fragment), None, reading).mapping != "surface":
+        return MadeObject(*full_screen(fragment, None, reading, mapping), ())
     pair = _paired(fragment, vertex, reading, folder)
     if mapping is None and not pair.analysis.vertex_emitter.last_frame().twins:
         note = "nothing moves the vertices, so it is drawn over the screen"

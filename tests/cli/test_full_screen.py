@@ -178,7 +178,7 @@ void main() { c = vec4(sin(gl_FragCoord.x) * sin(gl_FragCoord.y)); }
         (("run", *CLOUDS, "--node", "x"), 2, "SC010"),
         (("bench", *CLOUDS, "--mesh", "a.npz"), 2, "SC008"),
         (("verify", "missing.frag"), 2, "SC006"),
-        (("verify", "{solid}"), 2, "SC006"),
+        (("verify", "{solid}"), 2, "SC005"),
         (("verify", "{solid}", "--mapping", "screen"), 1, "SC406"),
         (
             ("rewrite", "{solid}", "--mapping", "screen", "--node", "{sine}", "-o", "out"),

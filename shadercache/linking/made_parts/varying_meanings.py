@@ -36,22 +36,26 @@ _SIZES: dict[str, tuple[int, ...]] = {
 # Tried in this order. Texture coordinates come before what hands on something of a light, for
 # there are coordinates of light maps.
 _NAMES: tuple[tuple[str | None, re.Pattern[str]], ...] = (
-    ("uv1", re.compile(r"(?:uv|tex.*|st)[1-9]$|lightmap")),
-    ("uv", re.compile(r"uv|tex|^st$|^coords?$")),
+    ("uv1", re.compile(r"(?:uv|(?<!ver)tex.*|st)[1-9]$|lightmap")),
+    ("uv", re.compile(r"uv|(?<!ver)tex|^st$|^coords?$")),
     (None, re.compile(r"light|sun|lamp|shadow|prev|last|old|instance|refl|refr|wind|bone|morph")),
     ("bitangent", re.compile(r"bitan|binorm")),
     ("tangent", re.compile(r"tan")),
     ("normal", re.compile(r"norm|nrm|^n$")),
-    ("to_eye", re.compile(r"(?:view|eye|cam|camera)(?:er)?(?:dir|vec|ray)|to(?:eye|view|cam)")),
-    ("to_eye", re.compile(r"^(?:view|eye|viewer|camera|e|v)$|^viewposition$")),
+    ("to_eye", re.compile(r"(?:view|eye|camera|cam)(?:er)?(?:dir|vec|ray)|to(?:eye|view|cam)")),
+    ("to_eye", re.compile(r"^(?:view|eye|viewer|camera)$|^viewposition$")),
     ("color", re.compile(r"colou?r|^col$|tint|albedo|diffuse")),
     ("depth", re.compile(r"depth|dist|^z$")),
     ("clip", re.compile(r"clip|ndc|proj|screen")),
     ("position", re.compile(r"pos|vert|point|place|coord|^p$|^(?:world|local|object|frag)$")),
 )
-_OF_WORLD = re.compile(r"world|^ws|ws$|^w(?=pos|norm|tan|bi)|w$")
-_OF_VIEW = re.compile(r"view|eye|cam|^vs|vs$|^mv|^ec")
-_OF_OBJECT = re.compile(r"object|obj|local|model|^os|os$")
+# In words that are written together, and as parts of a name.
+_SPACES: tuple[tuple[Space, re.Pattern[str], frozenset[str]], ...] = (
+    ("world", re.compile(r"world"), frozenset(("ws", "w"))),
+    ("object", re.compile(r"object|local|model"), frozenset(("os", "obj"))),
+    ("view", re.compile(r"view|eye|cam"), frozenset(("mv", "ec", "vs"))),
+)
+_PARTS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
 _AFFIX = re.compile(r"^(?:frag(?:ment)?|pixel|ps|vary(?:ing)?|interp\w*?)(?=\w)|(?:out|frag)$")
 
 _THREE = "vViewPosition"
@@ -91,60 +95,53 @@ class Habits:
     world: bool
     view: bool
 
-    def space_of(self, what: str, word: str, whole: str) -> Space:
+    def space_of(self, what: str, name: str) -> Space:
         """The space of something that is in one."""
-        told = self._told(what, word)
+        told = _space(what, name)
         if told is not None:
             return told
         if what == "position":
             # `FragPos` is a place in the world; a bare position is, where lighting needs one.
-            in_world = "frag" in whole.lower() or (self.sees and not self.world)
+            in_world = "frag" in name.lower() or (self.sees and not self.world)
             return "world" if in_world else "object"
         return "view" if self.view and not self.sees else "world"
 
-    def _told(self, what: str, word: str) -> Space | None:
-        for space, pattern in _SPACES:
-            # The way to the eye has the eye in its name, whatever its space.
-            if pattern.search(word) and not (what == "to_eye" and space == "view"):
-                return space
-        return None
 
-
-_SPACES: tuple[tuple[Space, re.Pattern[str]], ...] = (
-    ("world", _OF_WORLD),
-    ("object", _OF_OBJECT),
-    ("view", _OF_VIEW),
-)
+def _space(what: str, name: str) -> Space | None:
+    """The space that a name tells."""
+    word, parts = plain(name), {part.lower() for part in _PARTS.findall(name)}
+    for space, pattern, abbreviated in _SPACES:
+        # The way to the eye has the eye in its name, whatever its space.
+        if what == "to_eye" and space == "view":
+            continue
+        if pattern.search(word) or not abbreviated.isdisjoint(parts):
+            return space
+    return None
 
 
 def habits_of(varyings: Iterable[str], sees: bool) -> Habits:
     """What the names of all varyings, and whether there is a uniform of the eye, tell."""
-    found = [(_what(_word(name)), _word(name)) for name in varyings]
-    positions = [word for what, word in found if what == "position"]
-    return Habits(
-        sees,
-        world=any(_OF_WORLD.search(word) for word in positions),
-        view=any(_OF_VIEW.search(word) for what, word in found if what in ("position", "to_eye")),
-    )
+    found = [(_what(_word(name)), name) for name in varyings]
+    spaces = {_space("position", name) for what, name in found if what == "position"}
+    faced = any(what == "to_eye" and plain(name) == plain(_THREE) for what, name in found)
+    return Habits(sees, world="world" in spaces, view="view" in spaces or faced)
 
 
 def meaning_of(name: str, kind: Type, habits: Habits) -> VaryingMeaning | None:
     """What a varying is; None where its name and type do not say it."""
-    word = _word(name)
-    what = _what(word)
+    what = _what(_word(name))
     if what is None or kind.is_array or kind.base != "float":
         return None
     if kind.is_matrix:
-        square = kind.rows == kind.cols == 3
-        frame = square and (what in ("tangent", "normal") or "tbn" in word)
-        return VaryingMeaning("frame", habits.space_of("frame", word, name)) if frame else None
+        frame = kind.rows == kind.cols == 3 and what in ("tangent", "normal")
+        return VaryingMeaning("frame", habits.space_of("frame", name)) if frame else None
     if kind.rows not in _SIZES[what]:
         return None
     if what not in _IN_SPACE:
         return VaryingMeaning(what, None)
     if name == _THREE:
         return VaryingMeaning(what, "view")
-    return VaryingMeaning(what, habits.space_of(what, word, name))
+    return VaryingMeaning(what, habits.space_of(what, name))
 
 
 def _what(word: str) -> str | None:
