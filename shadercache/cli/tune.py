@@ -44,6 +44,7 @@ PICTURE = TunePicture()
 
 
 def command(
+    context: typer.Context,
     source: options.SceneOptions,
     max_error: Annotated[
         str,
@@ -77,7 +78,7 @@ def command(
     fixed = picture.size != AUTO
     question = TuneQuestion(parse_bounds(max_error, metric), clock.seconds, fixed)
     picture = picture if fixed else replace(picture, size=LARGEST)
-    linker = Linker(*source.open())
+    linker = Linker(*source.open(context))
     with opened(linker, picture, linker.scene.name) as (world, tell):
         found = tune(
             world,

@@ -214,7 +214,7 @@ def test_an_object_that_is_not_there(scene_folder: Path, tmp_path: Path) -> None
         recorded(scene, found)
     [one] = caught.value.diagnostics
     text = one.render()
-    assert "r.csv:1:8: error: plane/u_time: the scene has no object 'plane'" in text
+    assert "r.csv:1:8: error: plane/u_time: the scene objects has no object 'plane'" in text
     assert "did you mean plain? it has: turning, drifting, bent, plain" in text
 
 
