@@ -60,7 +60,7 @@ def _checked(name: str, size: int, seconds: float) -> list[tuple[str, ...]]:
         advance(900)
         chosen = [answer.chosen for answer in found.answers if answer.chosen is not None]
         with Laboratory(world, linker) as laboratory:
-            further = _further(laboratory, linker, chosen)
+            further = _further(laboratory, linker, chosen, found.drawings.trials.seen)
         where = environment(gpu)
         report: dict[str, Any] = to_json(found, linker.scene, where)
     worst = {id(one): max(drawn.worst for drawn in seen) for one, seen in further}
@@ -72,15 +72,14 @@ def _checked(name: str, size: int, seconds: float) -> list[tuple[str, ...]]:
 
 
 def _further(
-    laboratory: Laboratory, linker: Linker, chosen: Sequence[Proven]
+    laboratory: Laboratory, linker: Linker, chosen: Sequence[Proven], seen: int
 ) -> list[tuple[Proven, list[Drawn]]]:
     """Each choice on frames behind all that were drawn before."""
     rows = []
     for one in {id(proven): proven for proven in chosen}.values():
         run = whole_run([one.plan], "rmse")
         assignment = one.plan.assignment(linker.scene)
-        ends = [p.start + p.step * run.frames for p, _ in one.passages]
-        runs = [replace(run, start=max(ends) + 1, step=step) for step in SPEEDS]
+        runs = [replace(run, start=seen, step=step) for step in SPEEDS]
         rows.append((one, [laboratory.draw([assignment], each)[0] for each in runs]))
     return rows
 

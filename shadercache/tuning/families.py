@@ -92,9 +92,11 @@ class Family:
 
 @dataclass(frozen=True)
 class Plan:
-    """What is cached in a frame: at most one family of each group, with its period."""
+    """What is cached in a frame: at most one family of each group, with its period; some objects
+    of these are drawn by their originals all the same (``without``)."""
 
     parts: tuple[tuple[Family, int], ...]
+    without: tuple[str, ...] = ()
 
     @property
     def share(self) -> float:
@@ -117,13 +119,13 @@ class Plan:
         return ((family.group, family.at(period)) for family, period in self.parts)
 
     @property
-    def key(self) -> frozenset[Configuration]:
+    def key(self) -> tuple[frozenset[Configuration], tuple[str, ...]]:
         """Equal for plans that draw the same."""
-        return frozenset(chosen for _, chosen in self.configurations)
+        return frozenset(chosen for _, chosen in self.configurations), self.without
 
     def assignment(self, scene: Scene) -> Assignment:
         """What draws each object."""
-        return assignment_of(scene, dict(self.configurations))
+        return assignment_of(scene, dict(self.configurations)).with_originals(self.without)
 
 
 def _together(errors: Iterable[float]) -> float:

@@ -10,7 +10,7 @@ from shadercache.scene.description import Scene
 from shadercache.tuning.bound import Bound
 from shadercache.tuning.families import Plan
 from shadercache.tuning.laboratory import Drawn
-from shadercache.tuning.search import Search, whole_run
+from shadercache.tuning.search import Finalist, Search, whole_run
 
 ROUNDS = 5
 """How often other plans are tried: safer ones, or bolder ones where there is room below a bound."""
@@ -57,14 +57,17 @@ class Proven:
         return faster and self.worst <= bound.error
 
 
-def passages_of(scene: Scene, frames: int) -> tuple[Passage, ...]:
-    """Another part of the path, and a part at twice the speed. ``frames``: of a run; so many have
-    been seen."""
+def passages_of(scene: Scene, seen: int, frames: int) -> tuple[Passage, ...]:
+    """The part of the path behind the frames that have been ``seen``, and one behind that at twice
+    the speed. ``frames``: of a run."""
     keys = scene.view.camera_path.keys
-    # A path along keys ends there; what turns or drifts goes on.
-    end = keys[-1].frame if keys else 4 * frames
-    later = max(0, min(frames, end - frames))
-    faster = max(0, min(frames // 2 + 1, end - 2 * frames))
+    ends = [keys[-1].frame] if keys else []
+    if scene.recording is not None:
+        ends.append(scene.recording.frames)
+    # What turns or drifts goes on; what is played along keys or a recording ends there.
+    end = min(ends, default=seen + 3 * frames)
+    later = max(0, min(seen, end - frames))
+    faster = max(0, min(seen + frames, end - 2 * frames))
     return (Passage("another part of the path", later), Passage("twice as fast", faster, 2))
 
 
@@ -77,9 +80,11 @@ class Proof:
     def __post_init__(self) -> None:
         self.proven: list[Proven] = []
         self.trials, self.bounds = self.search.trials, self.search.bounds
+        self.seen = 0
 
     def run(self) -> dict[Bound, Proven | None]:
         """The fastest plan that holds for each bound; None where none does."""
+        self.seen = self.trials.seen
         for _ in range(ROUNDS):
             # The tightest bound first: what holds for it holds for the others.
             tight = sorted(self.bounds, key=lambda bound: bound.error)
@@ -107,18 +112,29 @@ class Proof:
         shares = {one.plan.key: 1.0 / one.drawn.speedup.median for one in self.search.finalists}
         best = self._best(bound)
         least = 1.0 if best is None else FASTER / best.speedup.median
+        measured = [
+            one.plan
+            for one in self.search.finalists
+            if one.plan.without and self._hasty(one) <= bound.error
+        ]
         fitting = {
             plan: share
-            for plan in self.search.plans(bound.error)
+            for plan in (*self.search.plans(bound.error), *measured)
             if plan.key not in tried and (share := shares.get(plan.key, plan.share)) < least
         }
         return min(fitting, key=lambda plan: fitting[plan], default=None)
+
+    def _hasty(self, finalist: Finalist) -> float:
+        """What was measured, as it is thought to be at twice the speed."""
+        plan = finalist.plan
+        factor = plan.hasty_error / plan.error if plan.error > 0.0 else 1.0
+        return factor * finalist.drawn.worst
 
     def _draw(self, plans: Sequence[Plan]) -> None:
         self.trials.tell(self.trials.budget.spent / self.trials.budget.seconds, "proof")
         setting = self.trials.setting
         run = whole_run(plans, setting.metric)
-        passages = passages_of(setting.scene, run.frames)
+        passages = passages_of(setting.scene, self.seen, run.frames)
         each = [
             self.trials.draw(plans, replace(run, start=passage.start, step=passage.step))
             for passage in passages

@@ -36,6 +36,9 @@ LEAST_FRAMES = 24
 COMPARED = 12
 """Of a run at full size the last frames are compared, when payloads are as old as they get."""
 
+MOST_OBJECTS = 6
+"""Of at most so many objects each is once left to its original."""
+
 OPTIONS = 8
 """Of a group so many points of its front are combined with those of other groups."""
 
@@ -124,7 +127,8 @@ class Search:
         wanted: dict[object, Plan] = {}
         for bound in self.bounds:
             fresh = [one for one in self.plans(bound.error) if one.key not in drawn][:FINALISTS]
-            wanted |= {plan.key: plan for plan in (*fresh, *self._adapting(bound))}
+            more = (*self._by_object(bound), *self._adapting(bound))
+            wanted |= {plan.key: plan for plan in (*fresh, *more)}
         plans = list(wanted.values())
         while plans and not self.trials.budget.fits(FINAL, (self._whole(plans), len(plans), 0)):
             plans.pop()
@@ -136,14 +140,28 @@ class Search:
             self.finalists.append(Finalist(plan, result))
             self.trials.correct(plan, result)
 
+    def _fastest(self, bound: Bound) -> Plan | None:
+        """What was fastest at full size, within a bound."""
+        pays = [one for one in self.finalists if one.pays and one.drawn.worst <= bound.error]
+        best = max(pays, key=lambda one: one.drawn.speedup.median, default=None)
+        return None if best is None else best.plan
+
+    def _by_object(self, bound: Bound) -> Iterator[Plan]:
+        """The fastest without one of its objects: some may cost more than they save."""
+        best = self._fastest(bound)
+        if best is None or best.without:
+            return
+        names = [name for family, _ in best.parts for name in family.group.objects]
+        if 1 < len(names) <= MOST_OBJECTS:
+            yield from (replace(best, without=(name,)) for name in names)
+
     def _adapting(self, bound: Bound) -> Iterator[Plan]:
         """What was fastest at full size, refreshed where it changes. No run that refreshes nothing
         tells the error of that, so it is drawn as it is."""
-        pays = [one for one in self.finalists if one.pays and one.drawn.worst <= bound.error]
-        best = max(pays, key=lambda one: one.drawn.speedup.median, default=None)
-        if best is None or len(best.plan.parts) > 1:
+        best = self._fastest(bound)
+        if best is None or len(best.parts) > 1:
             return
-        [(family, _)] = best.plan.parts
+        [(family, _)] = best.parts
         if family.base.refresh.adaptive:
             return
         for kind in self.trials.setting.space.adapting(family.base):

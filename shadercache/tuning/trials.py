@@ -77,7 +77,8 @@ class TrialSetting:
 
 @dataclass
 class Trials:
-    """The families of a scene. ``drawn``: every assignment there was."""
+    """The families of a scene. ``drawn``: every assignment there was; ``seen``: so many frames of
+    the scene's path."""
 
     measures: Measures
     setting: TrialSetting
@@ -87,6 +88,7 @@ class Trials:
     hits: dict[ShaderGroup, HitModel] = field(default_factory=dict)
     failed: list[Failed] = field(default_factory=list)
     drawn: set[Assignment] = field(default_factory=set)
+    seen: int = 0
     _misses: dict[tuple[ShaderGroup, Configuration], float] = field(default_factory=dict)
 
     def first_of(self, group: ShaderGroup, value: Value) -> Family:
@@ -189,6 +191,8 @@ class Trials:
 
     def correct(self, plan: Plan, drawn: Drawn) -> None:
         """Scale the errors of a plan's families by what was found at full size."""
+        if plan.without:
+            return
         for family, period in plan.parts:
             if plan.error > 0.0:
                 family.scale *= drawn.worst / plan.error
@@ -201,6 +205,8 @@ class Trials:
 
     def correct_haste(self, plan: Plan, worst: float) -> None:
         """The same by what was found at twice the speed."""
+        if plan.without:
+            return
         expected = plan.hasty_error
         for family, period in plan.parts:
             # Of several, each has its part in what was found.
@@ -227,6 +233,7 @@ class Trials:
         results = self.measures.draw(assignments, run)
         self.budget.note(run, len(plans), self.budget.now() - began, fresh)
         self.drawn |= set(assignments)
+        self.seen = max(self.seen, run.start + run.step * run.frames)
         return results
 
 
