@@ -188,9 +188,11 @@ class SceneOptions(ShaderOptions):
     target: Annotated[str, typer.Argument(metavar="SCENE|FRAG", help=TARGET_HELP)]
     vert: VertexOption = None
 
-    def open(self, context: typer.Context) -> tuple[Scene, Analysis]:
-        """The scene with its analysed shaders. Raises as :func:`open_target`."""
-        opened = open_target(context, self.target, self.vert, self.read_options(), self.mapping)
+    def open(self, context: typer.Context, frames: Path | None = None) -> tuple[Scene, Analysis]:
+        """The scene with its analysed shaders; ``frames`` is a recording. Raises as
+        :func:`open_target`."""
+        reading = self.read_options()
+        opened = open_target(context, self.target, self.vert, reading, self.mapping, frames)
         return opened.scene, opened.analysis
 
 

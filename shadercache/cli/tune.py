@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -59,6 +60,10 @@ def command(
     budget: Annotated[
         str, typer.Option(metavar="75s", help="How long to look; 2m are two minutes.")
     ] = "75s",
+    frames: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Play what an engine recorded (.csv, .toml)."),
+    ] = None,
     picture: TunePicture = PICTURE,
     as_json: Annotated[bool, typer.Option("--json", help="Print all that was found.")] = False,
 ) -> None:
@@ -78,7 +83,7 @@ def command(
     fixed = picture.size != AUTO
     question = TuneQuestion(parse_bounds(max_error, metric), clock.seconds, fixed)
     picture = picture if fixed else replace(picture, size=LARGEST)
-    linker = Linker(*source.open(context))
+    linker = Linker(*source.open(context, frames))
     with opened(linker, picture, linker.scene.name) as (world, tell):
         found = tune(
             world,

@@ -106,3 +106,19 @@ def test_nothing_to_gain_is_an_answer(shell: Shell, tmp_path: Path, text: str, w
     outcome = shell("tune", str(path), "--max-error", "0.01", "--size", "64", "--budget", "10s")
     assert outcome.status == 0
     assert "leave it alone" in outcome.out and why in outcome.out
+
+
+def test_recorded_frames_are_played(shell: Shell, tmp_path: Path) -> None:
+    outcome = shell("tune", "dragon", "--max-error", "0.1", "--frames", str(tmp_path / "no.csv"))
+    assert outcome.status == 1 and "no.csv" in outcome.err
+    path = tmp_path / "still.csv"
+    path.write_text("u_light[0],u_light[1],u_light[2]\n" + 4 * "0.4,0.8,0.4\n", encoding="utf-8")
+    # The recording holds the light alone; what the scene says of the rest goes on.
+    text = data_path("corpus", "dragon", "scene.toml").read_text(encoding="utf-8")
+    folder = tmp_path / "dragon"
+    shutil.copytree(data_path("corpus", "dragon"), folder)
+    (folder / "scene.toml").write_text(
+        text.replace("degrees_per_frame = 1.0", "degrees_per_frame = 0.0"), encoding="utf-8"
+    )
+    still = shell("tune", str(folder), "--max-error", "0.1", "--frames", str(path))
+    assert still.status == 1 and "SC048" in still.err
