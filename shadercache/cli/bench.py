@@ -6,7 +6,7 @@ What it measures is figure 8 of Sitthi-amorn et al. 2008.
 from __future__ import annotations
 
 import json
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -29,6 +29,43 @@ if TYPE_CHECKING:
     from shadercache.linking.linker import Linker
     from shadercache.measure.measurement import Measurement, NodeResult
 
+
+@dataclass(frozen=True, kw_only=True)
+class KindOptions:
+    """By which algorithms each node is measured, at which periods, blocks and rates."""
+
+    passes: Annotated[
+        str, typer.Option(metavar=",".join(options.PASSES[:-1]), help="Algorithms.")
+    ] = "all"
+    period: Annotated[str, typer.Option(metavar="N,...", help="Refresh periods, frames.")] = "32"
+    rate: Annotated[
+        str, typer.Option(metavar=",".join(DIVISORS), help="Payload rates (see rewrite).")
+    ] = "full"
+    block: Annotated[str, typer.Option(metavar="K,...", help="Block edges, pixels.")] = "4"
+
+    def __post_init__(self) -> None:
+        """Raise :class:`UsageError` SC008 for what is none, before anything is compiled."""
+        options.parse_passes(self.passes)
+        options.parse_rates(self.rate)
+        options.parse_periods(self.period)
+        options.parse_blocks(self.block)
+
+    def refreshes(self, base: Configuration) -> list[Configuration]:
+        """A configuration at each period and block."""
+        periods, blocks = options.parse_periods(self.period), options.parse_blocks(self.block)
+        return [base.with_refresh(period, block) for period in periods for block in blocks]
+
+    def kinds(self, base: Configuration) -> list[Configuration]:
+        """All that are combined."""
+        return [
+            replace(refreshed, algorithm=name, payload_rate=rate)
+            for refreshed in self.refreshes(base)
+            for name in options.parse_passes(self.passes)
+            for rate in options.parse_rates(self.rate)
+        ]
+
+
+KINDS = KindOptions()
 SMALL, TRIAL = options.DrawOptions(size="512"), TrialOptions()
 
 
@@ -44,14 +81,7 @@ def command(
     every_node: Annotated[
         bool, typer.Option("--every-node", help="Also nodes of the same value as another.")
     ] = False,
-    passes: Annotated[
-        str, typer.Option(metavar=",".join(options.PASSES[:-1]), help="Algorithms.")
-    ] = "all",
-    period: Annotated[str, typer.Option(metavar="N,...", help="Refresh periods, frames.")] = "32",
-    rate: Annotated[
-        str, typer.Option(metavar=",".join(DIVISORS), help="Payload rates (see rewrite).")
-    ] = "full",
-    block: Annotated[str, typer.Option(metavar="K,...", help="Block edges, pixels.")] = "4",
+    kind: KindOptions = KINDS,
     trial: TrialOptions = TRIAL,
     draw: options.DrawOptions = SMALL,
     out: Annotated[Path, options.output("For JSON, CSV and plots.")] = Path("out/bench"),
@@ -74,9 +104,6 @@ def command(
     from shadercache.measure.result_files import to_json, write_json
     from shadercache.measure.subjects import subjects_of
 
-    algorithms = options.parse_passes(passes)
-    periods, blocks = options.parse_periods(period), options.parse_blocks(block)
-    rates = options.parse_rates(rate)
     scene, analysis = source.open(context)
     if nodes:
         payloads = choose_nodes(scene, analysis, options.split_names(nodes))
@@ -84,17 +111,11 @@ def command(
         offered = [node for node in analysis.nodes if node.offered]
         payloads = one_by_one(analysis, offered, every_node)
     base = draw.configured(scene)
-    kinds = [
-        replace(base, algorithm=name, payload_rate=slower).with_refresh(every, edge)
-        for every in periods
-        for edge in blocks
-        for name in algorithms
-        for slower in rates
-    ]
+    kinds = kind.kinds(base)
     linker, subjects = Linker(scene, analysis), []
     left_out: list[str] = []
     for payload in payloads:
-        chosen = [replace(kind, nodes=payload.ids) for kind in kinds]
+        chosen = [replace(one, nodes=payload.ids) for one in kinds]
         subjects += subjects_of(linker, payload.label, chosen, payload.equal)
         if nodes:
             left_out += _left_out(linker, payload.label, chosen)
@@ -109,8 +130,8 @@ def command(
     _store(out, results, report)
     tables = []
     if profile:
-        bases = [base.with_refresh(every, edge) for every in periods for edge in blocks]
-        cases = [(one.label, replace(kind, nodes=one.ids)) for one in payloads for kind in bases]
+        bases = kind.refreshes(base)
+        cases = [(one.label, replace(each, nodes=one.ids)) for one in payloads for each in bases]
         profiles = profiled(linker, [chosen for _, chosen in cases], how, draw)
         tables = [
             profile_table(taken, case[0]) for taken, case in zip(profiles, cases, strict=True)

@@ -21,7 +21,7 @@ from shadercache.caching import configuration as cached
 from shadercache.caching.algorithms import ALGORITHMS, USUAL
 from shadercache.caching.settings import cache_choices
 from shadercache.cli.io import folder
-from shadercache.cli.scenes import open_target
+from shadercache.cli.scenes import OpenedTarget, open_target
 from shadercache.diagnostics import usage_error
 from shadercache.front.read_options import MAX_TOKENS, Dialect, ReadOptions
 from shadercache.transform.hoist_fetches import FetchForm
@@ -188,11 +188,15 @@ class SceneOptions(ShaderOptions):
     target: Annotated[str, typer.Argument(metavar="SCENE|FRAG", help=TARGET_HELP)]
     vert: VertexOption = None
 
-    def open(self, context: typer.Context, frames: Path | None = None) -> tuple[Scene, Analysis]:
-        """The scene with its analysed shaders; ``frames`` is a recording. Raises as
+    def opened(self, context: typer.Context, frames: Path | None = None) -> OpenedTarget:
+        """What is drawn, and how to open it again; ``frames`` is a recording. Raises as
         :func:`open_target`."""
         reading = self.read_options()
-        opened = open_target(context, self.target, self.vert, reading, self.mapping, frames)
+        return open_target(context, self.target, self.vert, reading, self.mapping, frames)
+
+    def open(self, context: typer.Context, frames: Path | None = None) -> tuple[Scene, Analysis]:
+        """The scene with its analysed shaders. Raises as :meth:`opened`."""
+        opened = self.opened(context, frames)
         return opened.scene, opened.analysis
 
 

@@ -16,16 +16,14 @@ from shadercache.caching.configuration import Configuration
 from shadercache.cli.options import (
     NODE_HELP,
     PASSES,
-    TARGET_HELP,
     ClusterOption,
     RateOption,
+    SceneOptions,
     SettingsOption,
-    ShaderOptions,
-    VertexOption,
     parse_passes,
 )
 from shadercache.cli.progress import progress
-from shadercache.cli.scenes import choose_nodes, one_by_one, open_target
+from shadercache.cli.scenes import choose_nodes, one_by_one
 from shadercache.cli.tables import format_table, shorten, terminal_width
 
 if TYPE_CHECKING:
@@ -33,7 +31,6 @@ if TYPE_CHECKING:
     from shadercache.verify.verdict import Verdict
 
 HEADER = ("node", "path", "laws", "plain: largest", "p99.9", "changed", "text")
-READ = ShaderOptions()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -67,8 +64,7 @@ class WholeScene:
 
 def command(
     context: typer.Context,
-    target: Annotated[str, typer.Argument(metavar="SCENE|FRAG", help=TARGET_HELP)],
-    vert: VertexOption = None,
+    source: SceneOptions,
     node: Annotated[
         list[str] | None,
         typer.Option(metavar="NODE", help=f"{NODE_HELP}, or a set A+B; may be repeated."),
@@ -85,7 +81,6 @@ def command(
     plain: Annotated[
         bool, typer.Option("--plain/--proof-only", help="Also measure what plain mode changes.")
     ] = True,
-    reading: ShaderOptions = READ,
     variants: VariantOptions = VARIANTS,
     jobs: Annotated[
         int, typer.Option("-j", "--jobs", min=0, help="Processes; 0 takes one per core.")
@@ -114,8 +109,7 @@ def command(
     from shadercache.verify.verifier import Verifier
 
     algorithms = parse_passes(variants.passes)
-    read_options = reading.read_options()
-    opened = open_target(context, target, vert, read_options, reading.mapping)
+    opened, read_options = source.opened(context), source.read_options()
     scene, analysis = opened.scene, opened.analysis
     configuration = configured(scene, Configuration(payload_rate=variants.rate), variants.cache)
     if node:
