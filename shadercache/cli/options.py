@@ -190,9 +190,12 @@ class SceneOptions(ShaderOptions):
 
     def opened(self, context: typer.Context, frames: Path | None = None) -> OpenedTarget:
         """What is drawn, and how to open it again; ``frames`` is a recording. Raises as
-        :func:`open_target`."""
-        reading = self.read_options()
-        return open_target(context, self.target, self.vert, reading, self.mapping, frames)
+        :func:`open_target` and ``read_recording``."""
+        from shadercache.scene.recording import read_recording
+
+        reading, recording = self.read_options(), frames and read_recording(frames)
+        found = open_target(context, self.target, self.vert, reading, self.mapping)
+        return found.played(reading, recording) if recording else found
 
     def open(self, context: typer.Context, frames: Path | None = None) -> tuple[Scene, Analysis]:
         """The scene with its analysed shaders. Raises as :meth:`opened`."""

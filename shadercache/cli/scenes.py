@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from shadercache.analysis.candidates import Candidate
     from shadercache.compiler import Analysis
     from shadercache.scene.description import Scene
+    from shadercache.scene.recording import Recording
 
 SCENE_FILE = "scene.toml"
 
@@ -73,6 +74,13 @@ class OpenedTarget(NamedTuple):
     mapping: MappingKind | None
     vertex: Path | None = None
 
+    def played(self, reading: ReadOptions, recording: Recording) -> OpenedTarget:
+        """The same with a recording laid over it. Raises as ``open_scene``."""
+        from shadercache.linking.scene_shaders import open_scene
+
+        again = open_scene(self.path, reading, self.mapping, recording, self.vertex)
+        return OpenedTarget(*again, self.path, self.mapping, self.vertex)
+
 
 def open_target(
     context: Context,
@@ -80,10 +88,8 @@ def open_target(
     vertex: Path | None,
     reading: ReadOptions,
     mapping: MappingKind | None,
-    frames: Path | None = None,
 ) -> OpenedTarget:
     """The scene that a command is about; a shader without one may be shown by a made object.
-    ``frames``: a recording that is played in a scene, or by a full-screen shader.
 
     That lies in a folder which is there until the command ends. Of what was guessed the user is
     told. Raises as :func:`find_scene`, ``open_scene`` and ``open_shader``, and :class:`UsageError`
@@ -91,14 +97,12 @@ def open_target(
     """
     from shadercache.linking.made_object import open_shader
     from shadercache.linking.scene_shaders import open_scene
-    from shadercache.scene.recording import read_recording
 
     path = find_scene(target)
-    if path.suffix == ".toml" and vertex is not None:
-        raise usage_error("SC008", f"--vert: the scene {path} names its vertex shader itself")
-    if path.suffix == ".toml" or frames is not None:
-        recording = None if frames is None else read_recording(frames)
-        return OpenedTarget(*open_scene(path, reading, mapping, recording), path, mapping)
+    if path.suffix == ".toml":
+        if vertex is not None:
+            raise usage_error("SC008", f"--vert: the scene {path} names its vertex shader itself")
+        return OpenedTarget(*open_scene(path, reading, mapping), path, mapping)
     folder = context.with_resource(TemporaryDirectory(prefix="shadercache-"))
     scene, analysis, notes = open_shader(path, vertex, reading, mapping, Path(folder))
     if notes:

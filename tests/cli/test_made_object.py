@@ -5,9 +5,18 @@ from __future__ import annotations
 import json
 import shutil
 import tempfile
+from contextlib import ExitStack
 from pathlib import Path
+from types import SimpleNamespace
+from typing import cast
 
 import pytest
+import typer
+
+from shadercache.cli.app import Reporter
+from shadercache.cli.options import SceneOptions
+from shadercache.linking.linker import Linker
+from shadercache.scene.camera import uniform_values
 
 from .conftest import Shell
 
@@ -77,6 +86,22 @@ def test_a_sweep_can_be_resumed(shell: Shell, folder: Path) -> None:
     text = (folder / "alone_es.frag").read_text()
     (folder / "alone_es.frag").write_text(f"{text}// changed\n")
     assert "1 row is stale" in shell(*sweep).out
+
+
+@pytest.mark.parametrize("vert", [None, "flat.vert"])
+def test_a_recording_is_played_by_what_was_made(folder: Path, vert: str | None) -> None:
+    flat = (folder / "textured.vert").read_text().replace("projection * view * model * ", "")
+    (folder / "flat.vert").write_text(flat)
+    (folder / "frames.csv").write_text("time,cut\n7.0,0\n9.0,1\n")
+    source = SceneOptions(target="textured.frag", vert=vert and Path(vert))
+    with ExitStack() as stack:
+        context = SimpleNamespace(with_resource=stack.enter_context, obj=Reporter())
+        scene, analysis = source.open(cast(typer.Context, context), Path("frames.csv"))
+        Linker(scene, analysis)
+    assert (scene.common.mesh is None) == (vert is not None)
+    part = scene.parts[0]
+    assert uniform_values(scene.view, part, 1, (8, 8))["time"] == 9.0
+    assert scene.view.camera_path.cuts == {1}
 
 
 def test_what_cannot_be_shown(shell: Shell, folder: Path) -> None:
