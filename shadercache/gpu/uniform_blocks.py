@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import partial
 from itertools import product
 from math import prod
-from typing import Any
+from typing import Any, Protocol
 
 import moderngl
 import numpy as np
@@ -60,6 +60,15 @@ class Uniform:
             self._written = data
 
 
+class WordBuffer(Protocol):
+    """What holds the words of a block; ``size`` in bytes."""
+
+    size: int
+
+    def write(self, words: list[int], data: bytes) -> None:
+        """Set some words, which lie close together in ``data``."""
+
+
 class UniformBuffer:
     """What a block holds. It is uploaded when it has changed and the program is drawn."""
 
@@ -91,7 +100,7 @@ class UniformBuffer:
 
 
 def block_uniforms(
-    shader: str, inputs: Iterable[InputEntry], buffers: Mapping[str, UniformBuffer]
+    shader: str, inputs: Iterable[InputEntry], buffers: Mapping[str, WordBuffer]
 ) -> Iterator[Uniform]:
     """The members of the blocks that a program has; a scene need not give those nobody reads.
 
@@ -124,7 +133,7 @@ def _is_usual(block: UniformBlockInput, size: int) -> bool:
     return block.size is not UNSET and block.size - _VEC4 < size <= block.size
 
 
-def _leaves(name: str, buffer: UniformBuffer, member: MemberEntry, start: int) -> Iterator[Uniform]:
+def _leaves(name: str, buffer: WordBuffer, member: MemberEntry, start: int) -> Iterator[Uniform]:
     """The uniforms that a member is, as GL counts them: parts of structs are uniforms."""
     offset, step = start + _given(member.offset), _given(member.stride)
     # An innermost array of numbers is one uniform. Arrays around it, and those of structs, have one
@@ -141,7 +150,7 @@ def _leaves(name: str, buffer: UniformBuffer, member: MemberEntry, start: int) -
             yield _numbers(element, buffer, member, first)
 
 
-def _numbers(name: str, buffer: UniformBuffer, member: MemberEntry, offset: int) -> Uniform:
+def _numbers(name: str, buffer: WordBuffer, member: MemberEntry, offset: int) -> Uniform:
     kind = builtin_type(member.type.partition("[")[0])
     if kind is None or kind.base not in _DTYPES:
         raise input_error("SC524", f"the harness cannot fill {name}: {member.type} in a block")

@@ -180,12 +180,12 @@ class Manifest(kinds.ManifestPart, frozen=True, kw_only=True):
         Meta(description="algorithms that these values cannot be cached with"),
     ]
     payload: Annotated[
-        pass_model.DrawingPass,
+        pass_model.DrawingPass | UnsetType,
         Meta(
             description="draws the payload alone in place of the colour: what computing it costs; "
-            "no part of any variant"
+            "no part of any variant, and left out where a variant is handed over"
         ),
-    ]
+    ] = UNSET
     debug: pass_model.DebugEntry
     frame: Annotated[kinds.Sentences, Meta(description="what the engine does each frame, in order")]
     reset: Annotated[

@@ -55,8 +55,9 @@ def passes_of(manifest: Manifest) -> Iterator[tuple[str, PassEntry]]:
         for number, entry in enumerate(variant.passes):
             yield f"variants[{at}].passes[{number}]", entry
     yield "original", manifest.original
-    yield "payload", manifest.payload
     yield "debug", manifest.debug
+    if manifest.payload is not UNSET:
+        yield "payload", manifest.payload
     if manifest.geometry is not UNSET:
         yield "geometry", manifest.geometry
 

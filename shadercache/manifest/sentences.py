@@ -231,19 +231,20 @@ def _of_changes(refresh: Refresh, setting: Setting) -> list[str]:
     if not setting.depends_on:
         return []
     whom = "" if setting.full_screen else ", or the objects that it concerns by themselves"
+    old = age(refresh, setting.mapping)
     return [
-        f"What is reused was computed in an earlier frame; it is {_age(refresh, setting)}. Where "
+        f"What is reused was computed in an earlier frame; it is {old}. Where "
         "something in depends_on has another value now (a light, the eye, a texture's content), "
         "reuse shows the old one for that long. If that must not be seen, reset in the frame of "
         f"the change{whom}; what is not in depends_on needs no reset."
     ]
 
 
-def _age(refresh: Refresh, setting: Setting) -> str:
-    """How old a payload may become."""
+def age(refresh: Refresh, mapping: MappingKind) -> str:
+    """How old a payload may become, behind ``it is``."""
     # A payload that stays at its pixel has that pixel's turn in every period. One that moves may
     # leave each block just before its turn.
-    if refresh.age or (setting.mapping == "screen" and refresh.schedule != "none"):
+    if refresh.age or (mapping == "screen" and refresh.schedule != "none"):
         return "at most a period old"
     if refresh.schedule == "none":
         return "as old as a surface has been in view: nothing is refreshed"

@@ -204,6 +204,8 @@ class Bundle:
     @cached_property
     def payload(self) -> PassSpec:
         """The payload alone, drawn like the original: what computing it costs."""
+        if self._variants.payload is UNSET:
+            raise unusable("it tells of no program for the payload alone")
         return self._pass(self._variants.payload)
 
     @cached_property

@@ -1,0 +1,1 @@
+"""INTEGRATION.md of a variant, section by section."""
