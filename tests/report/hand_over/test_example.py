@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import ast
 import io
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from shadercache.caching.configuration import Assignment
 from shadercache.gpu.context import Gpu
 from shadercache.report.hand_over import handed_files
 from shadercache.report.hand_over.example import example_data
 from shadercache.report.hand_over.example.example_several import MOST_LINES
+from shadercache.report.hand_over.handed_files import hand_over
 from tests.report.hand_over.handed import (
     CHOICES,
     EXPECTED,
@@ -21,6 +24,7 @@ from tests.report.hand_over.handed import (
     SIZE,
     Choice,
     Handed,
+    chosen,
     drawn_by_harness,
     example_pictures,
     handed,
@@ -74,6 +78,21 @@ def test_every_kind_of_input(
     path = write_rich_scene(tmp_path / "scene", several)
     made = handed(Choice(path, 0, algorithm))
     agree(gpu, made, tmp_path / "handed")
+
+
+def test_shaders_by_different_algorithms(
+    gpu: Gpu, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(handed_files, "MOST_LINES", 200)
+    linker, assignment = chosen(CHOICES["heroine"])
+    by = {"heroine": "parked", "ground": "3-pass"}
+    own = Assignment(
+        tuple((name, one and replace(one, algorithm=by[name])) for name, one in assignment.objects)
+    )
+    made = Handed(linker, own, hand_over(linker, own, EXPECTED, frames=FRAMES))
+    text = made.text("example.py")
+    assert "heroine/parked.find" in text and "ground/3-pass.reuse" in text
+    agree(gpu, made, tmp_path)
 
 
 def test_a_texture_that_changes_with_each_frame(gpu: Gpu, tmp_path: Path) -> None:
