@@ -193,9 +193,10 @@ class Trials:
         """Scale the errors of a plan's families by what was found at full size."""
         if plan.without:
             return
+        expected = plan.error  # of all parts together: each is scaled alike
         for family, period in plan.parts:
-            if plan.error > 0.0:
-                family.scale *= drawn.worst / plan.error
+            if expected > 0.0:
+                family.scale *= drawn.worst / expected
             elif drawn.worst > 0.0:
                 # No age showed any error, so there is nothing to scale.
                 family.error, family.scale = fit_error([period], [drawn.worst]), 1.0
