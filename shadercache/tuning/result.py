@@ -54,6 +54,7 @@ def to_json(tuning: Tuning, scene: Scene, where: Mapping[str, Any]) -> Any:
             "finalists": [
                 {
                     "plan": plan(one.plan),
+                    "without": list(one.plan.without),
                     "predicted": {"share": one.plan.share, "error": one.plan.error},
                     "drawn": _drawn(one.drawn),
                 }
@@ -123,6 +124,7 @@ def _drawn(drawn: Drawn) -> dict[str, Any]:
 
 def _proven(one: Proven) -> dict[str, Any]:
     return {
+        "without": list(one.plan.without),
         "passages": [
             {"name": p.name, "start": p.start, "step": p.step, **_drawn(drawn)}
             for p, drawn in one.passages

@@ -115,16 +115,7 @@ function strip(row) {
 }
 
 function repeatParts(row) {
-  const button = make("button", { type: "button", class: "copy" }, "Copy");
-  // Lines end between words: a browser would break `--size` behind its first hyphen as well.
-  const words = row.repeat.split(/(?<= )/).map((word) => make("span", {}, word));
-  const command = make("pre", { class: "command" }, ...words);
-  button.addEventListener("click", () => {
-    // A page opened as a file may not use the clipboard; what is selected can be copied by hand.
-    getSelection().selectAllChildren(command);
-    if (document.execCommand("copy")) button.textContent = "Copied";
-  });
-  return [make("h3", {}, "Measure it again"), command, button];
+  return [make("h3", {}, "Measure it again"), ...commandParts(row.repeat)];
 }
 
 function setUpDetails() {

@@ -18,7 +18,7 @@ from shadercache.caching.algorithms import algorithm
 from shadercache.caching.configuration import Configuration
 from shadercache.measure.metrics.perceived import Perceived
 from shadercache.paths import data_path
-from shadercache.report.parts.words import settings_in_words
+from shadercache.report.parts.page_words import settings_in_words
 from shadercache.sweep.row import PayloadEntry, Row, SceneEntry, TrialResult
 
 BINS = 24

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from shadercache.caching.algorithms import NAMES
 from shadercache.diagnostics import shortened
 from shadercache.report.page.page_group import SMALL_ERROR, Measured, PageGroup
-from shadercache.report.parts.words import (
+from shadercache.report.parts.page_words import (
     algorithm_in_words,
     capital,
     error_in_words,

@@ -78,6 +78,20 @@ function definitions(list, entries) {
   );
 }
 
+// A command line, with a button that copies it.
+function commandParts(text) {
+  const button = make("button", { type: "button", class: "copy" }, "Copy");
+  // Lines end between words: a browser would break `--size` behind its first hyphen as well.
+  const words = text.split(/(?<= )/).map((word) => make("span", {}, word));
+  const command = make("pre", { class: "command" }, ...words);
+  button.addEventListener("click", () => {
+    // A page opened as a file may not use the clipboard; what is selected can be copied by hand.
+    getSelection().selectAllChildren(command);
+    if (document.execCommand("copy")) button.textContent = "Copied";
+  });
+  return [command, button];
+}
+
 // Plotly wants colours: it cannot read the variables of the style.
 function color(name) {
   return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();

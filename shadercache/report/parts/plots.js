@@ -58,13 +58,13 @@ const PLOT_OPTIONS = {
 const pointing = { card: () => [], choose: () => {} };
 
 // Draws into a place, with a key above it, and sees to it that the card tells of what is pointed at.
-function draw(place, traces, shape) {
+function draw(place, traces, shape, options = PLOT_OPTIONS) {
   place.classList.remove("empty");
   const hidden = place.hiddenNames || (place.hiddenNames = new Set());
   for (const trace of traces) trace.visible = !hidden.has(trace.name);
   // drawNothing may have left a sentence here; Plotly would draw below it.
   if (!place.heard) place.replaceChildren();
-  Plotly.react(place, traces, shape, PLOT_OPTIONS);
+  Plotly.react(place, traces, shape, options);
   drawKey(place, traces, hidden);
   // Plotly.react keeps the listeners of the first drawing; more would each be called.
   if (place.heard) return;
@@ -124,7 +124,7 @@ function glyph({ mode, marker, line: stroke }) {
     }));
   }
   if (MARKS[marker && marker.symbol]) {
-    svg.append(drawing("path", { d: MARKS[marker.symbol], fill: marker.color }));
+    svg.append(drawing("path", { d: MARKS[marker.symbol], fill: [marker.color].flat()[0] }));
   }
   return svg;
 }
