@@ -66,6 +66,10 @@ def command(
     ] = None,
     picture: TunePicture = PICTURE,
     as_json: Annotated[bool, typer.Option("--json", help="Print all that was found.")] = False,
+    page: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Also write it as one page; needs the extra 'report'."),
+    ] = None,
 ) -> None:
     """Choose the values to cache, how, and how often to refresh them; prove it on other frames.
 
@@ -73,12 +77,18 @@ def command(
     path, and a part at twice the speed, each with the error of every frame within the bound. Where
     nothing is faster than the original it says so: leave the shader alone.
     """
+    from shadercache.files import write_bytes
     from shadercache.linking.linker import Linker
     from shadercache.measure.result_files import environment
+    from shadercache.report.parts.page_parts import plotly_script
+    from shadercache.report.tuning_page.tuning_page import page_of
     from shadercache.tuning.budget import Budget
     from shadercache.tuning.choose import TuneQuestion, tune
+    from shadercache.tuning.front import worth_a_look
     from shadercache.tuning.result import to_json
 
+    if page is not None:
+        plotly_script()  # raised before minutes are spent, where it is missing
     clock = Budget(parse_seconds(budget))
     fixed = picture.size != AUTO
     question = TuneQuestion(parse_bounds(max_error, metric), clock.seconds, fixed)
@@ -92,13 +102,18 @@ def command(
             clock,
             lambda spent, what: tell(int(1000 * min(1.0, spent)), 1000, what),
         )
-        where = environment(world.gpu)
+        everything = to_json(found, linker.scene, environment(world.gpu))
+        if page is not None:
+            plans = worth_a_look(found, linker.scene)
+            write_bytes(page, page_of(everything, world, linker, plans, tell))
     if as_json:
-        print(json.dumps(to_json(found, linker.scene, where), indent=1))
+        print(json.dumps(everything, indent=1))
         return
     print(_head(found))
     for answer in found.answers:
         print(f"\n{_told(found, answer)}")
+    if page is not None:
+        print(f"\nwrote {page}")
 
 
 def parse_seconds(text: str) -> float:

@@ -2,10 +2,10 @@
 // A table that is sorted by a click on a heading.
 
 // `columns`: [heading, key of a row, its text by key and row, is it a number?]. `open` is called with
-// the place of a row whose first cell is clicked. `sorting` is by the heading of a column, `down` or
+// the place of a row whose first cell is clicked, where it `opens`. `sorting` is by the heading of a column, `down` or
 // up; rows without a value come last in either order.
-function sortedTable(table, columns, rows, sorting, open) {
-  const fill = () => sortedTable(table, columns, rows, sorting, open);
+function sortedTable(table, columns, rows, sorting, open, opens = () => true) {
+  const fill = () => sortedTable(table, columns, rows, sorting, open, opens);
   const [, key] = columns.find(([name]) => name === sorting.by) || columns[0], sign = sorting.down ? -1 : 1;
   const order = rows.map((row, place) => ({ place, row, value: key(row) }));
   order.sort((a, b) => (a.value == null) - (b.value == null)
@@ -13,7 +13,7 @@ function sortedTable(table, columns, rows, sorting, open) {
   table.replaceChildren(
     make("thead", {}, make("tr", {}, ...columns.map((column, at) => headCell(table, column, at, sorting, fill)))),
     make("tbody", {}, ...order.map(({ row, place }) =>
-      make("tr", {}, ...columns.map((column, at) => bodyCell(column, row, at ? null : () => open(place)))))),
+      make("tr", {}, ...columns.map((column, at) => bodyCell(column, row, at || !opens(row) ? null : () => open(place)))))),
   );
 }
 

@@ -34,12 +34,11 @@ const VALUE_COLUMNS = [
 function fillValues() {
   sortedTable(byId("table"), VALUE_COLUMNS, tableRows, { by: "share", down: true }, (at) => {
     const { place } = tableRows[at];
-    if (place === null || !isFitted(place)) return;
     // The longest period within the bound, or the shortest there is.
     const periods = periodsOf(place), within = periods.filter((period) => hastyError(place, period) <= choice.bound);
     choice.choosePlan([[place, within.length ? within.at(-1) : periods[0]]]);
     byId("look-title").scrollIntoView();
-  });
+  }, ({ place }) => place !== null && isFitted(place));
 }
 
 function setUpValues() {
