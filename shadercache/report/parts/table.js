@@ -2,8 +2,8 @@
 // A table that is sorted by a click on a heading.
 
 // `columns`: [heading, key of a row, its text by key and row, is it a number?]. `open` is called with
-// the place of a row whose first cell is clicked, where it `opens`. `sorting` is by the heading of a column, `down` or
-// up; rows without a value come last in either order.
+// the place of a row whose first cell is clicked, of those that it `opens`. `sorting` is by the heading
+// of a column, `down` or up; rows without a value come last in either order.
 function sortedTable(table, columns, rows, sorting, open, opens = () => true) {
   const fill = () => sortedTable(table, columns, rows, sorting, open, opens);
   const [, key] = columns.find(([name]) => name === sorting.by) || columns[0], sign = sorting.down ? -1 : 1;
