@@ -83,7 +83,6 @@ def test_every_kind_of_input(
 def test_shaders_by_different_algorithms(
     gpu: Gpu, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(handed_files, "MOST_LINES", 200)
     linker, assignment = chosen(CHOICES["heroine"])
     by = {"heroine": "parked", "ground": "3-pass"}
     own = Assignment(
@@ -113,9 +112,9 @@ def test_one_object_stands_for_several_where_a_texture_changes(tmp_path: Path) -
 def test_objects_that_come_and_go(
     gpu: Gpu, scene_folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Of all objects the example would be too long: one stands for them. What it would be is
-    right all the same."""
-    choice = Choice(scene_folder / "objects", "main.0-7a71c60a", "1-pass")
+    """The example of all of them would be too long, so one stands for them; but it would be
+    right. By one pass it is shorter."""
+    choice = Choice(scene_folder / "objects", "main.0-7a71c60a", "parked", 5)
     made = handed(choice)
     check_text(made)
     assert "Of the scene's objects it draws turning alone" in made.text("example.py")
@@ -123,6 +122,9 @@ def test_objects_that_come_and_go(
     example_pictures(written(made, tmp_path / "one"))
     monkeypatch.setattr(handed_files, "MOST_LINES", 200)
     agree(gpu, handed(choice), tmp_path / "all")
+    shorter = handed(replace(choice, algorithm="1-pass"))
+    check_text(shorter)
+    agree(gpu, shorter, tmp_path / "one pass")
 
 
 def test_large_textures_are_made_smaller(

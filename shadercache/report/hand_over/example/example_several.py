@@ -8,7 +8,7 @@ from itertools import groupby
 from string import Template
 
 from shadercache.manifest.interface import AttributeInput, SamplerInput
-from shadercache.report.hand_over.example.code_lines import call, spread
+from shadercache.report.hand_over.example.code_lines import INNER, WIDEST, call, spread
 from shadercache.report.hand_over.example.example_blocks import (
     ExampleBlocks,
     entries,
@@ -131,9 +131,9 @@ class SeveralObjects:
                     told[key_of(shader, cached)] = self._runs(shader, rows)
         if len(told) == 1:
             [(key, parts)] = told.items()
-            return spread(f'THINGS = {{"{key}": [', parts, "]}")
+            return spread(f'ALL = {{"{key}": [', parts, "]}")
         listed = (spread(f'"{key}": [', parts, "],", 4) for key, parts in told.items())
-        return ["THINGS = {", *(line for each in listed for line in each), "}"]
+        return ["ALL = {", *(line for each in listed for line in each), "}"]
 
     def _runs(self, shader: HandedShader, rows: Sequence[tuple[int, ExampleObject]]) -> list[str]:
         """Objects as code; those that differ in nothing but their row as one."""
@@ -157,11 +157,21 @@ class SeveralObjects:
     def _tables(self) -> list[str]:
         """Values, and the buffers of what changes beside uniforms."""
         twins = {twin: f'"{name}"' for twin, name in self.blocks.twins.items()}
-        lines = entries("TWINS = {", twins, "}")
+        if self._before is None:
+            lines = entries("TWINS = {", twins, "}")
+        else:
+            lines = spread("TWINS = [", twins.values(), "]")
         if self.moving:
             lines.append(f"moving = {_MOVING}  # to be written for each draw")
             lines += spread("MOVING = {", (f'"{name}"' for name in self.moving), "}")
         return lines
+
+    @property
+    def _before(self) -> str | None:
+        """What the name of every twin has in front of the other's, where that is all to be known
+        of twins."""
+        found = {twin.removesuffix(name) for twin, name in self.blocks.twins.items()}
+        return found.pop() if len(found) == 1 and not self.moving else None
 
     def _vertices(self) -> list[str]:
         """What a program draws."""
@@ -216,10 +226,11 @@ class SeveralObjects:
             if name not in known or "frame" in code or "reset" in code
         }
         start = '("values/" + folder, f"moving/{mesh}/")' if self.moving else '"values/" + folder'
-        lines = [
-            f"keys = [key for key in DATA if key.startswith({start})]",
-            'tables = {key.rpartition("/")[2]: DATA[key] for key in keys}',
-        ]
+        keys = f"key in DATA if key.startswith({start})"
+        lines = [f'tables = {{key.rpartition("/")[2]: DATA[key] for {keys}}}']
+        if len(lines[0]) > WIDEST - INNER:
+            lines = [f"keys = [key for {keys}]"]
+            lines.append('tables = {key.rpartition("/")[2]: DATA[key] for key in keys}')
         lines += [
             "now = {one: t[row % len(t), frame % t.shape[1]] for one, t in tables.items()}",
             "last = {one: t[row % len(t), (frame - 1) % t.shape[1]] for one, t in tables.items()}",
@@ -232,7 +243,9 @@ class SeveralObjects:
             else:
                 added = {one: code.replace("reset", blocks.resets) for one, code in added.items()}
         twins = "{twin: last[one] for twin, one in TWINS.items() if one in last}"
-        return [*lines, *entries(f"return now | {twins} | {{", added, "}")]
+        if self._before is not None:
+            twins = f'{{f"{self._before}{{one}}": last[one] for one in TWINS if one in last}}'
+        return [*lines, f"twins = {twins}", *entries("return now | twins | {", added, "}")]
 
     def _written(self) -> list[str]:
         """What fills and binds buffers, and sets what differs between objects."""
@@ -281,7 +294,7 @@ class SeveralObjects:
 
     def _drawn(self, step: PassStep) -> str:
         """The objects that a step draws, as code."""
-        things = f'THINGS["{key_of(step.shader, step.cached)}"]'
+        things = f'ALL["{key_of(step.shader, step.cached)}"]'
         if step.over_screen:
             rows = self._first_of_groups(step)
             if rows == [0]:
@@ -316,7 +329,7 @@ class SeveralObjects:
         things = "shown(things, frame)" if self.goes else "things"
         return [
             *self.blocks.targets.cleared(),
-            "for things in THINGS.values():",
+            "for things in ALL.values():",
             f'    draw(things[0][0] + "original", {things}, frame, {{}}, [{colors}], "<")',
         ]
 

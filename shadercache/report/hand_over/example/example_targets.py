@@ -105,9 +105,7 @@ class ExampleTargets:
         depths = {"depth": "SIZE", "small_depth": "SMALL", "marks": "SIZE"}
         wanted = ["depth", *["small_depth"] * (self.divisor > 1), *["marks"] * self.marks]
         buffers = {name: f"ctx.depth_renderbuffer({depths[name]})" for name in wanted}
-        made = [_assigned({**targets, **buffers})]
-        if len(made[0]) > WIDEST:
-            made = [_assigned({name: code}) for name, code in {**targets, **buffers}.items()]
+        made = _assigned({**targets, **buffers})
         layers = [layer.made(size) for layer in self._layers]
         one = f"({', '.join(layers)})" if self.two else layers[0]
         made.append(f"caches = [{one} for _ in range(2)]  # they swap")
@@ -174,8 +172,17 @@ class ExampleTargets:
         )
 
 
-def _assigned(variables: Mapping[str, str]) -> str:
-    return f"{', '.join(variables)} = {', '.join(variables.values())}"
+def _assigned(variables: Mapping[str, str]) -> list[str]:
+    """Variables with what they are, as many on a line as fit."""
+    lines, names = [""], list[str]()
+    for name in variables:
+        longer = [*names, name]
+        line = f"{', '.join(longer)} = {', '.join(variables[one] for one in longer)}"
+        if len(line) > WIDEST and names:
+            lines.append("")
+            longer, line = [name], f"{name} = {variables[name]}"
+        lines[-1], names = line, longer
+    return lines
 
 
 def _sampler(manifest: Manifest, parked: TargetName) -> str:
