@@ -218,5 +218,8 @@ def _why_none(search: Search, proof: Proof, bound: Bound) -> str:
     measured = [one for one in search.finalists if one.pays]
     if measured:
         least_drawn = min(one.drawn.worst for one in measured)
-        return f"what is faster than the original errs by at least {bound.told(least_drawn)}"
+        told = f"what is faster than the original errs by at least {bound.told(least_drawn)}"
+        if least_drawn > bound.error:
+            return told
+        return f"{told}, and there was no time to prove it"
     return "what is near enough to the original is no faster"

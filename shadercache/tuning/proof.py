@@ -122,7 +122,15 @@ class Proof:
             for plan in (*self.search.plans(bound.error), *measured)
             if plan.key not in tried and (share := shares.get(plan.key, plan.share)) < least
         }
-        return min(fitting, key=lambda plan: fitting[plan], default=None)
+        if fitting or self.proven:
+            return min(fitting, key=lambda plan: fitting[plan], default=None)
+        # Nothing is likely to hold. What holds at the usual speed is tried all the same: how much
+        # more it errs in haste is only a guess so far.
+        usual = [
+            one for one in self.search.finalists if one.pays and one.drawn.worst <= bound.error
+        ]
+        nearest = min(usual, key=lambda one: one.drawn.worst, default=None)
+        return None if nearest is None else nearest.plan
 
     def _hasty(self, finalist: Finalist) -> float:
         """What was measured, as it is thought to be at twice the speed."""
