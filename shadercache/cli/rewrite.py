@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import Annotated
 
@@ -11,24 +11,56 @@ import typer
 from shadercache.caching.configuration import Mode
 from shadercache.caching.settings import with_settings
 from shadercache.cli import options
+from shadercache.cli.choosing import LookOptions, TuneFiles, TunePicture, choose, told_choice
 from shadercache.cli.io import MANIFEST, atomic_folder, read_pair
 from shadercache.diagnostics import usage_error
 
 READ, CACHED = options.ShaderOptions(), options.CacheOptions()
 
 
+@dataclass(frozen=True, kw_only=True)
+class AutoOptions(LookOptions):
+    """What is asked for in place of a node."""
+
+    auto: Annotated[
+        bool,
+        typer.Option("--auto", help="Choose for me, as 'tune' does, on a scene that is made up."),
+    ] = False
+    max_error: Annotated[
+        float | None, typer.Option(metavar="E", help="With --auto: the largest error of a frame.")
+    ] = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class PayloadOptions:
+    """Which values may be cached, and how they are computed."""
+
+    mode: Annotated[
+        Mode, typer.Option(help="proof pins the arithmetic down (#version 400, 320 es).")
+    ] = "plain"
+    unprofitable: options.UnprofitableOption = False
+    rate: options.RateOption = "full"
+    carry: Annotated[
+        bool, typer.Option("--carry", help="Also cache what payload and shading both compute.")
+    ] = False
+
+
+BY_HAND, PAYLOAD = AutoOptions(), PayloadOptions()
+
+
 def command(
     context: typer.Context,
     fragment: options.FragmentArgument,
+    out: Annotated[Path, options.output("Folder to write.")],
     node: Annotated[
-        list[str],
+        list[str] | None,
         typer.Option(
             metavar="NODE",
             help="What to cache, from 'nodes': an id, a text 'f(x)' or a place :LINE[:COLUMN];"
             " several are one set.",
         ),
-    ],
-    out: Annotated[Path, options.output("Folder to write.")],
+    ] = None,
+    auto: AutoOptions = BY_HAND,
     vert: Annotated[
         str | None,
         typer.Option(metavar="FILE", help="Vertex shader; if left out, FRAG with .vert."),
@@ -41,14 +73,7 @@ def command(
             help="Geometry passes of the variant.",
         ),
     ] = "all",
-    mode: Annotated[
-        Mode, typer.Option(help="proof pins the arithmetic down (#version 400, 320 es).")
-    ] = "plain",
-    unprofitable: options.UnprofitableOption = False,
-    rate: options.RateOption = "full",
-    carry: Annotated[
-        bool, typer.Option("--carry", help="Also cache what payload and shading both compute.")
-    ] = False,
+    how: PayloadOptions = PAYLOAD,
     reading: options.ShaderOptions = READ,
     caching: options.CacheOptions = CACHED,
 ) -> None:
@@ -56,12 +81,20 @@ def command(
 
     Several nodes (--node A --node B, or A+B) share the texels of one cache, the look-up and the
     refresh: up to seven channels in all. How to run them is in manifest.json, which is written
-    last.
+    last. With --auto and --max-error the node is chosen as well, and all else: see tune.
     """
     from shadercache.analysed import carrying, overlap_notes
     from shadercache.compiler import analyse, rewrite
     from shadercache.manifest.codec import encode
 
+    if auto.auto:
+        shown = {one.name: getattr(reading, one.name) for one in fields(reading)}
+        beside = None if vert is None else Path(vert)
+        scene = options.SceneOptions(target=fragment, vert=beside, **shown)
+        _choose(context, scene, auto, node, out)
+        return
+    if not node:
+        raise usage_error("SC003", "missing option '--node'", "or --auto with --max-error")
     read_options = reading.read_options()
     analysis = analyse(*read_pair(fragment, vert), read_options, reading.mapping)
     if analysis.vertex is None and not analysis.full_screen:
@@ -69,13 +102,13 @@ def command(
         raise usage_error("SC005", "the vertex shader is missing", hint)
     # One by one: joined, two texts might be a third.
     nodes = tuple(found for name in node for found in analysis.nodes_of(name))
-    analysis.require_all(nodes, unprofitable)
-    overlaps = () if carry else overlap_notes(analysis, nodes)
-    payload = tuple(node.id for node in (carrying(analysis, nodes) if carry else nodes))
-    chosen = replace(caching.base, nodes=payload, mode=mode, payload_rate=rate)
+    analysis.require_all(nodes, how.unprofitable)
+    overlaps = () if how.carry else overlap_notes(analysis, nodes)
+    payload = tuple(node.id for node in (carrying(analysis, nodes) if how.carry else nodes))
+    chosen = replace(caching.base, nodes=payload, mode=how.mode, payload_rate=how.rate)
     chosen = with_settings(chosen, caching.cache or ())
     wanted = [replace(chosen, algorithm=name) for name in options.parse_passes(passes)]
-    emission = rewrite(analysis, wanted, unprofitable=unprofitable)
+    emission = rewrite(analysis, wanted, unprofitable=how.unprofitable)
     with atomic_folder(out) as folder:
         for name, text in {**emission.files, MANIFEST: encode(emission.manifest)}.items():
             # Line ends as they were emitted, on every system.
@@ -84,3 +117,23 @@ def command(
     print(
         f"wrote {len(emission.files)} shaders and {MANIFEST} to {out} (mapping: {analysis.mapping})"
     )
+
+
+def _choose(
+    context: typer.Context,
+    source: options.SceneOptions,
+    auto: AutoOptions,
+    node: list[str] | None,
+    out: Path,
+) -> None:
+    """What ``tune`` does, for one bound."""
+    from shadercache.tuning.budget import Budget
+    from shadercache.tuning.choose import TuneQuestion
+
+    if node or auto.max_error is None:
+        message = "--auto chooses the node" if node else "--auto needs a bound"
+        raise usage_error("SC003", message, "give --auto --max-error 0.01, or --node")
+    clock, picture = Budget(auto.seconds), TunePicture()
+    question = TuneQuestion(auto.bounds(str(auto.max_error)), clock.seconds)
+    chosen = choose(source.open(context), question, picture, clock, TuneFiles(out))
+    print(told_choice(chosen))

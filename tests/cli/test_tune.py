@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -122,3 +124,33 @@ def test_recorded_frames_are_played(shell: Shell, tmp_path: Path) -> None:
     )
     still = shell("tune", str(folder), "--max-error", "0.1", "--frames", str(path))
     assert still.status == 1 and "SC048" in still.err
+
+
+@pytest.mark.slow
+def test_what_was_chosen_is_handed_over_and_runs(shell: Shell, tmp_path: Path) -> None:
+    out, page = tmp_path / "out", tmp_path / "page.html"
+    asked = ("tune", "dragon", "--max-error", "0.02,0.3", "--budget", "12s", *SMALL)
+    outcome = shell(*asked, "-o", str(out), "--page", str(page))
+    assert outcome.status == 0 and page.stat().st_size > 1e6
+    folders = [folder for folder in (out / "0.02", out / "0.3") if folder.is_dir()]
+    assert len(folders) == outcome.out.count("INTEGRATION.md")
+    for folder in folders:
+        assert (folder / "manifest.json").is_file()
+        text = (folder / "INTEGRATION.md").read_text(encoding="utf-8")
+        assert "Error in rmse" in text
+        ran = subprocess.run(
+            [sys.executable, "example.py"], cwd=folder, capture_output=True, text=True, check=False
+        )
+        assert ran.returncode == 0, ran.stderr
+        assert (folder / "example.png").is_file()
+
+
+def test_rewrite_chooses_where_it_is_asked(shell: Shell, tmp_path: Path) -> None:
+    path = tmp_path / "full.frag"
+    path.write_text(NOTHING, encoding="utf-8")
+    asked = ("rewrite", str(path), "-o", str(tmp_path / "out"))
+    outcome = shell(*asked, "--auto", "--max-error", "0.01", "--budget", "10s")
+    assert outcome.status == 0 and "leave it alone" in outcome.out
+    assert not (tmp_path / "out").exists()
+    for options in (("--auto",), ("--auto", "--max-error", "0.1", "--node", "a.1-0"), ()):
+        assert shell(*asked, *options).status == 2
