@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from shadercache.cli.io import read_source
-from shadercache.cli.nodes_json import changes_of, print_nodes
+from shadercache.cli.node_views.nodes_json import changes_of, print_nodes
+from shadercache.cli.node_views.shortlist import MAPPINGS, told_in_one_look
 from shadercache.cli.options import FragmentArgument, ShaderOptions
 from shadercache.cli.scenes import find_scene
-from shadercache.cli.shortlist import MAPPINGS, told_in_one_look
 from shadercache.cli.tables import format_table, shorten, terminal_width
 
 if TYPE_CHECKING:

@@ -1,0 +1,1 @@
+"""How nodes are shown: in one look, and as JSON."""
