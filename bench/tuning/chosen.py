@@ -46,8 +46,8 @@ class Recorded:
         return [self._drawn(_of(one), run) for one in assignments]
 
     def _drawn(self, chosen: Configuration, run: Run) -> Drawn:
+        row = self.rows.get(chosen.with_refresh(1), {"why": "the grid has no such configuration"})
         self.asked.add(chosen)
-        row = self.rows[chosen.with_refresh(1)]
         if "why" in row:
             raise input_error("SC602", row["why"])
         period = chosen.refresh.period

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from shadercache.caching.configuration import Configuration
+from shadercache.caching.configuration import Configuration, Filter
 from shadercache.cli.progress import progress
 from shadercache.diagnostics import DiagnosticError
 from shadercache.gpu.context import open_context
@@ -75,6 +75,7 @@ class Grid:
             first = replace(SPACE.first(self.base), nodes=value.ids)
             yield first
             yield from SPACE.main(first, not value.changes)
+            yield replace(first, algorithm="parked", filter=Filter("carried"))
 
 
 def periods_of(family: Configuration) -> tuple[int, ...]:

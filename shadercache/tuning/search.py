@@ -118,7 +118,7 @@ class Search:
             kinds = self._helpful(best)
             self._fit(self.trials.family(other, kind) for kind in kinds for other in others)
             self._fit(self._sets(group, pool))
-            self._fit(self._like(best, pool, kinds))
+            self._fit(self._like(group, pool))
             self._fit(self._minor(group))
 
     def finish(self) -> None:
@@ -222,19 +222,23 @@ class Search:
         kinds = self.trials.setting.space.main(first.base, not first.value.changes)
         return (self.trials.family(first, kind) for kind in kinds)
 
-    def _like(self, best: Family, pool: Pool, kinds: Sequence[Configuration]) -> Iterator[Family]:
-        """Values that share most of the best one's work, by the choice that helped it most."""
-        for value in pool.alike.get(best.value, ())[:IN_TURNS]:
-            first = self.trials.first_of(best.group, value)
-            yield self.trials.family(first, kinds[0]) if kinds else first
+    def _like(self, group: ShaderGroup, pool: Pool) -> Iterator[Family]:
+        """Values that share most of the work of those that are best so far, by their choices: what
+        saves a little less may err less, too."""
+        for family in self._leading(group):
+            for value in pool.alike.get(family.value, ())[:IN_TURNS]:
+                yield self.trials.family(self.trials.first_of(group, value), family.base)
 
     def _minor(self, group: ShaderGroup) -> Iterator[Family]:
-        for bound in self.bounds:
-            for plan in self.plans(bound.error)[:1]:
-                for family, _ in plan.parts:
-                    if family.group is group:
-                        kinds = self.trials.setting.space.minor(family.base)
-                        yield from (self.trials.family(family, kind) for kind in kinds)
+        for family in self._leading(group):
+            kinds = self.trials.setting.space.minor(family.base)
+            yield from (self.trials.family(family, kind) for kind in kinds)
+
+    def _leading(self, group: ShaderGroup) -> list[Family]:
+        """The group's families of the plans that are fastest within each bound."""
+        best = [plan for bound in self.bounds for plan in self.plans(bound.error)[:1]]
+        parts = (family for plan in best for family, _ in plan.parts)
+        return list(dict.fromkeys(family for family in parts if family.group is group))
 
     def _helpful(self, best: Family) -> list[Configuration]:
         """The choices that make the best value faster within any bound, those that do so most
