@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from shadercache.caching.configuration import Configuration
@@ -87,7 +87,22 @@ def _group(tuning: Tuning, group: ShaderGroup, values: list[Value]) -> dict[str,
         "hits": hits,
         "left_out": tuning.pools[group].left_out,
         "values": [_value(group, value) for value in values],
+        "not_drawn": _not_drawn(tuning, group, values),
     }
+
+
+def _not_drawn(tuning: Tuning, group: ShaderGroup, values: Sequence[Value]) -> list[dict[str, Any]]:
+    """Values that were not drawn, each with the time that is foretold by static costs, as a share
+    of the original's, at the longest period."""
+    pool, trials = tuning.pools[group], tuning.drawings.trials
+    drawn = {family.value for family in trials.families}
+    alike = (one for same in pool.alike.values() for one in same)
+    times, longest = trials.static_times(group), tuning.question.space.periods[-1]
+    return [
+        _value(group, value) | {"foretold": times and times.at(value.share, longest)}
+        for value in dict.fromkeys((*values, *alike))
+        if value not in drawn
+    ]
 
 
 def _value(group: ShaderGroup, value: Value) -> dict[str, Any]:

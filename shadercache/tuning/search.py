@@ -16,7 +16,6 @@ from shadercache.tuning.bound import Bound
 from shadercache.tuning.families import Family, Plan
 from shadercache.tuning.groups import ShaderGroup
 from shadercache.tuning.laboratory import Drawn, Run
-from shadercache.tuning.static_times import fit_static
 from shadercache.tuning.trials import IN_TURNS, Trials
 from shadercache.tuning.values import Pool, Value, sets_of
 
@@ -92,9 +91,7 @@ class Search:
 
     def _worth(self, group: ShaderGroup, values: Sequence[Value]) -> list[Value]:
         """Those that would be faster than the original, by what others took."""
-        drawn = [one for one in self.trials.families if one.group is group and one.time]
-        times = [one.time for one in drawn if one.time]
-        known = fit_static([one.value.share for one in drawn], times)
+        known = self.trials.static_times(group)
         longest = self._periods[-1]
         return [
             value
@@ -111,7 +108,7 @@ class Search:
                 continue
             best, *others = promising
             # What would save most may keep a bound at a fraction of the rate.
-            dearest = min(self._firsts(group), key=lambda one: one.share(self._periods[-1]))
+            dearest = min(self.trials.firsts(group), key=lambda one: one.share(self._periods[-1]))
             for lead in dict.fromkeys((best, dearest)):
                 self._fit(self._main(lead))
                 self._fit(self._across(lead, self._helpful(lead)))
@@ -199,7 +196,7 @@ class Search:
     def _promising(self, group: ShaderGroup) -> list[Family]:
         """First families of the values that are fastest within any bound, the best first."""
         found: dict[Value, Family] = {}
-        firsts = self._firsts(group)
+        firsts = self.trials.firsts(group)
         for bound in self.bounds:
             ranked = sorted(firsts, key=lambda one: self._best_share(one, bound))
             # What is nearest to a bound that none reaches may reach it with other choices.
@@ -207,12 +204,6 @@ class Search:
             for family in (*ranked[:PROMISING], *([near] if near else [])):
                 found.setdefault(family.value, family)
         return list(found.values())
-
-    def _firsts(self, group: ShaderGroup) -> list[Family]:
-        """One family of each value that was drawn, by the first choices."""
-        first = self.trials.setting.space.first(self.trials.setting.base)
-        own = [family for family in self.trials.families if family.group is group]
-        return [family for family in own if family.kind == first]
 
     def _best_share(self, family: Family, bound: Bound) -> float:
         period = family.longest(bound.error, self._periods)

@@ -24,6 +24,7 @@ from shadercache.tuning.models import (
     time_of_hits,
 )
 from shadercache.tuning.space import BASE_PERIOD, Space, of_one_image
+from shadercache.tuning.static_times import StaticTimes, fit_static
 from shadercache.tuning.values import Value
 
 AGES = (0, 1, 2, 3, 5, 8, 13)
@@ -103,6 +104,17 @@ class Trials:
             if same and known.error is not None and of_one_image(known.base, found.base):
                 found.error, found.scale, found.haste = known.error, known.scale, known.haste
         return found
+
+    def firsts(self, group: ShaderGroup) -> list[Family]:
+        """One family of each value of a group that was drawn, by the first choices."""
+        first = self.setting.space.first(self.setting.base)
+        own = [family for family in self.families if family.group is group]
+        return [family for family in own if family.kind == first]
+
+    def static_times(self, group: ShaderGroup) -> StaticTimes | None:
+        """What values of a group would take by the first choices that were not drawn."""
+        firsts = [(one.value.share, one.time) for one in self.firsts(group) if one.time]
+        return fit_static([share for share, _ in firsts], [time for _, time in firsts])
 
     def known(self, family: Family) -> bool:
         """Has the same been drawn, or tried?"""
