@@ -34,16 +34,23 @@ def predicted_front(families: Iterable[Family], periods: Sequence[int]) -> list[
 
 def worth_a_look(tuning: Tuning, scene: Scene) -> list[tuple[list[list[int]], Assignment]]:
     """Plans as numbers of families with periods, each with what draws it: what is proven, what was
-    drawn at full length, then the predicted front, what is nearest to a bound first."""
+    drawn at full length, then the predicted front: first what has other families than those before
+    it, and of both what is nearest to a bound."""
     drawings, question = tuning.drawings, tuning.question
     trials = drawings.trials
     numbers = {id(family): number for number, family in enumerate(trials.families)}
-    front = predicted_front(trials.families, question.space.periods)
     limits = [bound.error for bound in question.bounds]
-    near = sorted(front, key=lambda plan: min(_apart(plan.hasty_error, one) for one in limits))
-    plans: dict[object, Plan] = {}
     drawn = [*(one.plan for one in tuning.proven), *(one.plan for one in drawings.finalists)]
-    for plan in (*drawn, *near):
+    front = sorted(
+        predicted_front(trials.families, question.space.periods),
+        key=lambda plan: min(_apart(plan.hasty_error, one) for one in limits),
+    )
+    # The same with another period looks much alike.
+    kinds: dict[frozenset[int], Plan] = {}
+    for plan in (*drawn, *front):
+        kinds.setdefault(frozenset(id(family) for family, _ in plan.parts), plan)
+    plans: dict[object, Plan] = {}
+    for plan in (*drawn, *kinds.values(), *front):
         plans.setdefault(plan.key, plan)
     return [
         ([[numbers[id(family)], period] for family, period in plan.parts], plan.assignment(scene))

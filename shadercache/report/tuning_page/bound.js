@@ -58,8 +58,9 @@ const curves = fittedFamilies.map((number) => ({ number, points: curveOf(number)
 // The bounds that the slider goes through, as powers of ten: those asked for, and those of all that
 // is faster than the original.
 const range = (() => {
+  const every = curves.flatMap(({ points }) => points), faster = every.filter(({ y }) => y > 1);
   const needs = [...picks.map(({ need }) => need), ...page.verdicts.map(({ error }) => error),
-    ...curves.flatMap(({ points }) => points.filter(({ y }) => y > 1).map(({ x }) => x))];
+    ...(faster.length ? faster : every).map(({ x }) => x)];
   const [low, high] = decades(needs), asked = Math.min(...page.verdicts.map(({ error }) => error));
   // No error exceeds 1 by much, and far below what was asked for nothing is of interest.
   return [Math.max(low, Math.log10(asked) - 2), Math.min(high, 0.3)];
@@ -87,7 +88,7 @@ function showBound() {
   byId("readout").replaceChildren(
     make("span", { class: "within" }, "within ", make("b", {}, `${metricWords} ${boundText()}`)),
     make("b", { class: "times" }, plan ? timesText(plan.share) : "leave it alone"),
-    ...(plan ? [make("code", {}, short(plan.parts.map(([number]) => valueOf(number).text).join(" + "), 60)),
+    ...(plan ? [make("code", {}, short(plan.parts.map(([number]) => valueOf(number).text).join(" + "), 44)),
       make("span", { class: "way" }, plan.parts.map(wayOf).join("; ")), chip(plan.evidence)] : []),
   );
   document.querySelectorAll("#verdicts button, #ticks button").forEach((button) =>

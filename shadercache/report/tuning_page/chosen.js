@@ -71,14 +71,14 @@ function numbers(plan) {
       speed(one), ["error", errorTold(predicted.error), errors(one)],
     ])),
     besideBody("twice as fast", [speed(fast), ["error", errorTold(predicted.hasty), errors(fast)]]),
-    besideBody("the frame in the picture", shownRows(plan, shots.get(plan.key))));
+    ...(shots.has(plan.key) ? [besideBody("the frame in the picture", shownRows(plan, shots.get(plan.key)))] : []));
 }
 
 // One frame proves nothing, but it is of every plan that has pictures.
 function shownRows({ parts: [[number, period]], predicted }, shot) {
   const { mu } = tuning.families[number].time;
-  const rows = [["hit rate", percent(hitRate(mu, period)), shot && shot.outcomes.hit != null && percent(shot.outcomes.hit)]];
-  if (["rmse", "psnr"].includes(tuning.metric)) rows.push(["error", errorTold(predicted.error), shot && errorTold(shot.errors.rmse)]);
+  const rows = [["hit rate", percent(hitRate(mu, period)), percent(shot.outcomes.hit || 0)]];
+  if (["rmse", "psnr"].includes(tuning.metric)) rows.push(["error", errorTold(predicted.error), errorTold(shot.errors.rmse)]);
   return rows;
 }
 
@@ -92,6 +92,7 @@ function besideBody(title, rows) {
 function commands(plan) {
   return [make("h3", {}, "Write these shaders"), ...plan.parts.flatMap(([number, period]) => {
     const { block } = tuning.families[number].configuration.refresh;
+    if (!page.families[number].command) return [make("p", { class: "note" }, "There are none: the original draws it.")];
     return [...commandParts(page.families[number].command),
       make("p", { class: "note" }, `Then run them with a period of ${period} and a block of ${block}: both are uniforms.`)];
   })];
@@ -102,13 +103,37 @@ const PICTURES_ABSENT = {
   hits: "only plans that were drawn have it", payload: "there is no such picture",
 };
 
+function originalAlone() {
+  const { original } = page.pictures;
+  return ["Nothing is cached: the picture is the original’s.",
+    ...(original ? [make("img", { src: original, alt: "The frame as the original draws it" })] : [])];
+}
+
+// The shot of a plan, or of the same families with the periods that are nearest to its.
+function shotFor(plan) {
+  const own = shots.get(plan.key);
+  if (own) return [own, []];
+  const period = new Map(plan.parts), apart = ({ plan: parts }) =>
+    parts.reduce((sum, [number, other]) => sum + Math.abs(Math.log(other / period.get(number))), 0);
+  const alike = [...shots.values()].filter(({ plan: parts, without }) => keyOf([], without) === keyOf([], plan.without)
+    && parts.length === plan.parts.length && parts.every(([number]) => period.has(number)));
+  if (!alike.length) return [null, []];
+  const shot = alike.reduce((one, other) => (apart(other) < apart(one) ? other : one));
+  return [shot, shot.plan.map(([, other]) => periodWords(other))];
+}
+
 function showPlanPictures() {
-  const { plan } = choice, shot = plan && shots.get(plan.key), part = partOf(plan);
+  const { plan } = choice, note = byId("undrawn"), part = partOf(plan);
+  const [shot, others] = plan ? shotFor(plan) : [null, []];
   const payload = part && page.payloads[`${tuning.families[part[0]].group}-${tuning.families[part[0]].value}`];
   const layers = plan ? { original: "original", ...(shot ? shot.layers : {}), ...(payload ? { payload } : {}) } : {};
-  showShot({ ...shot, layers }, {}, [plan ? "There are no pictures of this plan." : "Nothing is cached: the picture is the original’s."]);
-  byId("undrawn").hidden = !plan || Boolean(shot);
-  byId("undrawn").textContent = "This plan is only predicted: its frame was not drawn. The payload shows the same value.";
+  const refreshed = others.join("; ");
+  showShot({ ...shot, layers }, others.length ? { cached: `cached, ${refreshed}` } : {},
+    plan ? ["There are no pictures of this plan."] : originalAlone());
+  note.hidden = !plan || Boolean(shot && !others.length);
+  note.textContent = others.length
+    ? `This plan was not drawn. The pictures are of the same with a refresh ${refreshed}.`
+    : "This plan was not drawn: it is only predicted. The payload shows the same value.";
 }
 
 async function showPlanSource() {

@@ -65,6 +65,13 @@ def shown_frame(scene: Scene) -> int:
     return max(1, min(ends))
 
 
+def original_of(world: RenderScene, linker: Linker, frame: int) -> Pixels:
+    """The frame as the original draws it. Raises as ``OriginalRunner``."""
+    with OriginalRunner(world, *linker.originals()) as runner:
+        runner.draw(frame)
+        return world.targets.shown()
+
+
 def shots_of(
     world: RenderScene,
     linker: Linker,
@@ -76,13 +83,8 @@ def shots_of(
 
     A plan that cannot be drawn there is left out. Raises as ``OriginalRunner``.
     """
-    originals = linker.originals()
-    with (
-        OriginalRunner(world, *originals) as original,
-        CoverageRunner(world, *originals) as coverage,
-    ):
-        original.draw(frame)
-        reference = world.targets.shown()
+    reference = original_of(world, linker, frame)
+    with CoverageRunner(world, *linker.originals()) as coverage:
         covered = coverage.coverage(frame)
     beside = _Original(world, linker, reference, covered)
     found = []

@@ -19,10 +19,15 @@ from shadercache.scene.description import Scene, SceneObject
 
 @dataclass(frozen=True)
 class FamilyTexts:
-    """What is emitted for a family, by file name, and the command line that writes it."""
+    """What is emitted for a family, by file name, and the command line that writes it.
+
+    ``instead``: the algorithm that draws it where it has no variant by its own; none is the
+    original.
+    """
 
     files: Mapping[str, str]
     command: str
+    instead: str | None = None
 
 
 @dataclass(frozen=True)
@@ -102,17 +107,18 @@ def _is_cheap(analysis: Analysis, chosen: Configuration) -> bool:
 
 
 def _family(linker: Linker, part: SceneObject, assignment: Assignment) -> FamilyTexts:
-    chosen = dict(assignment.objects)[part.name]
-    assert chosen is not None
     # Only this object's: what another one is drawn by is no part of the family.
-    alone = [named == part.name for named, _ in assignment.objects]
-    linked = linker.link(assignment)[alone.index(True)]
-    files = {
-        source.name: source.text
-        for spec in linked.bundle.passes(chosen.algorithm)
-        for source in (spec.fragment, spec.vertex)
-    }
-    return FamilyTexts(files, rewrite_command(part, linker.analysis_of(part), chosen))
+    place = [name for name, _ in assignment.objects].index(part.name)
+    wanted, linked = assignment.objects[place][1], linker.link(assignment)[place]
+    chosen, bundle = linked.configuration, linked.bundle
+    assert wanted is not None
+    passes = (bundle.original,) if chosen is None else bundle.passes(chosen.algorithm)
+    files = {one.name: one.text for spec in passes for one in (spec.fragment, spec.vertex)}
+    if chosen is None:
+        return FamilyTexts(files, "", "original")
+    instead = None if chosen.algorithm == wanted.algorithm else chosen.algorithm
+    command = rewrite_command(part, linker.analysis_of(part), chosen)
+    return FamilyTexts(files, command, instead)
 
 
 def _own(analysis: Analysis) -> dict[str, str]:

@@ -24,6 +24,7 @@ from shadercache.report.tuning_page.plan_shots import (
     DrawnPlan,
     PlanShot,
     Value,
+    original_of,
     payloads_of,
     shots_of,
     shown_frame,
@@ -68,8 +69,9 @@ Progress = Callable[[int, int, str], None]
 
 @dataclass(frozen=True, eq=False)
 class TunedPictures:
-    """Plans and values as they were drawn at one frame."""
+    """The original, plans and values as they were drawn at one frame."""
 
+    original: Pixels | None = None
     shots: Sequence[PlanShot] = ()
     payloads: Mapping[Value, Pixels] | None = None
 
@@ -110,9 +112,10 @@ def page_of(
             other = world.drawn_apart((width, height), world.scene.view.engine)
             world = held.enter_context(other)
         frame = shown_frame(linker.scene)
+        original = original_of(world, linker, frame)
         shots = shots_of(world, linker, shown, frame, drawing)
         payloads = dict(payloads_of(world, linker, values, frame, drawing))
-    return tuning_page(found, TunedPictures(shots, payloads), texts)
+    return tuning_page(found, TunedPictures(original, shots, payloads), texts)
 
 
 def _drawn_plan(
@@ -144,7 +147,7 @@ def tuning_page(found: Mapping[str, Any], pictures: TunedPictures, texts: TunedT
         "sources": [kept.texts(group) for group in texts.groups],
         "families": [
             {
-                "way": way_in_words(family),
+                "way": way_in_words(family, text.instead),
                 "kind": _cache_kind(family),
                 "files": kept.texts(text.files),
                 "command": text.command,
@@ -180,9 +183,12 @@ def _cache_kind(family: Mapping[str, Any]) -> str:
 def _pictures(pictures: TunedPictures, room: int) -> dict[str, Any]:
     """The pictures by name, as many as there is room for, and which shot has which."""
     uris: dict[str, str] = {}
+    if pictures.original is not None:
+        uris["original"] = lossy_uri(Image.fromarray(picture(pictures.original)))
+        room -= len(uris["original"])
     told: list[dict[str, Any]] = []
     for number, one in enumerate(pictures.shots):
-        layers = _layers(one, number, uris)
+        layers = _layers(one, number)
         size = sum(len(uri) for uri in layers.values())
         if size > room:
             break
@@ -200,13 +206,12 @@ def _pictures(pictures: TunedPictures, room: int) -> dict[str, Any]:
     return {"pictures": uris, "shots": told, "payloads": payloads}
 
 
-def _layers(one: PlanShot, number: int, known: Mapping[str, str]) -> dict[str, str]:
-    """The pictures of a shot that are not known yet."""
+def _layers(one: PlanShot, number: int) -> dict[str, str]:
+    """The pictures of a shot."""
     original, cached = picture(one.shot.original), picture(one.shot.cached)
     probe = one.shot.probe
-    layers = {} if known else {"original": lossy_uri(Image.fromarray(original))}
     difference = Image.fromarray(difference_picture(original, cached))
-    return layers | {
+    return {
         f"cached-{number}": lossy_uri(Image.fromarray(cached)),
         f"difference-{number}": exact_uri(difference),
         f"hits-{number}": exact_uri(Image.fromarray(hit_picture(probe.mask, probe.values))),

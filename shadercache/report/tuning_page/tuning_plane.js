@@ -7,6 +7,8 @@ const spots = [];
 const EVIDENT = { proven: "circle", measured: "diamond" };
 // Nothing that moves the axes: the slider is laid along one.
 const PLANE_OPTIONS = { displaylogo: false, modeBarButtons: [["toImage"]], doubleClick: false };
+// What stands for no error on a logarithmic axis, far to the left of all.
+const LEAST = 1e-7;
 let heights = [0, 1];
 
 function spot(...plan) {
@@ -80,7 +82,7 @@ function curveTraces() {
     const trace = { x: [], y: [], customdata: [] }, size = [];
     for (const { number, points } of same) {
       for (const { period, x, y } of points) {
-        trace.x.push(Math.max(x, 10 ** range[0]));
+        trace.x.push(Math.max(x, LEAST));
         trace.y.push(y);
         trace.customdata.push(spot([[number, period]]));
         size.push(points.length > 1 ? 0 : 5); // a curve of one point is seen as a point
@@ -172,10 +174,11 @@ function drawOverlay() {
   over.hidden = !curves.length;
   if (over.hidden) return;
   const width = place.clientWidth - MARGIN.l - MARGIN.r, height = place.clientHeight - MARGIN.t - MARGIN.b;
-  const right = (x) => Math.min(1, Math.max(0, planeAxes.across(Math.max(x, 10 ** range[0])))) * width;
+  const right = (x) => planeAxes.across(Math.max(x, LEAST)) * width;
+  const within = (x) => Math.min(width, Math.max(0, right(x)));
   const down = (y) => (1 - planeAxes.along(y)) * height;
   Object.assign(over.style, { left: `${MARGIN.l}px`, top: `${MARGIN.t}px`, width: `${width}px`, height: `${height}px` });
-  const at = right(choice.bound), plan = choice.plan;
+  const at = within(choice.bound), plan = choice.plan;
   const parts = [drawing("rect", { class: "beyond", x: at, y: 0, width: Math.max(0, width - at), height })];
   if (plan) {
     for (const [number] of plan.parts) {
@@ -187,7 +190,7 @@ function drawOverlay() {
   }
   parts.push(drawing("line", { class: "limit", x1: at, x2: at, y1: 0, y2: height }));
   if (plan) {
-    const x = right(plan.need), y = down(speedOf(plan.share));
+    const x = within(plan.need), y = down(speedOf(plan.share));
     parts.push(drawing("circle", { class: "ring", cx: x, cy: y, r: 9 }));
   }
   byId("plane-marks").replaceChildren(...parts);

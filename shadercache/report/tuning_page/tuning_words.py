@@ -42,12 +42,19 @@ def told_limit(metric: str, limit: float) -> str:
     return f"{limit:g} dB" if metric == "psnr" else f"{limit:g}".removeprefix("0")
 
 
-def way_in_words(family: Mapping[str, Any]) -> str:
-    """How a family works, without its value and period: such as "three passes, half rate"."""
+def way_in_words(family: Mapping[str, Any], instead: str | None = None) -> str:
+    """How a family works, without its value and period: such as "three passes, half rate".
+
+    Args:
+        instead: the algorithm that draws it in place of its own; or ``original``.
+    """
     chosen = Configuration.from_json(family["configuration"])
     words = [algorithm_in_words(chosen.algorithm), *map(_setting, settings_in_words(chosen))]
     if chosen.refresh.block != Configuration().refresh.block:
         words.append(f"block {chosen.refresh.block}")
+    if instead is not None:
+        other = "the original" if instead == "original" else algorithm_in_words(instead)
+        words.append(f"here drawn by {other}")
     return ", ".join(words)
 
 

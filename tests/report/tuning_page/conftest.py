@@ -208,7 +208,7 @@ def made_pictures(plans: Sequence[tuple[tuple[int, int], ...]]) -> TunedPictures
             PlanShot(plan, (), 52, shot, ErrorStats(0.004 * (1 + number), 0.01, 0.1, 40.0, 99))
         )
     payloads = {(0, value): original[:, ::-1] for value in range(3)}
-    return TunedPictures(shots, payloads)
+    return TunedPictures(original, shots, payloads)
 
 
 def opened(name: str) -> Linker:
@@ -225,3 +225,9 @@ def dragon() -> Linker:
 def made(dragon: Linker) -> Made:
     """One shader, three bounds."""
     return made_tuning(dragon, (0.0005, 0.005, 0.02))
+
+
+@pytest.fixture(scope="session")
+def colonnade() -> Made:
+    """Two shaders, of which one is that of a single object."""
+    return made_tuning(opened("colonnade"), (0.0005, 0.01), values=2)

@@ -23,6 +23,7 @@ from shadercache.report.tuning_page.plan_shots import (
     SHOWN,
     DrawnPlan,
     PlanShot,
+    original_of,
     payloads_of,
     shots_of,
     shown_frame,
@@ -70,6 +71,7 @@ def test_a_shot_is_the_frame_beside_the_original(
         original = drawn.targets.shown()
     always, seldom = shots(drawn, tuned, (0, 1), (0, 4))
     assert np.array_equal(always.shot.original, original)
+    assert np.array_equal(original_of(drawn, torus, FRAME), original)
     assert np.array_equal(always.shot.cached, original) and always.error.rmse == 0.0
     assert always.shot.probe.shares["hit"] == 0.0
     assert not np.array_equal(seldom.shot.cached, original)

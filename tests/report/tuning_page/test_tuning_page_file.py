@@ -18,7 +18,7 @@ from shadercache.diagnostics import UsageError
 from shadercache.report.parts import page_parts
 from shadercache.report.tuning_page import tuning_page as making
 from shadercache.report.tuning_page.tuned_texts import texts_of
-from shadercache.report.tuning_page.tuning_words import headline, left_out, verdicts
+from shadercache.report.tuning_page.tuning_words import headline, left_out, verdicts, way_in_words
 from shadercache.tuning.front import predicted_front, worth_a_look
 
 from .conftest import PERIODS, Made, made_pictures, made_tuning
@@ -133,6 +133,10 @@ def test_what_is_proven_comes_first_among_the_pictures(made: Made) -> None:
     assert plans[:3] == [[[1, 12]], [[0, 4]], [[1, 8]]]
     keys = [tuple(map(tuple, plan)) for plan in plans]
     assert len(set(keys)) == len(keys) > 5
+    front = predicted_front(made.families, PERIODS)
+    numbers = {made.families.index(family) for plan in front for family, _ in plan.parts}
+    first = [number for [[number, _]] in plans[: 3 + len(numbers - {0, 1})]]
+    assert numbers <= set(first), "each family of the front once, before any of them twice"
 
 
 def test_the_front_is_what_no_plan_beats(made: Made) -> None:
@@ -142,3 +146,16 @@ def test_the_front_is_what_no_plan_beats(made: Made) -> None:
         within = [one for one in front if one.hasty_error <= plan.hasty_error]
         assert plan.share >= 1.0 or min(one.share for one in within) <= plan.share
     assert [one.share for one in front] == sorted((one.share for one in front), reverse=True)
+
+
+def test_what_has_no_such_variant_shows_what_draws_it(colonnade: Made) -> None:
+    """Shaders of single objects are drawn by another algorithm where they have none by that."""
+    group = len(colonnade.found["groups"]) - 1
+    own = next(one for one in colonnade.found["families"] if one["group"] == group)
+    chosen = own["configuration"]
+    chosen = chosen | {"algorithm": "3-pass", "filter": chosen["filter"] | {"kind": "carried"}}
+    found = colonnade.having(families=[own | {"configuration": chosen}]).found
+    [texts] = texts_of(found, colonnade.linker).families
+    assert texts.instead == "2-pass" and set(texts.files) >= {"2-pass.hit.frag", "2-pass.miss.frag"}
+    assert "--passes 2 " in texts.command
+    assert way_in_words(own, texts.instead).endswith("here drawn by two passes")

@@ -13,7 +13,7 @@ from shadercache.report.tuning_page.tuned_texts import FamilyTexts, TunedTexts
 from shadercache.report.tuning_page.tuning_page import TunedPictures, tuning_page
 from shadercache.tuning.front import predicted_front
 
-from .conftest import PERIODS, Made, made_pictures, made_tuning, opened
+from .conftest import PERIODS, Made, made_pictures, made_tuning
 
 if TYPE_CHECKING:
     from selenium.webdriver import Chrome
@@ -164,9 +164,9 @@ def test_the_front_is_that_of_tuning(shown: Chrome, made: Made) -> None:
 
 
 def test_plans_of_several_shaders_are_combined(
-    browser: Chrome, quiet: None, tmp_path: Path
+    browser: Chrome, quiet: None, colonnade: Made, tmp_path: Path
 ) -> None:
-    made = made_tuning(opened("colonnade"), (0.0005, 0.01), values=2)
+    made = colonnade
     groups = len(made.found["groups"])
     assert groups > 1
     told = tuple(FamilyTexts({"it.frag": "void main() {}\n"}, "none") for _ in made.families)
@@ -291,6 +291,17 @@ def test_pictures_follow_the_plan(shown: Chrome) -> None:
     shown.execute_script("choice.choosePlan([[1, 3]])")
     settle(shown)
     assert text(shown, "#over-tag") == "hit map", "the layer that was chosen comes back"
+
+
+def test_of_what_was_not_drawn_the_nearest_period_is_shown(shown: Chrome) -> None:
+    for period, nearest in ((2, 3), (5, 3), (8, 12), (48, 12)):
+        shown.execute_script("choice.choosePlan([[1, arguments[0]]])", period)
+        settle(shown)
+        assert text(shown, "#over-tag") == f"cached, every {nearest} frames"
+        assert f"with a refresh every {nearest} frames" in text(shown, "#undrawn")
+    shown.execute_script("choice.choosePlan([[1, 12]])")
+    settle(shown)
+    assert text(shown, "#over-tag") == "cached" and found(shown, "#undrawn").get_attribute("hidden")
 
 
 def test_a_curve_tells_what_it_is_and_a_click_chooses_it(shown: Chrome) -> None:
