@@ -143,15 +143,10 @@ def left_out(found: Mapping[str, Any]) -> Iterator[str]:
         counts = [f"{count:,} {why}" for why, count in group["left_out"].items()]
         if counts:
             yield f"Of the nodes of `{group['fragment']}`, {listed(counts)}."
-    tried = {(one["group"], one["value"]) for one in found["families"]}
-    every = [
-        (number, value)
-        for number, group in enumerate(found["groups"])
-        for value, _ in enumerate(group["values"])
-    ]
-    untried = sum(one not in tried for one in every)
+    untried = sum(len(group["not_drawn"]) for group in found["groups"])
     if untried:
-        yield f"{untried} of {len(every)} values were not drawn: the time was up, or others won."
+        were = "value was" if untried == 1 else "values were"
+        yield f"{untried} {were} not drawn: others promise more, or the time was up."
     for failed in found["failed"]:
         yield f"`{shortened(failed['text'])}` could not be drawn: {failed['why']}."
 

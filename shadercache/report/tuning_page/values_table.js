@@ -1,11 +1,17 @@
 "use strict";
 // Every value that was thought of, with what was fitted to it in each way that it was drawn.
 
-const tableRows = tuning.groups.flatMap((group, at) => group.values.flatMap((value, number) => {
-  const drawnIn = tuning.families.map((family, place) => ({ family, place }))
-    .filter(({ family }) => family.group === at && family.value === number);
-  return drawnIn.length ? drawnIn.map((one) => ({ group, value, ...one })) : [{ group, value, family: null, place: null }];
-}));
+const tableRows = tuning.groups.flatMap((group, at) => [
+  ...group.values.flatMap((value, number) => tuning.families.map((family, place) => ({ group, value, family, place }))
+    .filter(({ family }) => family.group === at && family.value === number)),
+  ...group.not_drawn.map((value) => ({ group, value, family: null, place: null })),
+]);
+
+// How a value was drawn, or how long a frame with it is thought to take at the longest period.
+function howText({ value, place }) {
+  if (place !== null) return page.families[place].way;
+  return value.foretold == null ? "not drawn" : `not drawn: ${percent(value.foretold)} foretold`;
+}
 
 const fitted = (read) => ({ family }) => (family && family.time && family.error ? read(family) : null);
 const interval = ({ value, low, high }, tell) =>
@@ -16,7 +22,7 @@ const linesOf = ({ places }) =>
 
 const VALUE_COLUMNS = [
   ["expression", ({ value }) => value.text],
-  ["how", ({ place }) => (place === null ? "not drawn" : page.families[place].way)],
+  ["how", howText],
   ...(tuning.groups.length > 1 ? [["shader", ({ group }) => group.fragment]] : []),
   ["lines", ({ value }) => (value.places.length ? value.places[0][0] : null), (_, { value }) => linesOf(value)],
   ["share", ({ value }) => value.share, (share) => percent(share), true],

@@ -105,6 +105,10 @@ def made_tuning(
                 "hits": hits,
                 "left_out": pools[group].left_out,
                 "values": [_value(group, value) for value in pools[group].values],
+                "not_drawn": [
+                    _value(group, value) | {"foretold": 0.7}
+                    for value in pools[group].values[values:]
+                ],
             }
             for group in groups
         ],

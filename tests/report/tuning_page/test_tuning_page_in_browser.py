@@ -354,7 +354,9 @@ def test_the_table_has_every_value_and_marks_what_follows_no_model(
     assert len(rows) == len(made.families) + values - 3
     told = text(shown, "#table")
     wrong = sum(not family.error.follows for family in made.families if family.error)
-    assert told.count("not followed") == wrong and told.count("not drawn") == values - 3
+    assert (
+        told.count("not followed") == wrong and told.count("not drawn: 70 % foretold") == values - 3
+    )
     found(shown, "#table th:nth-child(4) button").click()
     cells = shown.find_elements("css selector", "#table tbody td:nth-child(4)")
     shares = [float(cell.text.rstrip(" %")) for cell in cells if cell.text]
