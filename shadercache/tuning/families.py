@@ -17,6 +17,9 @@ MOVING_HASTE, STILL_HASTE = 2.0, 1.2
 """How many times larger an error is taken to be at twice the speed: of values that change with what
 moves, and of those that are only resampled more."""
 
+MARGIN = 0.8
+"""How much of a bound is used where nobody knows how an error grows with speed."""
+
 SHORT = (1, 2, 3, 4, 6, 8, 12, 16, 24)
 """Periods that an error's model goes through, beside the longest."""
 
@@ -27,7 +30,8 @@ class Family:
 
     ``base`` has any period. ``time`` and ``error`` are fitted to few frames, maybe of a small
     picture; ``scale`` is how many times larger the error was found to be when it was looked at.
-    ``haste``: how many times larger it is thought to be where the scene is played twice as fast.
+    ``haste``: how many times larger it is thought to be where the scene is played twice as fast;
+    it is ``sure`` where that was measured.
     """
 
     group: ShaderGroup
@@ -37,6 +41,7 @@ class Family:
     error: ErrorModel | None = None
     scale: float = 1.0
     haste: float = 0.0
+    sure: bool = False
 
     def __post_init__(self) -> None:
         self.haste = self.haste or (MOVING_HASTE if self.value.changes else STILL_HASTE)
@@ -63,6 +68,11 @@ class Family:
         fresh = self.error_at(1)
         return fresh + self.haste * (self.error_at(period) - fresh)
 
+    @property
+    def margin(self) -> float:
+        """How much of a bound may be used."""
+        return 1.0 if self.sure else MARGIN
+
     def correct_haste(self, period: int, worst: float) -> None:
         """Learn from the error that was found at twice the speed."""
         fresh, usual = self.error_at(1), self.error_at(period)
@@ -77,7 +87,7 @@ class Family:
         """
         some = (1, *periods) if self.base.divisor > 1 else periods
         tried = some[-1:] if self.base.refresh.adaptive else some
-        fitting = [one for one in tried if self.hasty_error_at(one) <= limit]
+        fitting = [one for one in tried if self.hasty_error_at(one) <= self.margin * limit]
         return max(fitting, default=None)
 
     def learn_error(self, ages: Mapping[int, float], metric: Metric) -> None:
@@ -112,6 +122,11 @@ class Plan:
     def hasty_error(self) -> float:
         """The same where the scene is played twice as fast."""
         return _together(family.hasty_error_at(period) for family, period in self.parts)
+
+    @property
+    def margin(self) -> float:
+        """How much of a bound may be used."""
+        return min(family.margin for family, _ in self.parts)
 
     @property
     def configurations(self) -> Iterator[tuple[ShaderGroup, Configuration]]:

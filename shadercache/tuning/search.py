@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import groupby, product
+from itertools import groupby, islice, product
 
 from shadercache.caching.configuration import Configuration
 from shadercache.measure.metrics.frame_errors import Metric
@@ -27,6 +27,9 @@ PROMISING = 3
 
 HELPFUL = 4
 """Choices that are tried with more than one value."""
+
+MOST_ALIKE = 6
+"""Values that are tried since they are like the best."""
 
 FINALISTS = 3
 """Plans that are drawn at full size, for each bound."""
@@ -177,7 +180,9 @@ class Search:
         fronts = [[None, *self._front(group, limit)] for group in self.pools]
         plans = (Plan(tuple(part for part in parts if part)) for parts in product(*fronts))
         fitting = [
-            plan for plan in plans if plan.parts and plan.hasty_error <= limit and _fits(plan)
+            plan
+            for plan in plans
+            if plan.parts and plan.hasty_error <= plan.margin * limit and _fits(plan)
         ]
         return sorted(fitting, key=lambda plan: plan.share)
 
@@ -216,9 +221,12 @@ class Search:
     def _like(self, group: ShaderGroup, pool: Pool) -> Iterator[Family]:
         """Values that share most of the work of those that are best so far, by their choices: what
         saves a little less may err less, too."""
-        for family in self._leading(group):
-            for value in pool.alike.get(family.value, ())[:IN_TURNS]:
-                yield self.trials.family(self.trials.first_of(group, value), family.base)
+        found = (
+            self.trials.family(self.trials.first_of(group, value), family.base)
+            for family in self._leading(group)
+            for value in pool.alike.get(family.value, ())[:IN_TURNS]
+        )
+        return islice(found, MOST_ALIKE)
 
     def _minor(self, group: ShaderGroup) -> Iterator[Family]:
         for family in self._leading(group):

@@ -99,10 +99,11 @@ class Trials:
     def family(self, first: Family, kind: Configuration) -> Family:
         """A family of the same value with other choices; what is known of its error is taken on."""
         found = Family(first.group, first.value, _with(kind, first.value))
+        found.haste, found.sure = first.haste, first.sure
         for known in self.families:
             same = known.group is first.group and known.value is first.value
             if same and known.error is not None and of_one_image(known.base, found.base):
-                found.error, found.scale, found.haste = known.error, known.scale, known.haste
+                found.error, found.scale = known.error, known.scale
         return found
 
     def firsts(self, group: ShaderGroup) -> list[Family]:
@@ -228,7 +229,7 @@ class Trials:
             # How a value changes with speed is much the same however it is stored.
             for one in self.families:
                 if one.group is family.group and one.value is family.value:
-                    one.haste = family.haste
+                    one.haste, one.sure = family.haste, True
 
     def _spread(self, known: Family) -> None:
         """What is known of a family's error is known of all that draw the same images."""

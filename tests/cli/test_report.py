@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from bench.made_sweep import MadeSize, fill_store
-from shadercache.report.page import page_file
+from shadercache.report.parts import page_parts
 from shadercache.sweep.store import Store
 
 from .conftest import Shell
@@ -80,7 +80,7 @@ def test_what_is_no_store_with_rows_is_told(
 def test_without_plotly_the_extra_is_named(
     shell: Shell, store: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(page_file, "find_spec", lambda name: None)
+    monkeypatch.setattr(page_parts, "find_spec", lambda name: None)
     outcome = shell("report", store, "-o", tmp_path / "page.html")
     assert outcome.status == 2
     assert "[SC031]" in outcome.err and "pip install 'shadercache[report]'" in outcome.err
