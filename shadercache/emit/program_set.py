@@ -10,7 +10,6 @@ from shadercache.analysis.outputs import MOST_TARGETS, Output, targets_of
 from shadercache.caching import algorithms
 from shadercache.caching.algorithms import AlgorithmPass, LeftOut
 from shadercache.caching.configuration import Configuration, Mode
-from shadercache.caching.settings import written_settings
 from shadercache.emit.assemble import Shader, interface
 from shadercache.emit.builder import (
     FragmentProgram,
@@ -144,8 +143,7 @@ def _builder(
 ) -> PassBuilder:
     # Whoever wants one mode of a variant often wants the other next: only its printing differs.
     kept: dict[object, PassBuilder] = program.memo.table("last builder")
-    settings = (configuration.payload_rate, *written_settings(configuration).items())
-    key = (tuple(nodes), configuration.fetches, settings)
+    key = (tuple(nodes), configuration.fetches, configuration.look_up)
     if key not in kept:
         kept.clear()
         kept[key] = PassBuilder(program, nodes, configuration)

@@ -58,3 +58,15 @@ def test_every_type_with_an_id_has_valid_programs(name: str) -> None:
         emission = rewritten(analysis, node, options, unprofitable=True)
         check_programs(emission)
         validator.validate(plain(emission.manifest))
+
+
+@pytest.mark.parametrize("name", ["float", "vec3"])
+def test_what_was_emitted_before_does_not_matter(name: str) -> None:
+    """Carried samples are packed by the format, so the same nodes have other textures in each."""
+    options = [configured(filter="carried", form=form) for form in ("rgba32f", "rgba16f")]
+    shared, node = analysed_payload(name)
+    for each in (*options, *reversed(options)):
+        fresh, same = analysed_payload(name)
+        now = rewritten(shared, node, each, unprofitable=True)
+        alone = rewritten(fresh, same, each, unprofitable=True)
+        assert now.files == alone.files and now.manifest == alone.manifest
