@@ -129,7 +129,8 @@ def fit_time(periods: Sequence[float], shares: Sequence[float], mu: float) -> Ti
 def time_of_hits(share: float, period: float, mu: float, miss: float) -> TimeModel:
     """The model through one point, where the time of misses is known from elsewhere."""
     rate = mu * (1.0 - 1.0 / period)
-    hit = max(0.0, (share - (1.0 - rate) * miss) / rate)
+    # Where nothing is ever found, nobody knows what a hit would take.
+    hit = max(0.0, (share - (1.0 - rate) * miss) / rate) if rate > 0.0 else share
     unknown = (-np.inf, np.inf)
     exact = Goodness(1.0, 0.0, 1)
     return TimeModel(Estimate(hit, *unknown), Estimate(miss, *unknown), mu, exact)

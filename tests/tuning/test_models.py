@@ -78,6 +78,10 @@ def test_times_are_never_below_nothing() -> None:
     assert model.hit.value == pytest.approx(0.0, abs=1e-6)
 
 
+def test_times_where_nothing_is_found() -> None:
+    assert time_of_hits(1.2, 32, 0.0, 1.3).at(32) == pytest.approx(1.3)
+
+
 def test_what_cannot_be_fitted() -> None:
     with pytest.raises(ValueError, match="one period"):
         fit_time((4, 4), (1.0, 1.0), 1.0)
