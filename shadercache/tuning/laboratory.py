@@ -14,12 +14,14 @@ from typing import Protocol, TypeAlias
 import numpy as np
 
 from shadercache.caching.configuration import Assignment
+from shadercache.diagnostics import usage_error
 from shadercache.gpu.clock import no_collection, pick_clock
 from shadercache.gpu.resource import Resource
 from shadercache.linking.linker import Linker
 from shadercache.measure.metrics.frame_errors import Compared, FrameErrors, Metric
 from shadercache.measure.metrics.pixel_motion import PixelMotion, motion_between
 from shadercache.measure.statistics import Ratio, paired_ratio
+from shadercache.render.bundle import LinkedObject
 from shadercache.render.pass_runners import CoverageRunner, OriginalRunner
 from shadercache.render.render_scene import RenderScene
 from shadercache.render.surfaces import Surface, Surfaces
@@ -138,7 +140,7 @@ class _Turns:
         self._original = held.enter_context(OriginalRunner(world, *originals))
         self._coverage = held.enter_context(CoverageRunner(world, *originals))
         self._runners = [
-            held.enter_context(VariantRunner(world, *linker.link(one), short_reset=True))
+            held.enter_context(VariantRunner(world, *_linked(linker, one), short_reset=True))
             for one in assignments
         ]
         self._errors = [FrameErrors(run.metric) for _ in assignments]
@@ -199,6 +201,17 @@ class _Turns:
             )
             for times, errors, hits in zip(self._times, self._errors, self._hits, strict=True)
         ]
+
+
+def _linked(linker: Linker, assignment: Assignment) -> tuple[LinkedObject, ...]:
+    """The programs of an assignment. Raises :class:`UsageError` SC026 where an object would be
+    drawn by another algorithm than is said: what was measured would be something else."""
+    objects = linker.link(assignment)
+    for (name, chosen), linked in zip(assignment.objects, objects, strict=True):
+        drawn = linked.configuration
+        if chosen is not None and (drawn is None or drawn.algorithm != chosen.algorithm):
+            raise usage_error("SC026", f"{name} has no {chosen.algorithm} variant here")
+    return objects
 
 
 def _hit_rate(runner: VariantRunner, frame: int) -> float:

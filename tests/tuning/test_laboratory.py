@@ -17,7 +17,9 @@ from shadercache.paths import data_path
 from shadercache.render.render_scene import RenderScene
 from shadercache.render.variant_runner import NEVER
 from shadercache.scene.description import load_scene
+from shadercache.tuning.groups import assignment_of, groups_of
 from shadercache.tuning.laboratory import Laboratory, Run
+from shadercache.tuning.values import pool_of
 
 ALBEDO = "main.16-7891657a"
 FRAMES = Run(7, (3, 4, 5, 6))
@@ -88,3 +90,18 @@ def test_what_cannot_be_drawn_is_told(laboratory: Laboratory, linker: Linker) ->
     with pytest.raises(DiagnosticError, match="SC026"):
         carried = {"filter": Filter("carried"), "algorithm": "3-pass"}
         laboratory.draw([chosen(linker, 4, **carried)], FRAMES)
+
+
+def test_no_other_algorithm_is_drawn_in_place_of_one(gpu: Gpu) -> None:
+    """An object with a shader of its own would be drawn by another, and its time taken for this."""
+    whole = Linker(*analyse_scene(load_scene(Path(data_path("corpus", "colonnade"))).small))
+    group = groups_of(whole)[1]
+    value = pool_of(group, whole.scene).values[0]
+    carried = Configuration(value.ids, "3-pass", filter=Filter("carried"))
+    assignment = assignment_of(whole.scene, {group: carried})
+    with (
+        RenderScene(gpu, whole.scene, (32, 32)) as world,
+        Laboratory(world, whole) as made,
+        pytest.raises(DiagnosticError, match="SC026"),
+    ):
+        made.draw([assignment], FRAMES)
