@@ -20,6 +20,7 @@ DepthBuffer: TypeAlias = Literal["shared", "marks"]
 @dataclass(frozen=True, slots=True)
 class AlgorithmPass:
     """One pass: all objects, or a triangle over the screen, drawn by what ``maker`` builds.
+    ``does`` says in a clause what for, where an engine draws it.
 
     ``targets`` stand at their index; those that are neither colour nor cache live for a frame.
     ``parked`` are as many as are needed. ``reads``: what earlier frames or passes have stored.
@@ -37,6 +38,7 @@ class AlgorithmPass:
     depth_test: DepthTest = "less"
     depth_write: bool = True
     depth_buffer: DepthBuffer = "shared"
+    does: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,17 +78,46 @@ class Algorithm:
         """The same with payloads at a fraction of the rate, if it can that."""
         return replace(self, passes=self.fraction) if self.fraction else None
 
+    def words_of(self, name: str) -> str:
+        """What the pass of a name does; of one that is not known its name."""
+        records = (*self.passes, *self.fraction)
+        return next((record.does for record in records if record.name == name), name)
+
     def file_of(self, record: AlgorithmPass) -> str:
         """The name of a pass's files, without their endings."""
         return self.name if len(self.passes) == 1 else f"{self.name}.{record.name}"
 
+
+_FIND_OR_DISCARD = AlgorithmPass(
+    "reuse",
+    "three_passes:reuse",
+    (CACHE,),
+    (PREVIOUS,),
+    on_reset=False,
+    does="hits copy the cached value, misses are discarded: depth stays open",
+)
+_PAYLOAD_ALONE = AlgorithmPass(
+    "payload",
+    "three_passes:payload_only",
+    (CACHE,),
+    does="the value alone, where depth is still open",
+)
+_FROM_THIS_FRAME = "the colour, from the values of this frame"
 
 # The first three are those of Sitthi-amorn et al. 2008.
 ALGORITHMS = (
     Algorithm(
         "1-pass",
         "1",
-        (AlgorithmPass("shade", "one_pass:shade_or_reuse", (COLOR, CACHE), (PREVIOUS,)),),
+        (
+            AlgorithmPass(
+                "shade",
+                "one_pass:shade_or_reuse",
+                (COLOR, CACHE),
+                (PREVIOUS,),
+                does="hits are shaded from the cache, the others compute the value",
+            ),
+        ),
         unfit="one_pass:unfit",
     ),
     Algorithm(
@@ -95,33 +126,69 @@ ALGORITHMS = (
         (
             # Hits write their depth, so the second pass fails the early depth test there: nothing
             # else keeps it from shading all pixels again.
-            AlgorithmPass("hit", "two_passes:hit", (COLOR, CACHE), (PREVIOUS,), on_reset=False),
-            AlgorithmPass("miss", "two_passes:miss", (COLOR, CACHE)),
+            AlgorithmPass(
+                "hit",
+                "two_passes:hit",
+                (COLOR, CACHE),
+                (PREVIOUS,),
+                on_reset=False,
+                does="hits are shaded from the cache, misses discarded: their depth stays open",
+            ),
+            AlgorithmPass(
+                "miss",
+                "two_passes:miss",
+                (COLOR, CACHE),
+                does="the whole shader, where depth is still open",
+            ),
         ),
     ),
     Algorithm(
         "3-pass",
         "3",
         (
-            AlgorithmPass("reuse", "three_passes:reuse", (CACHE,), (PREVIOUS,), on_reset=False),
-            AlgorithmPass("payload", "three_passes:payload_only", (CACHE,)),
+            _FIND_OR_DISCARD,
+            _PAYLOAD_ALONE,
             # The visible surface has been drawn twice already: equal depth is the winner.
-            AlgorithmPass("shade", "three_passes:shade", (COLOR,), (CURRENT,), depth_test="lequal"),
+            AlgorithmPass(
+                "shade",
+                "three_passes:shade",
+                (COLOR,),
+                (CURRENT,),
+                depth_test="lequal",
+                does=_FROM_THIS_FRAME,
+            ),
         ),
         unfit="three_passes:unfit",
         # The first two draw into a cache that is smaller than the picture, with a depth of its own.
         fraction=(
-            AlgorithmPass("reuse", "three_passes:reuse", (CACHE,), (PREVIOUS,), on_reset=False),
-            AlgorithmPass("payload", "three_passes:payload_only", (CACHE,)),
-            AlgorithmPass("shade", "upsampling:shade", (COLOR,), (CURRENT,)),
-            AlgorithmPass("rest", "upsampling:rest", (COLOR,)),
+            _FIND_OR_DISCARD,
+            _PAYLOAD_ALONE,
+            AlgorithmPass(
+                "shade",
+                "upsampling:shade",
+                (COLOR,),
+                (CURRENT,),
+                does=_FROM_THIS_FRAME,
+            ),
+            AlgorithmPass(
+                "rest",
+                "upsampling:rest",
+                (COLOR,),
+                does="the whole shader, for pixels that no texel of the smaller cache fits",
+            ),
         ),
     ),
     Algorithm(
         "parked",
         "parked",
         (
-            AlgorithmPass("find", "parked:find", (COLOR, CACHE, PARKED), (PREVIOUS,)),
+            AlgorithmPass(
+                "find",
+                "parked:find",
+                (COLOR, CACHE, PARKED),
+                (PREVIOUS,),
+                does="hits are shaded from the cache, misses park what the rest needs",
+            ),
             # A depth for each pixel that waits, so that what comes next fails the early depth test
             # at all others. It is another buffer: that of the objects must stay as it is.
             AlgorithmPass(
@@ -132,6 +199,7 @@ ALGORITHMS = (
                 draws="screen",
                 depth_test="always",
                 depth_buffer="marks",
+                does="a depth for each pixel that misses; the next pass skips the others",
             ),
             AlgorithmPass(
                 "fix-up",
@@ -142,6 +210,7 @@ ALGORITHMS = (
                 depth_test="equal",
                 depth_write=False,
                 depth_buffer="marks",
+                does="the whole shader for misses, from what they have parked",
             ),
         ),
         unfit="parked:unfit",
@@ -158,6 +227,12 @@ NAMES = tuple(record.name for record in ALGORITHMS)
 USUAL = tuple(record.name for record in ALGORITHMS if record.usual)
 """Those that are meant by all."""
 
+PROMISING = ("2-pass", "parked", "3-pass", "1-pass")
+"""In the order in which they are tried where one is chosen: what pays more often comes first."""
+
+FRACTIONAL = next(record.name for record in ALGORITHMS if record.fraction)
+"""What computes payloads at a fraction of the rate."""
+
 PROFILED, FIRST = "2-pass", "hit"
 """The algorithm of which a profile is taken, and its pass that looks up."""
 
@@ -171,7 +246,7 @@ def without(left_out: LeftOut) -> Algorithm:
     """Two passes that leave something out. What they draw is not the picture: it is timed."""
     whole = _BY_NAME[PROFILED]
     maker, targets = _FOUND[left_out]
-    first = AlgorithmPass(FIRST, f"side_passes:{maker}", targets, on_reset=False)
+    first = replace(whole.passes[0], maker=f"side_passes:{maker}", targets=targets, reads=())
     return replace(whole, passes=(first, *whole.passes[1:]))
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+from shadercache.caching.algorithms import FRACTIONAL, PROMISING
 from shadercache.caching.configuration import (
     CacheFormat,
     Configuration,
@@ -26,7 +27,7 @@ class Space:
     beside these all are refreshed alike.
     """
 
-    algorithms: tuple[str, ...] = ("2-pass", "parked", "3-pass", "1-pass")
+    algorithms: tuple[str, ...] = PROMISING
     periods: tuple[int, ...] = (2, 3, 4, 6, 8, 12, 16, 24, 32, 48)
     rates: tuple[PayloadRate, ...] = ("full", "half", "quarter")
     filters: tuple[FilterKind, ...] = ("bilateral", "carried", "lanczos2", "nearest")
@@ -47,7 +48,7 @@ class Space:
     def main(self, first: Configuration, still: bool) -> Iterator[Configuration]:
         """What else a value is tried with, what pays more often first; one slot is changed at a
         time. ``still``: does the value stay the same on its surface?"""
-        rates = [replace(first, algorithm="3-pass", payload_rate=rate) for rate in self.rates[1:]]
+        rates = [replace(first, algorithm=FRACTIONAL, payload_rate=rate) for rate in self.rates[1:]]
         resampled = [replace(first, filter=Filter(kind)) for kind in self.filters[1:2]]
         yield from (replace(first, algorithm=name) for name in self.algorithms[1:3])
         # What stays is blurred by resampling and by nothing else; what moves gets old.

@@ -6,12 +6,12 @@ from collections.abc import Iterable
 
 from msgspec import UNSET
 
+from shadercache.caching.algorithms import PARKED, algorithm
 from shadercache.manifest.pass_model import AddedUniform, Role
 from shadercache.render.depth_spec import depth_spec
 from shadercache.report.hand_over.example.example_targets import ExampleTargets, variable
 from shadercache.report.hand_over.frame_order import PassStep
 from shadercache.report.hand_over.handed_shaders import HandedShader
-from shadercache.report.hand_over.pass_words import words_of
 from shadercache.scene.description import Scene
 
 OWN: tuple[Role, ...] = ("object", "mask", "group")
@@ -56,7 +56,8 @@ def comment_of(step: PassStep) -> str:
     variant = step.shader.variant
     if not step.cached or variant is None:
         return f"# {step.shader.title} is not cached: it comes first, with no cache attached."
-    return f"# {step.entry.name}: {words_of(variant.variants[0].algorithm, step.entry)}."
+    words = algorithm(variant.variants[0].algorithm).words_of(step.entry.name)
+    return f"# {step.entry.name}: {words}."
 
 
 def arguments_of(step: PassStep, targets: ExampleTargets) -> list[str]:
@@ -69,7 +70,7 @@ def arguments_of(step: PassStep, targets: ExampleTargets) -> list[str]:
         if one.role in entry.reads and one.name in entry.uniforms
     ]
     textures = f"{{{', '.join(samplers)}}}"
-    if any(one.startswith("parked") for one in entry.reads):
+    if any(one.startswith(PARKED) for one in entry.reads):
         textures = targets.parked(step.shader)
     attached = f"[{', '.join(targets.attached(step.shader, entry))}]"
     given = [textures, attached, f'"{spec.test}"']

@@ -119,7 +119,7 @@ class ExampleTargets:
         """The variable of what a shader parks."""
         different = list(dict.fromkeys(filter(None, map(self._parked, self.shaders))))
         at = different.index(self._parked(shader)) + 1
-        return f"parked_{at}" if len(different) > 1 else "parked"
+        return f"{PARKED}_{at}" if len(different) > 1 else PARKED
 
     def attached(self, shader: HandedShader, entry: PassEntry) -> list[str]:
         """What is bound at the colour attachments of a pass."""

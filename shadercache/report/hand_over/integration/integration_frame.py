@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from msgspec import UNSET
 
+from shadercache.caching.algorithms import algorithm
 from shadercache.manifest.interface import (
     AttributeInput,
     InputEntry,
@@ -20,7 +21,6 @@ from shadercache.report.hand_over.handed_shaders import HandedShader, manifest_o
 from shadercache.report.hand_over.integration.integration_targets import texel
 from shadercache.report.hand_over.integration.markdown import alike, code, listed, table
 from shadercache.report.hand_over.integration.role_words import value_words
-from shadercache.report.hand_over.pass_words import words_of
 
 _BLOCKS = (UniformBlockInput, StorageBlockInput)
 
@@ -143,7 +143,7 @@ def _pass(number: int, step: PassStep, many: bool) -> Iterator[str]:
     """What is drawn, where, and with what bound."""
     entry, manifest = step.entry, manifest_of(step.shader)
     of = f" of {step.shader.title}" if many else ""
-    words = words_of(manifest.variants[0].algorithm, entry)
+    words = algorithm(manifest.variants[0].algorithm).words_of(entry.name)
     reset = "" if entry.on_reset else " Not in a frame of a reset."
     folder = step.shader.folder
     yield f"   * **{number}. `{entry.name}`{of}**: {words}.{reset}"

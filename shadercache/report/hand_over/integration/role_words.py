@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from msgspec import UNSET
 
+from shadercache.caching.algorithms import PARKED
 from shadercache.manifest.pass_model import AddedUniform, Role
 
 _WORDS: Mapping[Role, str] = {
@@ -41,7 +42,7 @@ _FIRST = (
 
 def value_words(uniform: AddedUniform, on_reset: bool = False) -> str:
     """What it is set to, as a clause; ``on_reset``: is it set in the draws of a reset?"""
-    if uniform.role.startswith("parked"):
+    if uniform.role.startswith(PARKED):
         return f"`{uniform.role}`"
     if uniform.role == "object":
         return _FIRST if uniform.name.endswith("first_object") else _OBJECT
