@@ -11,7 +11,14 @@ import typer
 from shadercache.caching.configuration import Mode
 from shadercache.caching.settings import with_settings
 from shadercache.cli import options
-from shadercache.cli.choosing import LookOptions, TuneFiles, TunePicture, choose, told_choice
+from shadercache.cli.choosing import (
+    AUTO,
+    LookOptions,
+    TuneFiles,
+    TunePicture,
+    choose,
+    told_choice,
+)
 from shadercache.cli.io import MANIFEST, atomic_folder, read_pair
 from shadercache.diagnostics import usage_error
 
@@ -29,6 +36,19 @@ class AutoOptions(LookOptions):
     max_error: Annotated[
         float | None, typer.Option(metavar="E", help="With --auto: the largest error of a frame.")
     ] = None
+    size: Annotated[
+        str,
+        typer.Option(
+            metavar="W[xH]",
+            help="With --auto: picture size; auto is 512, or less where a frame takes long.",
+        ),
+    ] = AUTO
+
+    def __post_init__(self) -> None:
+        """Raises :class:`UsageError` SC003 for what says nothing without ``--auto``."""
+        if not self.auto and (self.max_error is not None or self.size != AUTO):
+            option = "--size" if self.max_error is None else "--max-error"
+            raise usage_error("SC003", f"{option} goes with --auto", "add --auto, or leave it out")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -133,7 +153,8 @@ def _choose(
     if node or auto.max_error is None:
         message = "--auto chooses the node" if node else "--auto needs a bound"
         raise usage_error("SC003", message, "give --auto --max-error 0.01, or --node")
-    clock, picture = Budget(auto.seconds), TunePicture()
-    question = TuneQuestion(auto.bounds(str(auto.max_error)), clock.seconds)
+    clock, picture = Budget(auto.seconds), TunePicture(size=auto.size)
+    bounds = auto.bounds(str(auto.max_error))
+    question = TuneQuestion(bounds, clock.seconds, picture.size != AUTO)
     chosen = choose(source.open(context), question, picture, clock, TuneFiles(out))
     print(told_choice(chosen))

@@ -152,5 +152,9 @@ def test_rewrite_chooses_where_it_is_asked(shell: Shell, tmp_path: Path) -> None
     outcome = shell(*asked, "--auto", "--max-error", "0.01", "--budget", "10s")
     assert outcome.status == 0 and "leave it alone" in outcome.out
     assert not (tmp_path / "out").exists()
+    sized = shell(*asked, "--auto", "--max-error=0.01", "--budget=10s", "--size=96x64")
+    assert sized.status == 0 and "at 96x64" in sized.out
+    for options in (("--max-error=0.1",), ("--size=96",), ("--auto", "--size=x")):
+        assert shell(*asked, *options, "--node=a.1-0").status == 2
     for options in (("--auto",), ("--auto", "--max-error", "0.1", "--node", "a.1-0"), ()):
         assert shell(*asked, *options).status == 2
