@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, cached_property
 
 from shadercache.analysis.candidates import Candidate, Candidates, varyings
@@ -30,13 +30,16 @@ from shadercache.emit.builder import FragmentProgram, PassBuilder
 from shadercache.emit.printer import print_node
 from shadercache.emit.runtime import full_screen_vertex
 from shadercache.emit.side_passes import unneeded
+from shadercache.emit.twins import twin_name
 from shadercache.emit.vertex import VertexEmitter
+from shadercache.emit.vulkan import VulkanPlaces
 from shadercache.front.dialects import surrounded
 from shadercache.front.read_options import ReadOptions
 from shadercache.front.webgl import WEBGL, names_version
 from shadercache.manifest.interface import InputEntry
 from shadercache.manifest.model import DependencyEntry
 from shadercache.manifest.reflection import dependencies, inputs_of, twin_bindings
+from shadercache.manifest.vulkan_inputs import places_of, twin_bindings_in_vulkan
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.infer import infer
 from shadercache.source import Source
@@ -103,9 +106,15 @@ class Analysis:
         program = self.program
         shared = program.prefix, program.memo, program.mapping
         if self.stage is not None:
-            links = links_of(self.stage.pairs)
-            about = (links, self.moving, twin_bindings(self.inputs))
-            return VertexEmitter(self.raised[1].module, self.stage.module, *shared, *about)
+            bindings = (twin_bindings_in_vulkan if self.vulkan else twin_bindings)(self.inputs)
+            emitter = VertexEmitter(self.raised[1].module, self.stage.module, *shared)
+            return replace(
+                emitter,
+                links=links_of(self.stage.pairs),
+                moving=self.moving,
+                bindings=bindings,
+                vulkan=self.vulkan,
+            )
         if not self.full_screen:
             raise input_error(
                 "SC402", "a vertex shader is needed to rewrite a shader", "give --vert"
@@ -116,7 +125,23 @@ class Analysis:
             StageSide(program.module, program.facts, self.fragment),
             StageSide(module, infer(module, source, "vertex"), source),
         )
-        return VertexEmitter(module, module, *shared)
+        return replace(VertexEmitter(module, module, *shared), vulkan=self.vulkan)
+
+    @cached_property
+    def vulkan(self) -> VulkanPlaces | None:
+        """Where what is added has its place in Vulkan GLSL; None in other GLSL."""
+        if self.reading.dialect != "vulkan":
+            return None
+        program, vertex = self.program, None
+        if self.stage is not None and self.vertex is not None:
+            vertex = StageSide(self.stage.module, self.stage.facts, self.vertex)
+        return places_of(
+            StageSide(program.module, program.facts, self.fragment),
+            vertex,
+            self.inputs,
+            {name: twin_name(program.prefix, name) for name in self.moving},
+            program.instanced,
+        )
 
     @cached_property
     def moving(self) -> frozenset[str]:

@@ -49,7 +49,6 @@ from shadercache.analysis.mapping import MappingKind
 from shadercache.analysis.moving import is_instanced
 from shadercache.analysis.restrictions import (
     check_depth,
-    check_dialect,
     check_size,
     check_user_mapping,
     checked_outputs,
@@ -296,7 +295,6 @@ def _check_names(analysis: Analysis, mode: Mode, queries: bool = False) -> None:
     """Proof mode raises the version, and so do queries of levels of detail (``queries``): do the
     names that an engine or a struct knows stay legal?"""
     fragment = analysis.program.module
-    check_dialect(fragment, analysis.fragment)
     if queries and fragment.profile == "es":
         message = "--fetches level needs textureQueryLod, which GLSL ES has not"
         raise input_error("SC419", message, "take --fetches whole")

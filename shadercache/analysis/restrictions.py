@@ -13,11 +13,9 @@ from shadercache.analysis.reaching_definitions import written_anywhere
 from shadercache.ast import nodes as n
 from shadercache.ast.walk import EXPRESSIONS, walk
 from shadercache.diagnostics import Diagnostic, InputError
-from shadercache.front.preprocess import enabled_extensions
-from shadercache.lang.availability import VULKAN
 from shadercache.lang.builtins import overloads
 from shadercache.sema.facts import Facts
-from shadercache.source import Source, Span
+from shadercache.source import Source
 
 MAX_EXPRESSIONS = 100_000
 """Expressions of a shader that is analysed. (The largest of 14,000 public ones has 63,000.)"""
@@ -75,19 +73,6 @@ def check_depth(facts: Facts, source: Source) -> None:
     message = f"more than {MAX_DEPTH} functions call one another in a row"
     span = min(call.span for call in level)
     raise InputError(Diagnostic("SC401", message, source, span))
-
-
-def check_dialect(module: n.Module, source: Source) -> None:
-    """Refuse to write variants of Vulkan GLSL: :class:`InputError` SC450."""
-    if VULKAN in enabled_extensions(module):
-        message = (
-            "variants of Vulkan GLSL are not written: their uniforms stand outside of blocks, and "
-            "their samplers have no bindings"
-        )
-        hint = (
-            "rewrite the OpenGL GLSL that 'spirv-cross --version 450 --no-es' makes of its SPIR-V"
-        )
-        raise InputError(Diagnostic("SC450", message, source, Span(0, 0), hint))
 
 
 def checked_outputs(module: n.Module, facts: Facts, source: Source) -> tuple[Output, ...]:

@@ -7,7 +7,7 @@ member where these have locations.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TypeAlias
 
@@ -109,6 +109,22 @@ def links_of(pairs: Pairs) -> Links:
         for name in filter(None, (ours.name, ours.block)):
             links.setdefault(name, set()).add(theirs.name)
     return {name: frozenset(names) for name, names in links.items()}
+
+
+def next_location(side: StageSide, word: str) -> int:
+    """The first location behind those of a stage's inputs or outputs (``word``: in, out)."""
+    placed = (one for one in _varyings(side, word) if one.place is not None)
+    return max((one.place[0] + one.type.slots for one in placed if one.place), default=0)
+
+
+def spare_locations(side: StageSide, word: str, names: Collection[str]) -> dict[str, int]:
+    """A location behind those of a stage's inputs or outputs for another one of each of these."""
+    at, found = next_location(side, word), dict[str, int]()
+    for one in _varyings(side, word):
+        if one.name in names:
+            found[one.name] = at
+            at += one.type.slots
+    return found
 
 
 def _problem(

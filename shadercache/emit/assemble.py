@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
 from shadercache.ast import nodes as n
+from shadercache.emit.packing import has_word
 from shadercache.source import NOWHERE
 from shadercache.transform.reachable import declared_names
 
@@ -83,8 +84,8 @@ def _located(decl: n.Decl, locations: Mapping[str, int]) -> n.Decl:
 
 
 def interface(module: n.Module) -> Shader:
-    """The module with the names of its inputs, outputs and uniforms (blocks and buffers too), in
-    order of declaration."""
+    """The module with the names of its inputs, outputs and uniforms (blocks, buffers and constants
+    that are specialised too), in order of declaration."""
     inputs: list[str] = []
     outputs: list[str] = []
     uniforms: list[str] = []
@@ -99,6 +100,6 @@ def interface(module: n.Module) -> Shader:
             inputs += names
         elif decl.qualifiers.has("out"):
             outputs += names
-        elif decl.qualifiers.has("uniform", "buffer"):
+        elif decl.qualifiers.has("uniform", "buffer") or has_word(decl.qualifiers, "constant_id"):
             uniforms += names
     return Shader(module, tuple(inputs), tuple(outputs), tuple(uniforms))

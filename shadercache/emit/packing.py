@@ -35,6 +35,11 @@ class Packing:
         return packing
 
 
+def has_word(qualifiers: n.Qualifiers, word: str) -> bool:
+    """Is a word in the ``layout(...)``?"""
+    return any(entry.name == word for entry in qualifiers.layout or ())
+
+
 def is_default(decl: n.Decl, storage: str) -> bool:
     """Is it ``layout(...) uniform;``, or the same of buffers?"""
     return isinstance(decl, n.QualifierDecl) and not decl.names and decl.qualifiers.has(storage)

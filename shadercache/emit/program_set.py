@@ -22,6 +22,7 @@ from shadercache.emit.parking import parked_formats
 from shadercache.emit.printer import print_module
 from shadercache.emit.runtime import full_screen_vertex, group_vertex
 from shadercache.emit.vertex import LastFrame, VertexEmitter
+from shadercache.emit.vulkan import VulkanPlaces, vulkan_form
 from shadercache.sema.facts import Stage
 from shadercache.transform.proof.make_precise import make_precise
 from shadercache.transform.proof.opaque_arguments import make_arguments_opaque
@@ -65,6 +66,7 @@ class ProgramSet:
     prefix: str = ""
     outputs: tuple[Output, ...] = ()
     whole: bool = False
+    vulkan: VulkanPlaces | None = None
 
     @property
     def passes(self) -> list[Pass]:
@@ -102,6 +104,7 @@ def emit_programs(
     builder = _builder(program, nodes, configurations[0])
     programs = ProgramSet(
         last_frame=vertex.last_frame(),
+        vulkan=vertex.vulkan,
         prefix=program.prefix,
         outputs=program.outputs,
     )
@@ -270,6 +273,8 @@ class _ProgramWriter:
                 module = hide_uniform_varyings(module, prefix, memo)
             module = write_out_matrices(module, prefix, stage, memo)
             module = make_precise(module, prefix, stage, memo)
+        if self.vertex.vulkan is not None:
+            module = vulkan_form(module, prefix, self.vertex.vulkan)
         # In GLSL ES 3.00 `#version` is the very first line (section 3.3): the comment comes second.
         version, rest = print_module(module, memo).split("\n", 1)
         return f"{version}\n// shadercache: {file}, {self.about}\n{rest}"

@@ -92,7 +92,7 @@ class Twins:
         return replace(twin, qualifiers=replace(twin.qualifiers, layout=layout))
 
     def _twin(self, name: str) -> str:
-        return f"{self._prefix}previous_{name}"
+        return twin_name(self._prefix, name)
 
     def _names(self, decl: n.Decl) -> dict[str, str]:
         names = {name: self._twin(name) for name in declared_names(decl)}
@@ -126,6 +126,11 @@ class Twins:
             if declarator.name == name and declarator.dims
         )
         return next(sizes, None)
+
+
+def twin_name(prefix: str, name: str) -> str:
+    """What the twin of a name is called."""
+    return f"{prefix}previous_{name}"
 
 
 def is_builtin_output(decl: n.Decl) -> bool:

@@ -29,6 +29,7 @@ from shadercache.ast.memo import Memo
 from shadercache.emit.assemble import Shader, interface, merge
 from shadercache.emit.runtime import vertex_part
 from shadercache.emit.twins import POSITION, Twins, is_builtin_output
+from shadercache.emit.vulkan import VulkanPlaces
 from shadercache.source import NOWHERE
 from shadercache.transform.reachable import declared_names, names_in
 from shadercache.transform.remove_dead import remove_dead
@@ -57,7 +58,7 @@ class VertexEmitter:
 
     ``links`` leads from names of the fragment shader to the outputs that they get their values
     from, where these are called otherwise. ``moving`` are attributes, textures and buffers that
-    have twins, ``bindings`` those of twins.
+    have twins, ``bindings`` those of twins. ``vulkan``: the places in Vulkan GLSL.
     """
 
     parsed: n.Module
@@ -68,6 +69,7 @@ class VertexEmitter:
     links: Links = field(default_factory=dict)
     moving: frozenset[str] = frozenset()
     bindings: Mapping[str, int] = field(default_factory=dict)
+    vulkan: VulkanPlaces | None = None
 
     def for_fragment(self, fragment: Shader) -> Shader:
         """The vertex shader for a fragment shader: exactly the varyings which that one reads."""

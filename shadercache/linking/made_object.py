@@ -25,6 +25,7 @@ from shadercache.linking.made_parts.made_vertex import made_vertex
 from shadercache.linking.made_scene import START
 from shadercache.linking.scene_shaders import (
     analyse_scene,
+    check_drawn,
     full_screen,
     read_as_in,
     read_shader,
@@ -86,6 +87,7 @@ def open_shader(
     Raises as :func:`made_object`, and UsageError SC006 for a shader without varyings whose values
     shall lie on surfaces.
     """
+    check_drawn(reading)
     beside = vertex or vertex_beside(fragment)
     if mapping in ("screen", "user"):
         return MadeObject(*full_screen(fragment, beside, reading, mapping), ())

@@ -86,12 +86,23 @@ def analyse_scene(
     names: the scene has what it gives under these as well. Raises as :func:`compiler.analyse`.
     """
     reading = read_as_in(scene, reading or ReadOptions())
+    check_drawn(reading)
     sources, wanted = read_shaders(scene), mapping or scene.mapping
     analysis = analyse(*sources, reading, wanted)
     named = with_new_names(scene, analysis.renamed)
     if wanted is None and analysis.mapping == "surface" and _rests(named, analysis):
         analysis = analyse(*sources, reading, "screen")
     return named, analysis
+
+
+def check_drawn(reading: ReadOptions) -> None:
+    """Refuse to draw Vulkan GLSL: :class:`InputError` SC450."""
+    if reading.dialect == "vulkan":
+        hint = (
+            "'rewrite' writes its variants; to draw them here take the OpenGL GLSL that "
+            "'spirv-cross --version 450 --no-es' makes of its SPIR-V"
+        )
+        raise input_error("SC450", "Vulkan GLSL is not drawn: the harness runs OpenGL", hint=hint)
 
 
 def read_as_in(scene: Scene, reading: ReadOptions) -> ReadOptions:

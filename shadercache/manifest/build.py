@@ -27,6 +27,7 @@ from shadercache.manifest.reflection import declared_inputs
 from shadercache.manifest.sentences import Setting, frame_sentences, relies_on, reset_sentences
 from shadercache.manifest.state import state_of
 from shadercache.manifest.uniforms import added_uniforms
+from shadercache.manifest.vulkan_uniforms import added_block, in_block
 from shadercache.source import Source, as_text
 
 # 16/w is as precise in half floats from w = 2.4e-4 to 2.6e5. Plain 1/w falls below 2^-14, and loses
@@ -80,16 +81,20 @@ def build_manifest(
         outputs=_outputs(programs),
         cache=cache,
         targets=_targets(cache, configuration.divisor, programs),
-        uniforms=tuple(
-            uniform
-            for uniform in added_uniforms(
-                programs.prefix,
-                layout,
-                configuration,
-                f"{programs.prefix}first_object" in uniforms,
-            )
-            if uniform.name in uniforms or uniform.role in _ALWAYS
+        uniforms=in_block(
+            (
+                uniform
+                for uniform in added_uniforms(
+                    programs.prefix,
+                    layout,
+                    configuration,
+                    f"{programs.prefix}first_object" in uniforms,
+                )
+                if uniform.name in uniforms or uniform.role in _ALWAYS
+            ),
+            programs,
         ),
+        uniform_block=added_block(programs),
         previous=dict(programs.last_frame.twins),
         debug=_debug(programs.debug, configuration, setting),
         frame=tuple(frame_sentences(layout.second, configuration, setting, programs)),
@@ -158,7 +163,9 @@ def _head(programs: ProgramSet, mode: Mode, inputs: Iterable[InputEntry]) -> dic
     return {
         "schema_version": model.SCHEMA_VERSION,
         "mode": mode,
-        "inputs": declared_inputs(inputs, programs.last_frame, uniforms, attributes),
+        "inputs": declared_inputs(
+            inputs, programs.last_frame, uniforms, attributes, programs.vulkan
+        ),
     }
 
 

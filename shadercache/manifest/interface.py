@@ -22,6 +22,10 @@ Binding: TypeAlias = Annotated[
     kinds.Unsigned | None,
     Meta(description="as it is declared; null: texture or image unit 0 when left alone"),
 ]
+DescriptorSet: TypeAlias = Annotated[
+    kinds.Unsigned | UnsetType,
+    Meta(description="of Vulkan GLSL: the descriptor set; left out it is 0"),
+]
 Twin: TypeAlias = Annotated[
     kinds.Identifier | UnsetType,
     Meta(
@@ -104,6 +108,7 @@ class _Texture(_Variable, frozen=True, kw_only=True):
     """What samplers and images have."""
 
     binding: Binding
+    set: DescriptorSet = UNSET
     dimension: Dimension
     component: Component
     layers: Annotated[bool, Meta(description="is it an array texture?")] = False
@@ -122,6 +127,37 @@ class SamplerInput(_Texture, frozen=True, kw_only=True, tag_field="kind", tag="s
 
 class ImageInput(_Texture, frozen=True, kw_only=True, tag_field="kind", tag="image"):
     """An image that is read and written by texel."""
+
+
+class TextureInput(_Texture, frozen=True, kw_only=True, tag_field="kind", tag="texture"):
+    """A texture without a sampler, of Vulkan GLSL."""
+
+
+class SamplerStateInput(
+    _Variable, frozen=True, kw_only=True, tag_field="kind", tag="sampler state"
+):
+    """A sampler without a texture, of Vulkan GLSL."""
+
+    binding: kinds.Unsigned | None
+    set: DescriptorSet = UNSET
+    compares: Annotated[bool, Meta(description="does it compare depths?")] = False
+
+
+class SubpassInput(_Variable, frozen=True, kw_only=True, tag_field="kind", tag="subpass input"):
+    """What an earlier subpass has left at the pixel, of Vulkan GLSL."""
+
+    binding: kinds.Unsigned | None
+    set: DescriptorSet = UNSET
+    input_attachment_index: kinds.Unsigned | None
+
+
+class SpecialisedInput(
+    _Variable, frozen=True, kw_only=True, tag_field="kind", tag="specialisation constant"
+):
+    """A constant that is given where a pipeline is made, of Vulkan GLSL; alike in all passes."""
+
+    constant_id: Annotated[kinds.Unsigned, Meta(description="as it is declared")]
+    default: Annotated[str, Meta(description="its value where none is given, as an expression")]
 
 
 class CounterInput(_Variable, frozen=True, kw_only=True, tag_field="kind", tag="atomic counter"):
@@ -155,6 +191,7 @@ class _BlockInput(kinds.ManifestPart, frozen=True, kw_only=True):
         kinds.Unsigned | None,
         Meta(description="as it is declared; null: point 0 when left alone, so give it a free one"),
     ]
+    set: DescriptorSet = UNSET
     size: Annotated[
         kinds.Unsigned | UnsetType,
         Meta(
@@ -178,6 +215,10 @@ class UniformBlockInput(
 ):
     """A uniform block."""
 
+    push_constant: Annotated[
+        bool, Meta(description="of Vulkan GLSL: is it the block of push constants?")
+    ] = False
+
 
 class StorageBlockInput(
     _BlockInput, frozen=True, kw_only=True, tag_field="kind", tag="storage block"
@@ -190,10 +231,18 @@ InputEntry: TypeAlias = (
     | UniformInput
     | SamplerInput
     | ImageInput
+    | TextureInput
+    | SamplerStateInput
+    | SubpassInput
+    | SpecialisedInput
     | CounterInput
     | UniformBlockInput
     | StorageBlockInput
 )
+
+
+BOUND = (SamplerInput, ImageInput, TextureInput, UniformBlockInput, StorageBlockInput)
+"""What has a binding, and may have a twin."""
 
 
 def name_space(entry: InputEntry) -> type:

@@ -56,6 +56,10 @@ class DependencyEntry(kinds.ManifestPart, frozen=True, kw_only=True):
         "uniform",
         "sampler",
         "image",
+        "texture",
+        "sampler state",
+        "subpass input",
+        "specialisation constant",
         "atomic counter",
         "uniform block",
         "storage block",
@@ -132,6 +136,10 @@ class Manifest(kinds.ManifestPart, frozen=True, kw_only=True):
             "location or binding of its own"
         ),
     ]
+    uniform_block: Annotated[
+        pass_model.AddedBlock | UnsetType,
+        Meta(description="of Vulkan GLSL: what holds the added uniforms that are no textures"),
+    ] = UNSET
     renamed: Annotated[
         dict[kinds.Words, kinds.Identifier],
         Meta(

@@ -50,7 +50,7 @@ Outcomes: TypeAlias = Annotated[
 
 
 class AddedUniform(kinds.ManifestPart, frozen=True, kw_only=True):
-    """A uniform that was added; it has no location or binding of its own."""
+    """A uniform that was added; but in Vulkan GLSL it has no location or binding of its own."""
 
     name: kinds.Identifier
     type: Literal["ivec4", "vec4", "sampler2D", "usampler2D", "int", "float"]
@@ -62,6 +62,24 @@ class AddedUniform(kinds.ManifestPart, frozen=True, kw_only=True):
     on_reset: Annotated[
         int | float | UnsetType, Meta(description="its value in the draws of a reset")
     ] = UNSET
+    binding: Annotated[
+        kinds.Unsigned | UnsetType,
+        Meta(description="of a texture in Vulkan GLSL: its binding in the set of the block"),
+    ] = UNSET
+    offset: Annotated[
+        kinds.Unsigned | UnsetType,
+        Meta(description="in Vulkan GLSL, of what is no texture: in bytes, in the block"),
+    ] = UNSET
+
+
+class AddedBlock(kinds.ManifestPart, frozen=True, kw_only=True):
+    """The uniform block of what was added, in Vulkan GLSL. It is the same in all passes, with the
+    members at fixed offsets (std140); what 'uniforms' does not list is not read."""
+
+    name: kinds.Identifier
+    set: kinds.Unsigned
+    binding: kinds.Unsigned
+    size: Annotated[kinds.Size, Meta(description="in bytes")]
 
 
 class ObjectsEntry(

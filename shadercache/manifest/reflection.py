@@ -13,23 +13,26 @@ from typing import Any
 from msgspec import UNSET, UnsetType, structs
 
 from shadercache.ast import nodes as n
-from shadercache.emit.packing import Packing, is_default
+from shadercache.emit.packing import Packing, has_word, is_default
 from shadercache.emit.printer import print_node
 from shadercache.emit.vertex import LastFrame
+from shadercache.emit.vulkan import PUSH_CONSTANT, VulkanPlaces
+from shadercache.front.preprocess import enabled_extensions
+from shadercache.lang.availability import VULKAN
 from shadercache.lang.block_layout import LAID_OUT, up
 from shadercache.manifest import interface
 from shadercache.manifest.block_members import block_members, number_of, struct_members
-from shadercache.manifest.interface import InputEntry
+from shadercache.manifest.interface import BOUND, InputEntry
 from shadercache.manifest.model import DependencyEntry
+from shadercache.manifest.vulkan_inputs import twin_in_vulkan
 from shadercache.sema.facts import Facts, Stage
 from shadercache.sema.fold import Value, flattened, fold_construct
 
 _BLOCKS = (interface.UniformBlockInput, interface.StorageBlockInput)
-_BOUND = (interface.SamplerInput, interface.ImageInput, *_BLOCKS)
 _STORAGES = ("uniform", "buffer")
 
 _TEXTURE = re.compile(
-    r"([iu]?)(?:sampler|image)(1D|2D|3D|Cube|Buffer|ExternalOES)(Rect)?(MS)?(Array)?(Shadow)?"
+    r"([iu]?)(?:sampler|image|texture)(1D|2D|3D|Cube|Buffer|ExternalOES)(Rect)?(MS)?(Array)?(Shadow)?"
 )
 _DIMENSIONS = {"Cube": "cube", "Buffer": "buffer", "ExternalOES": "2D"}
 _COMPONENTS = {"": "float", "i": "int", "u": "uint"}
@@ -51,6 +54,7 @@ def declared_inputs(
     last_frame: LastFrame,
     uniforms: Collection[str],
     attributes: Collection[str],
+    vulkan: VulkanPlaces | None = None,
 ) -> tuple[InputEntry, ...]:
     """Those of the inputs that programs declare, with the twins of the last frame behind them."""
     known, previous, bindings = tuple(inputs), last_frame.twins, last_frame.bindings
@@ -60,6 +64,8 @@ def declared_inputs(
         for entry in known
         if entry.name in previous and "vertex" in entry.stages
     )
+    if vulkan is not None:
+        twins = tuple(twin_in_vulkan(twin, vulkan) for twin in twins)
     return interface.declared_of(known + twins, uniforms, attributes)
 
 
@@ -137,7 +143,7 @@ def _twin(entry: InputEntry, previous: Mapping[str, str], binding: int | None) -
 def twin_bindings(inputs: Iterable[InputEntry]) -> dict[str, int]:
     """The bindings that twins would have, by the name of what has one: of inputs of the vertex
     shader that have a binding themselves, the next that nothing of their kind has."""
-    placed = [(entry, entry.binding) for entry in inputs if isinstance(entry, _BOUND)]
+    placed = [(entry, entry.binding) for entry in inputs if isinstance(entry, BOUND)]
     free: dict[type, int] = {}
     for entry, binding in placed:
         end = 0 if binding is None else binding + prod(entry.dims)
@@ -151,7 +157,10 @@ def twin_bindings(inputs: Iterable[InputEntry]) -> dict[str, int]:
 
 
 def _inputs(module: n.Module, facts: Facts, stage: Stage) -> Iterator[InputEntry]:
-    defaults = {storage: Packing() for storage in _STORAGES}
+    vulkan = VULKAN in enabled_extensions(module)
+    # OpenGL leaves open how a block is laid out that does not say it; Vulkan does not.
+    usual = ("std140", "std430") if vulkan else ("shared", "shared")
+    defaults = {word: Packing(packing) for word, packing in zip(_STORAGES, usual, strict=True)}
     for decl in module.decls:
         # `layout(std140) uniform;` holds for the blocks behind it, so declarations are taken in
         # order (GLSL 4.60 section 4.4.5).
@@ -161,9 +170,13 @@ def _inputs(module: n.Module, facts: Facts, stage: Stage) -> Iterator[InputEntry
                     defaults[storage] = defaults[storage].under(decl.qualifiers)
         elif isinstance(decl, n.BlockDecl) and decl.qualifiers.has(*_STORAGES):
             storage = next(word for word in _STORAGES if decl.qualifiers.has(word))
-            packing = defaults[storage].under(decl.qualifiers)
+            pushed = has_word(decl.qualifiers, PUSH_CONSTANT)
+            default = Packing("std430") if pushed else defaults[storage]
+            packing = default.under(decl.qualifiers)
             yield _block(decl, module, facts, stage, packing)
         # What a fragment shader has as `in` are varyings, which no engine gives.
+        elif isinstance(decl, n.VarDecl) and has_word(decl.qualifiers, "constant_id"):
+            yield _specialised(decl, facts, stage)
         elif isinstance(decl, n.VarDecl) and (
             decl.qualifiers.has("uniform") or (stage == "vertex" and decl.qualifiers.has("in"))
         ):
@@ -185,9 +198,40 @@ def _variable(
     if kind.name == "atomic_uint":
         return interface.CounterInput(**about, binding=binding)
     if kind.struct is None and kind.holds_opaque:
-        return _texture(about | {"binding": binding})
+        return _opaque(
+            about | {"binding": binding, "set": _set_of(qualifiers, facts)}, qualifiers, facts
+        )
     default, members = _default(node.init, facts), struct_members(kind)
     return interface.UniformInput(**about, location=location, default=default, members=members)
+
+
+def _set_of(qualifiers: n.Qualifiers, facts: Facts) -> int | UnsetType:
+    number = number_of(qualifiers, "set", facts)
+    return UNSET if number is None else number
+
+
+def _specialised(decl: n.VarDecl, facts: Facts, stage: Stage) -> InputEntry:
+    [node] = decl.declarators
+    assert node.init is not None
+    number = number_of(decl.qualifiers, "constant_id", facts)
+    return interface.SpecialisedInput(
+        name=node.name,
+        stages=(stage,),
+        type=str(facts.declared[node].type),
+        constant_id=number or 0,
+        default=print_node(node.init),
+    )
+
+
+def _opaque(about: dict[str, Any], qualifiers: n.Qualifiers, facts: Facts) -> InputEntry:
+    """A texture, an image, a sampler, or what a subpass has left."""
+    kind = about["type"].partition("[")[0]
+    if "subpassInput" in kind:
+        number = number_of(qualifiers, "input_attachment_index", facts)
+        return interface.SubpassInput(**about, input_attachment_index=number)
+    if kind in ("sampler", "samplerShadow"):
+        return interface.SamplerStateInput(**about, compares=kind != "sampler")
+    return _texture(about)
 
 
 def _texture(about: dict[str, Any]) -> InputEntry:
@@ -204,6 +248,8 @@ def _texture(about: dict[str, Any]) -> InputEntry:
     }
     if "image" in kind:
         return interface.ImageInput(**about)
+    if "texture" in kind:
+        return interface.TextureInput(**about)
     return interface.SamplerInput(
         **about, compares="Shadow" in kind, external=kind.startswith("samplerExternalOES")
     )
@@ -217,12 +263,15 @@ def _block(
     uniform = decl.qualifiers.has("uniform")
     kind = interface.UniformBlockInput if uniform else interface.StorageBlockInput
     about: dict[str, Any] = {"packing": packing.packing, "matrices": packing.matrices}
+    if has_word(decl.qualifiers, PUSH_CONSTANT):
+        about["push_constant"] = True
     return kind(
         name=decl.name,
         stages=(stage,),
         instance=decl.instance,
         dims=tuple(size or 1 for size in dims),
         binding=number_of(decl.qualifiers, "binding", facts),
+        set=_set_of(decl.qualifiers, facts),
         size=up(end, _BUFFER_UNIT) if packing.packing in LAID_OUT else UNSET,
         members=members,
         **about,

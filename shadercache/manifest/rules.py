@@ -11,7 +11,6 @@ from msgspec import UNSET
 from shadercache.lang.block_layout import LAID_OUT
 from shadercache.manifest.interface import (
     AttributeInput,
-    CounterInput,
     InputEntry,
     StorageBlockInput,
     UniformBlockInput,
@@ -99,7 +98,7 @@ def _interface(manifest: Manifest) -> Iterator[Problem]:
 
 
 def _twin(path: str, entry: InputEntry, manifest: Manifest) -> Iterator[Problem]:
-    of = UNSET if isinstance(entry, CounterInput) else entry.previous_of
+    of = getattr(entry, "previous_of", UNSET)  # some kinds have no twins
     if of is UNSET:
         return
     if manifest.previous.get(of) != entry.name:

@@ -63,6 +63,17 @@ PLACES = (
     "attributes before it is linked.",
 )
 
+VULKAN_PLACES = (
+    "What was added is in the descriptor set of 'uniform_block': that block, the same in all "
+    "passes, with the offsets that 'uniforms' tells, and textures at their bindings. Twins have "
+    "their places among 'inputs'. Write what differs between draws for each draw.",
+    "Let an image be written before it is read: a barrier stands between the pass that writes a "
+    "target and those that read it, and between two frames.",
+)
+
+FEWEST_SETS = 4
+"""Descriptor sets that Vulkan promises (maxBoundDescriptorSets)."""
+
 BLOCKS = (
     "Where 'inputs' has no binding for a block, the block reads binding point 0 when left alone. "
     "Give it (each element of an array of blocks) a point that no other block of the program has.",
@@ -201,8 +212,8 @@ def frame_sentences(
     return [
         *(FRAME_FULL_SCREEN if setting.full_screen else FRAME),
         NOT_FINITE,
-        *PLACES,
-        *(BLOCKS if blocks else ()),
+        *(PLACES if programs.vulkan is None else VULKAN_PLACES),
+        *(BLOCKS if blocks and programs.vulkan is None else ()),
         *(TWINS_OF_BLOCKS if blocks & last.twins.keys() else ()),
         *(TWINS_OF_STREAMS if last.moving & last.twins.keys() else ()),
         *[FRAME_OF_TWO] * two_textures,
@@ -282,7 +293,16 @@ def relies_on(configuration: Configuration, programs: ProgramSet, setting: Setti
             f"{most} colour attachments in one pass: OpenGL has 8 or more, OpenGL ES and WebGL may "
             f"have {FEWEST_ATTACHMENTS}"
         )
-    return [*relies, *_of_mapping(setting), *_of_screen(setting)]
+    return [*relies, *_of_vulkan(programs), *_of_mapping(setting), *_of_screen(setting)]
+
+
+def _of_vulkan(programs: ProgramSet) -> list[str]:
+    if programs.vulkan is None:
+        return []
+    told = ["a viewport of positive height, with depths from 0 to 1"]
+    if programs.vulkan.set >= FEWEST_SETS:
+        told.append(f"{programs.vulkan.set + 1} descriptor sets: Vulkan promises {FEWEST_SETS}")
+    return told
 
 
 def _of_screen(setting: Setting) -> list[str]:

@@ -7,11 +7,14 @@ from pathlib import Path
 import pytest
 
 from shadercache.analysis.refusals import Code
-from shadercache.caching.configuration import Configuration
-from shadercache.compiler import Analysis, analyse, emit_original, rewrite
+from shadercache.compiler import Analysis, analyse
 from shadercache.diagnostics import InputError
 from shadercache.emit.printer import print_module
 from shadercache.front.read_options import ReadOptions
+from shadercache.linking.made_object import open_shader
+from shadercache.linking.scene_shaders import analyse_scene
+from shadercache.paths import data_path
+from shadercache.scene.description import load_scene
 from shadercache.sema.facts import Stage
 from shadercache.source import Source
 from shadercache.valid.read import read
@@ -19,6 +22,7 @@ from tests.glslang import needs_glslang, vulkan_errors
 
 FOLDER = Path(__file__).with_name("vulkan")
 PATHS = sorted(FOLDER.iterdir())
+DRAGON = Path(data_path("corpus", "dragon", "scene.toml"))
 VULKAN = ReadOptions(dialect="vulkan")
 
 
@@ -80,15 +84,14 @@ def test_what_a_subpass_left_is_of_the_screen() -> None:
     assert next(node for node in nodes if node.text.startswith("exp(")).offered
 
 
-def test_variants_are_refused_in_one_sentence() -> None:
-    analysis = of("deferred")
-    node = next(node for node in analysis.nodes if node.offered)
-    for write in (
-        lambda: rewrite(analysis, Configuration(nodes=(node.id,))),
-        lambda: emit_original(analysis),
+def test_they_are_not_drawn() -> None:
+    scene = load_scene(DRAGON)
+    for draw in (
+        lambda: analyse_scene(scene, VULKAN),
+        lambda: open_shader(FOLDER / "deferred.frag", None, VULKAN, None, FOLDER),
     ):
         with pytest.raises(InputError) as caught:
-            write()
+            draw()
         (told,) = caught.value.diagnostics
         assert told.code == "SC450" and "Vulkan GLSL" in told.message
 

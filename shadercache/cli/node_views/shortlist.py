@@ -150,8 +150,6 @@ def _told_of_screen(analysis: Analysis) -> str:
 
 def _next(analysis: Analysis, best: Saving, files: Sequence[str]) -> str:
     """What to do with the value that changes with least of those that save much."""
-    if analysis.reading.dialect == "vulkan":
-        return "rewrite writes no variants of Vulkan GLSL (SC450)"
     words = ["shadercache", "rewrite", *files, *analysis.reading.words]
     command = shlex.join([*words, "--node", best.node.id, "-o", "out"])
     if best.share <= 0.0:

@@ -236,8 +236,11 @@ class _PreciseBody(Rewriter):
         return expr in self._types and self._types[expr].is_matrix
 
     def _argument(self, param: n.Param, arg: n.Expr) -> n.Expr:
-        # What is written back needs its place. Whole numbers are exact where nothing is computed.
-        if param.writes_back or not (_is_float(param.type) or _computes(arg)):
+        # What is written back needs its place, and there are no variables of textures. Whole
+        # numbers are exact where nothing is computed.
+        kind = builtin_type(param.type.name)
+        opaque = kind is not None and kind.is_opaque
+        if param.writes_back or opaque or not (_is_float(param.type) or _computes(arg)):
             return arg
         return self._local(param.type, param.dims, arg)
 
