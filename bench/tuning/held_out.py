@@ -20,11 +20,11 @@ from bench.tuning.grid import RESULTS, Grid
 from shadercache.caching.configuration import Configuration
 from shadercache.cli.tables import format_table, shorten
 from shadercache.render.variant_runner import NEVER
+from shadercache.tuning.age_errors import straying_of
 from shadercache.tuning.families import Family
 from shadercache.tuning.models import fit_hits, fit_time
 from shadercache.tuning.result import told
-from shadercache.tuning.trials import AGES, OFTEN
-from shadercache.tuning.values import Value
+from shadercache.tuning.trials import AGES, OFTEN, STRAYING
 
 WHAT = ("time", "error")
 WORST = 10
@@ -73,17 +73,23 @@ def _quantile(rows: list[Off], what: str, part: float) -> float:
 def _rows(name: str, report: dict[str, Any]) -> Iterator[Off]:
     grid = Grid.of(name)
     values = {value.ids: value for value in grid.values}
+    straying: float | None = None
     for row in report["families"]:
         if "why" in row:
             continue
         base = Configuration.from_json(row["configuration"])
-        yield from _of_family(name, grid, values[base.nodes], row)
+        ages = dict(zip(AGES, row["never"]["errors"], strict=True))
+        # As in a search: of the first value for all.
+        if straying is None:
+            worst = row["periods"][str(STRAYING)]["worst"]
+            straying = straying_of(ages, STRAYING, worst, "rmse")
+        family = Family(grid.group, values[base.nodes], base)
+        family.learn_error(ages, "rmse", straying)
+        yield from _of_family(name, family, row)
 
 
-def _of_family(name: str, grid: Grid, value: Value, row: dict[str, Any]) -> Iterator[Off]:
-    base = Configuration.from_json(row["configuration"])
-    family = Family(grid.group, value, base)
-    family.learn_error(dict(zip(AGES, row["never"]["errors"], strict=True)), "rmse")
+def _of_family(name: str, family: Family, row: dict[str, Any]) -> Iterator[Off]:
+    base, value = family.base, family.value
     hits = row["hits"] if base.divisor == 1 else [1.0]
     mu = fit_hits([NEVER] * len(hits), hits).mu.value
     first = 1 if base.divisor > 1 else OFTEN

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from shadercache.caching.configuration import Assignment, Configuration
 from shadercache.measure.metrics.frame_errors import Metric
@@ -13,9 +13,9 @@ from shadercache.tuning.groups import ShaderGroup, assignment_of
 from shadercache.tuning.models import ErrorModel, TimeModel, fit_error
 from shadercache.tuning.values import Value
 
-MOVING_HASTE, STILL_HASTE = 2.0, 1.2
-"""How many times larger an error is taken to be at twice the speed: of values that change with what
-moves, and of those that are only resampled more."""
+MOVING_HASTE, STILL_HASTE = 1.0, 1.2
+"""How many times larger an error is taken to be at twice the speed than what is expected there: of
+values that change with what moves, and of those that are only resampled more."""
 
 MARGIN = 0.8
 """How much of a bound is used where nobody knows how an error grows with speed."""
@@ -31,7 +31,8 @@ class Family:
     ``base`` has any period. ``time`` and ``error`` are fitted to few frames, maybe of a small
     picture; ``scale`` is how many times larger the error was found to be when it was looked at.
     ``haste``: how many times larger it is thought to be where the scene is played twice as fast;
-    it is ``sure`` where that was measured.
+    it is ``sure`` where that was measured. ``times``: those that were measured, as shares of the
+    original's, by period.
     """
 
     group: ShaderGroup
@@ -42,6 +43,7 @@ class Family:
     scale: float = 1.0
     haste: float = 0.0
     sure: bool = False
+    times: dict[int, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self.haste = self.haste or (MOVING_HASTE if self.value.changes else STILL_HASTE)
@@ -66,7 +68,12 @@ class Family:
     def hasty_error_at(self, period: int) -> float:
         """The same at twice the speed, where what is reused errs more, and what is not does not."""
         fresh = self.error_at(1)
-        return fresh + self.haste * (self.error_at(period) - fresh)
+        return fresh + self.haste * (self._aged(period) - fresh)
+
+    def _aged(self, period: int) -> float:
+        """The error of payloads that have seen as much motion as those of a period do at twice the
+        speed. What does not move does not age."""
+        return self.error_at(2 * period - 1 if self.value.changes else period)
 
     @property
     def margin(self) -> float:
@@ -75,9 +82,9 @@ class Family:
 
     def correct_haste(self, period: int, worst: float) -> None:
         """Learn from the error that was found at twice the speed."""
-        fresh, usual = self.error_at(1), self.error_at(period)
-        if usual > fresh:
-            self.haste = max(0.0, worst - fresh) / (usual - fresh)
+        fresh, aged = self.error_at(1), self._aged(period)
+        if aged > fresh:
+            self.haste = max(0.0, worst - fresh) / (aged - fresh)
 
     def longest(self, limit: float, periods: Sequence[int]) -> int | None:
         """The longest period whose predicted error is within a limit at twice the speed, too.
@@ -90,13 +97,15 @@ class Family:
         fitting = [one for one in tried if self.hasty_error_at(one) <= self.margin * limit]
         return max(fitting, default=None)
 
-    def learn_error(self, ages: Mapping[int, float], metric: Metric) -> None:
-        """Fit the error to what payloads of some ages came to."""
+    def learn_error(self, ages: Mapping[int, float], metric: Metric, straying: float = 0.0) -> None:
+        """Fit the error to what payloads of some ages came to. ``straying``: of the full rate."""
         longest = max(ages) + 1
         # At the full rate what is recomputed is the original's.
         first = 1 if self.base.divisor > 1 else 2
         periods = [period for period in (*SHORT, longest) if first <= period <= longest]
-        errors = [error_of_period(ages, period, metric) for period in periods]
+        # In a smaller cache what moves leaves fewer blocks.
+        slower = straying / self.base.divisor
+        errors = [error_of_period(ages, period, metric, slower) for period in periods]
         self.error = fit_error(periods, errors)
 
 

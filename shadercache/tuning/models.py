@@ -18,9 +18,12 @@ from scipy import optimize, special
 Floats = NDArray[np.float64]
 AnyFloats = NDArray[np.floating[Any]]
 
-CLOSE = 0.10
-"""A model whose points lie farther from it than this share of the largest, by root mean square, is
-not followed."""
+CLOSE = 0.05
+"""A model that is off by more than this share, by root mean square over the points, is not
+followed."""
+
+LEAST = 0.01
+"""Errors below this share of the largest count as if they were as large."""
 
 _FASTEST, _SLOWEST = 10.0, 1e-4
 """Rates of decay, a frame: the error is all there in the second frame, or grows to the last."""
@@ -131,9 +134,13 @@ def time_of_hits(share: float, period: float, mu: float, miss: float) -> TimeMod
     rate = mu * (1.0 - 1.0 / period)
     # Where nothing is ever found, nobody knows what a hit would take.
     hit = max(0.0, (share - (1.0 - rate) * miss) / rate) if rate > 0.0 else share
+    return time_of_parts(hit, miss, mu)
+
+
+def time_of_parts(hit: float, miss: float, mu: float) -> TimeModel:
+    """The model of times that are known from elsewhere."""
     unknown = (-np.inf, np.inf)
-    exact = Goodness(1.0, 0.0, 1)
-    return TimeModel(Estimate(hit, *unknown), Estimate(miss, *unknown), mu, exact)
+    return TimeModel(Estimate(hit, *unknown), Estimate(miss, *unknown), mu, Goodness(1.0, 0.0, 0))
 
 
 def constant_time(share: float) -> TimeModel:
@@ -158,11 +165,12 @@ def fit_error(periods: Sequence[float], errors: Sequence[float]) -> ErrorModel:
         unknown = Estimate(largest, -np.inf, np.inf)
         return ErrorModel(unknown, unknown, Goodness(0.0, largest, len(y)), points, False)
     best = _decay(x - 1.0, y / largest)
-    fitted = best[0] * -np.expm1(-best[1] * (x - 1.0))
-    goodness = _goodness(y, fitted * largest, len(y))
+    fitted = largest * best[0] * -np.expm1(-best[1] * (x - 1.0))
+    goodness = _goodness(y, fitted, len(y))
+    off = float(np.sqrt(np.mean((_weights(y / largest) * (fitted - y) / largest) ** 2)))
     alpha, rate = _intervals(x - 1.0, y / largest, best)
     alpha = Estimate(*(largest * one for one in (alpha.value, alpha.low, alpha.high)))
-    return ErrorModel(alpha, rate, goodness, points, goodness.residual <= CLOSE * largest)
+    return ErrorModel(alpha, rate, goodness, points, off <= CLOSE)
 
 
 def _points(periods: Sequence[float], values: Sequence[float]) -> tuple[Floats, Floats]:
@@ -183,17 +191,18 @@ def _linear(matrix: Floats, y: Floats) -> tuple[list[Estimate], Goodness]:
 
 def _decay(x: Floats, y: Floats) -> tuple[float, float]:
     """Alpha and rate of least squares, for values of at most 1."""
+    weights = _weights(y)
 
     # With the rate given, alpha is linear, so one number is searched for: from both ends, since a
     # straight line and a step are limits of the same curve.
     def alpha_of(rate: float) -> float:
         shape = -np.expm1(-rate * x)
-        squares = float(shape @ shape)
-        return float(shape @ y) / squares if squares > 0.0 else 0.0
+        squares = float(np.sum((weights * shape) ** 2))
+        return float(np.sum(weights**2 * shape * y)) / squares if squares > 0.0 else 0.0
 
     def left(log_rate: float) -> float:
         rate = float(np.exp(log_rate))
-        return float(np.sum((y - alpha_of(rate) * -np.expm1(-rate * x)) ** 2))
+        return float(np.sum((weights * (y - alpha_of(rate) * -np.expm1(-rate * x))) ** 2))
 
     low, high = np.log(_SLOWEST), np.log(_FASTEST)
     starts = np.linspace(low, high, 25)
@@ -205,11 +214,20 @@ def _decay(x: Floats, y: Floats) -> tuple[float, float]:
     return alpha_of(rate), rate
 
 
+def _weights(y: Floats) -> Floats:
+    """Each value, of at most 1, counts by its share: small errors at short periods matter as much
+    as large ones, since tight bounds are kept there."""
+    weights: Floats = 1.0 / np.maximum(y, LEAST)
+    return weights
+
+
 def _intervals(x: Floats, y: Floats, best: tuple[float, float]) -> tuple[Estimate, Estimate]:
     """What the curvature at the best fit says of alpha and rate."""
     alpha, rate = best
+    weights = _weights(y)
+    left = weights * (y - alpha * -np.expm1(-rate * x))
     gradient = np.stack([-np.expm1(-rate * x), alpha * x * np.exp(-rate * x)], axis=1)
-    left = y - alpha * gradient[:, 0]
+    gradient *= weights[:, None]
     inverse = np.linalg.pinv(gradient.T @ gradient)
     one, other = _parameters(np.array(best), inverse, left, len(y) - 2)
     return one, other

@@ -31,6 +31,9 @@ HELPFUL = 4
 MOST_ALIKE = 6
 """Values that are tried since they are like the best."""
 
+FORETOLD = 2
+"""Values with choices that were tried with other values, for each bound."""
+
 FINALISTS = 3
 """Plans that are drawn at full size, for each bound."""
 
@@ -110,13 +113,16 @@ class Search:
             if not promising:
                 continue
             best, *others = promising
-            # What would save most may keep a bound at a fraction of the rate.
-            dearest = min(self.trials.firsts(group), key=lambda one: one.share(self._periods[-1]))
-            for lead in dict.fromkeys((best, dearest)):
+            # What would save most may keep a bound at a fraction of the rate, and what errs least
+            # may be faster by another algorithm.
+            firsts = self.trials.firsts(group)
+            dearest = min(firsts, key=lambda one: one.share(self._periods[-1]))
+            for lead in dict.fromkeys((best, dearest, self._nearest(firsts))):
                 self._fit(self._main(lead))
                 self._fit(self._across(lead, self._helpful(lead)))
             kinds = self._helpful(best)
             self._fit(self.trials.family(other, kind) for kind in kinds for other in others)
+            self._fit(self._foretold(group))
             self._fit(self._sets(group, pool))
             self._fit(self._like(group, pool))
             self._fit(self._minor(group))
@@ -205,10 +211,14 @@ class Search:
         for bound in self.bounds:
             ranked = sorted(firsts, key=lambda one: self._best_share(one, bound))
             # What is nearest to a bound that none reaches may reach it with other choices.
-            near = min(firsts, key=lambda one: one.error_at(self._periods[0]), default=None)
-            for family in (*ranked[:PROMISING], *([near] if near else [])):
+            near = [self._nearest(firsts)] if firsts else []
+            for family in (*ranked[:PROMISING], *near):
                 found.setdefault(family.value, family)
         return list(found.values())
+
+    def _nearest(self, families: Sequence[Family]) -> Family:
+        """What errs least."""
+        return min(families, key=lambda one: one.error_at(self._periods[0]))
 
     def _best_share(self, family: Family, bound: Bound) -> float:
         period = family.longest(bound.error, self._periods)
@@ -250,6 +260,22 @@ class Search:
             for one in sorted(better, key=lambda one: self._best_share(one, bound)):
                 found.setdefault(one.base)
         return list(found)[:HELPFUL]
+
+    def _foretold(self, group: ShaderGroup) -> Iterator[Family]:
+        """Values by choices that were tried with others, where that is likely to be faster within a
+        bound than all that was drawn."""
+        kinds = dict.fromkeys(one.kind for one in self.trials.families if one.group is group)
+        options = [
+            self.trials.family(first, kind) for first in self.trials.firsts(group) for kind in kinds
+        ]
+        options = [
+            one for one in options if not self.trials.known(one) and self.trials.foretell(one)
+        ]
+        drawn = [one for one in self.trials.families if one.group is group]
+        for bound in self.bounds:
+            best = min(self._best_share(one, bound) for one in drawn)
+            ranked = sorted(options, key=lambda one: self._best_share(one, bound))
+            yield from (one for one in ranked[:FORETOLD] if self._best_share(one, bound) < best)
 
     def _across(self, best: Family, kinds: Sequence[Configuration]) -> Iterator[Family]:
         """Two helpful choices together: each of a slot with each algorithm."""

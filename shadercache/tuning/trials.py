@@ -11,6 +11,7 @@ from shadercache.diagnostics import DiagnosticError
 from shadercache.measure.metrics.frame_errors import Metric
 from shadercache.render.variant_runner import NEVER
 from shadercache.scene.description import Scene
+from shadercache.tuning.age_errors import straying_of
 from shadercache.tuning.budget import Budget
 from shadercache.tuning.families import Family, Plan
 from shadercache.tuning.groups import ShaderGroup
@@ -22,13 +23,18 @@ from shadercache.tuning.models import (
     fit_hits,
     fit_time,
     time_of_hits,
+    time_of_parts,
 )
 from shadercache.tuning.space import BASE_PERIOD, Space, of_one_image
 from shadercache.tuning.static_times import StaticTimes, fit_static
+from shadercache.tuning.time_lines import TimeLine
 from shadercache.tuning.values import Value
 
 AGES = (0, 1, 2, 3, 5, 8, 13)
 """Ages whose errors are looked at: those of one run that refreshes nothing."""
+
+STRAYING = 6
+"""The period at which it is looked how many payloads are refreshed by chance."""
 
 OFTEN = 2
 """The period that is timed beside the one that refreshes nothing: misses in half of all pixels."""
@@ -90,7 +96,8 @@ class Trials:
     failed: list[Failed] = field(default_factory=list)
     drawn: set[Assignment] = field(default_factory=set)
     seen: int = 0
-    _misses: dict[tuple[ShaderGroup, Configuration], float] = field(default_factory=dict)
+    _straying: dict[ShaderGroup, float] = field(default_factory=dict)
+    _misses: dict[tuple[ShaderGroup, Configuration], TimeLine] = field(default_factory=dict)
 
     def first_of(self, group: ShaderGroup, value: Value) -> Family:
         """A family that a value is surveyed with; it is not drawn yet."""
@@ -159,11 +166,24 @@ class Trials:
         run = replace(self._look_run(families), hits=families[0].group not in self.hits)
         results = self.draw([Plan(((family, NEVER),)) for family in families], run)
         for family, drawn in zip(families, results, strict=True):
-            family.learn_error(dict(zip(AGES, drawn.errors, strict=True)), self.setting.metric)
+            ages = dict(zip(AGES, drawn.errors, strict=True))
+            family.learn_error(ages, self.setting.metric, self._straying_of(family, ages))
             if rates := drawn.hit_rates[1:]:
                 self.hits[family.group] = fit_hits([NEVER] * len(rates), rates)
         shares = (drawn.share for drawn in results)
         return {} if run.small else dict(zip(families, shares, strict=True))
+
+    def _straying_of(self, family: Family, ages: Mapping[int, float]) -> float:
+        """How much is refreshed by chance, which goes by how fast the objects of a group move: one
+        family is looked at."""
+        if family.group not in self._straying:
+            look = self._look_run([family])
+            frames = 3 * STRAYING
+            run = replace(look, frames=frames, compared=tuple(range(frames - STRAYING, frames)))
+            [drawn] = self.draw([Plan(((family, STRAYING),))], run)
+            found = straying_of(ages, STRAYING, drawn.worst, look.metric)
+            self._straying[family.group] = found
+        return self._straying[family.group]
 
     def _look_run(self, families: Sequence[Family]) -> Run:
         look = self.setting.look
@@ -172,18 +192,23 @@ class Trials:
 
     def _timed(self, families: Sequence[Family], fresh: Sequence[Family]) -> list[Point]:
         """What is drawn for times alone: hits, where no look tells them, and misses, where they are
-        not known of a family of the same kind. At a fraction of the rate misses depend on the
+        not known of other values of the same kind. At a fraction of the rate misses depend on the
         value, and there are frames of nothing else."""
         looked = () if self._look_run(families).small else fresh
         hits = [(one, NEVER) for one in families if one not in looked]
         slow = [(one, 1) for one in families if one.base.divisor > 1]
-        full = [
-            one
-            for one in families
-            if one.base.divisor == 1 and (one.group, one.kind) not in self._misses
-        ]
-        kinds = {one.kind: one for one in full}
-        return [*hits, *slow, *((one, OFTEN) for one in kinds.values())]
+        kinds: dict[Configuration, list[Family]] = {}
+        for one in families:
+            if one.base.divisor == 1 and self._misses_of(one).wants(one.value):
+                kinds.setdefault(one.kind, []).append(one)
+        # Those that save least and most tell how the time of misses goes with that of hits.
+        ranked = (sorted(same, key=lambda one: one.value.share) for same in kinds.values())
+        ends = (end for same in ranked for end in dict.fromkeys((same[0], same[-1])))
+        return [*hits, *slow, *((one, OFTEN) for one in ends)]
+
+    def _misses_of(self, family: Family) -> TimeLine:
+        """The times of misses over those of hits, by the family's choices."""
+        return self._misses.setdefault((family.group, family.kind), TimeLine(slope=0.0))
 
     def _time(self, points: Sequence[Point], hits: Mapping[Family, float]) -> None:
         """Times of hits and misses; ``hits``: those that are known."""
@@ -194,16 +219,40 @@ class Trials:
             shares.setdefault(family, {})[period] = drawn.share
         # Those with two points first: the others take the time of misses from them.
         for family, own in sorted(shares.items(), key=lambda entry: -len(entry[1])):
-            mu = self.hits[family.group].mu.value if family.group in self.hits else USUAL_MU
-            if len(own) > 1:
-                family.time = fit_time(list(own), list(own.values()), mu)
-                self._misses[family.group, family.kind] = family.time.miss.value
-            else:
-                miss = self._misses[family.group, family.kind]
-                family.time = time_of_hits(own[NEVER], NEVER, mu, miss)
+            family.times |= own
+            self._fit_time(family)
+
+    def _fit_time(self, family: Family) -> None:
+        mu, own, misses = self._mu(family.group), family.times, self._misses_of(family)
+        if len(own) > 1:
+            family.time = fit_time(list(own), list(own.values()), mu)
+            misses.learn(family.value, family.time.hit.value, family.time.miss.value)
+        else:
+            # Nearly all is found where nothing is refreshed.
+            hit = own[NEVER]
+            family.time = time_of_hits(hit, NEVER, mu, misses.at(hit))
+
+    def _mu(self, group: ShaderGroup) -> float:
+        return self.hits[group].mu.value if group in self.hits else USUAL_MU
+
+    def foretell(self, family: Family) -> bool:
+        """Set the time of a family that was not drawn, from that of its value by the first choices
+        and from what its own choices changed of other values; False where either is unknown."""
+        firsts = {one.value: one.time.hit.value for one in self.firsts(family.group) if one.time}
+        line = TimeLine(slope=1.0)
+        for one in self.families:
+            same = one.group is family.group and one.kind == family.kind
+            if same and one.time is not None and one.value in firsts:
+                line.learn(one.value, firsts[one.value], one.time.hit.value)
+        if family.value not in firsts or not line.points:
+            return False
+        hit = line.at(firsts[family.value])
+        family.time = time_of_parts(hit, self._misses_of(family).at(hit), self._mu(family.group))
+        return True
 
     def correct(self, plan: Plan, drawn: Drawn) -> None:
-        """Scale the errors of a plan's families by what was found at full size."""
+        """Correct the errors of a plan's families, and the time of a single one, by what was found
+        at full size."""
         if plan.without:
             return
         expected = plan.error  # of all parts together: each is scaled alike
@@ -215,6 +264,9 @@ class Trials:
                 family.error, family.scale = fit_error([period], [drawn.worst]), 1.0
             if family.base.refresh.adaptive:
                 family.time = constant_time(drawn.share)
+            elif len(plan.parts) == 1:
+                family.times[period] = drawn.share
+                self._fit_time(family)
             self._spread(family)
 
     def correct_haste(self, plan: Plan, worst: float) -> None:

@@ -33,13 +33,16 @@ class Physics:
 
 @dataclass
 class Computed:
-    """A laboratory. ``values``: by node id, ``mu`` of all; twice the speed is ``haste`` times the
-    error. ``now`` is its clock: a drawn frame takes ``ORIGINAL`` seconds. ``noise`` of times."""
+    """A laboratory. ``values``: by node id, ``mu`` of all. Played twice as fast payloads age twice
+    as fast, and err ``haste`` times as much as such do at the usual speed. ``now`` is its clock: a
+    drawn frame takes ``ORIGINAL`` seconds. ``noise`` of times. Algorithms that are ``late`` shade
+    misses before they discard them."""
 
     values: dict[str, Physics]
     mu: float = 0.95
-    haste: float = 1.5
+    haste: float = 1.0
     noise: float = 0.0
+    late: tuple[str, ...] = ()
     now: float = 0.0
     runs: list[tuple[tuple[Assignment, ...], Run]] = field(default_factory=list)
 
@@ -63,7 +66,8 @@ class Computed:
         fetch = 0.05 if chosen.filter.kind == "carried" else 0.0
         pixels = 1.0 / chosen.divisor**2
         rate = self.mu * (1.0 - 1.0 / chosen.refresh.period)
-        computed = (1.0 - rate) * (miss + saved) * pixels
+        shaded = 1.0 - saved if chosen.algorithm in self.late else 0.0
+        computed = (1.0 - rate) * (miss + saved + shaded) * pixels
         return hit + fetch + (1.0 - saved) + computed
 
     def error(self, chosen: Configuration, age: float) -> float:
@@ -73,21 +77,21 @@ class Computed:
         floor = 0.0 if chosen.divisor == 1 else 0.004 * chosen.divisor
         return floor + carried * value.alpha * float(-np.expm1(-value.rate * age))
 
-    def error_of_period(self, chosen: Configuration) -> float:
-        """The error of its period."""
-        ages = [self.error(chosen, age) for age in range(chosen.refresh.period)]
-        return float(np.sqrt(np.mean(np.square(ages))))
+    def error_of_period(self, chosen: Configuration, step: int = 1) -> float:
+        """The error of its period; with a ``step`` of 2 at twice the speed."""
+        ages = [self.error(chosen, step * age) for age in range(chosen.refresh.period)]
+        factor = self.haste if step > 1 else 1.0
+        return factor * float(np.sqrt(np.mean(np.square(ages))))
 
     def _of(self, chosen: Configuration) -> Physics:
         known = [self.values[name] for name in chosen.nodes]
         return max(known, key=lambda one: one.saved)
 
     def _drawn(self, chosen: Configuration, run: Run) -> Drawn:
-        factor = self.haste if run.step > 1 else 1.0
         if chosen.refresh.period > 1000:
-            errors = tuple(factor * self.error(chosen, frame) for frame in run.compared)
+            errors = tuple(self.error(chosen, run.step * frame) for frame in run.compared)
         else:
-            errors = (factor * self.error_of_period(chosen),) * len(run.compared)
+            errors = (self.error_of_period(chosen, run.step),) * len(run.compared)
         share = self.share(chosen) * (1.0 + self.noise * float(self._random.standard_normal()))
         ratio = Ratio(1.0 / share, 0.99 / share, 1.01 / share, 1.0 / share)
         hits = (self.mu,) * len(run.compared) if run.hits else ()

@@ -28,7 +28,7 @@ def test_an_error_that_follows_the_model_is_found_again(alpha: float, rate: floa
 def test_intervals_hold_what_noise_hides() -> None:
     periods = np.arange(2, 40)
     truth = np.array([decay(0.02, 0.1, n) for n in periods])
-    noisy = truth + np.random.default_rng(3).normal(0.0, 4e-4, len(truth))
+    noisy = truth * np.random.default_rng(3).normal(1.0, 0.02, len(truth))
     model = fit_error(periods.tolist(), noisy.tolist())
     assert model.alpha.low < 0.02 < model.alpha.high
     assert model.rate.low < 0.1 < model.rate.high

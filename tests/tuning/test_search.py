@@ -72,16 +72,17 @@ def grid(pools: dict[ShaderGroup, Pool]) -> Iterator[Configuration]:
                     yield kind.with_refresh(period)
 
 
+@pytest.mark.parametrize("late", [(), ("2-pass",)])
 def test_the_choice_is_near_the_best_of_all_and_holds(
-    linker: Linker, pools: dict[ShaderGroup, Pool]
+    linker: Linker, pools: dict[ShaderGroup, Pool], late: tuple[str, ...]
 ) -> None:
-    world = Computed(truth(pools))
+    world = Computed(truth(pools), late=late)
     search = searched(linker, pools, world)
     search.run()
     chosen = Proof(search).run()
     every = list(grid(pools))
     for bound, proven in chosen.items():
-        fitting = [one for one in every if world.haste * world.error_of_period(one) <= bound.error]
+        fitting = [one for one in every if world.error_of_period(one, 2) <= bound.error]
         best = min(map(world.share, fitting))
         if best >= 1.0:
             assert proven is None
@@ -112,7 +113,7 @@ def test_noise_of_times_costs_little(linker: Linker, pools: dict[ShaderGroup, Po
     search.run()
     every = list(grid(pools))
     for bound, proven in Proof(search).run().items():
-        fitting = [one for one in every if world.haste * world.error_of_period(one) <= bound.error]
+        fitting = [one for one in every if world.error_of_period(one, 2) <= bound.error]
         best = min(map(world.share, fitting))
         if proven is not None:
             [(family, period)] = proven.plan.parts
@@ -172,3 +173,16 @@ def test_what_the_driver_refuses_is_kept_and_the_rest_goes_on(
 def _nodes(proven: Proven) -> tuple[str, ...]:
     [(family, _)] = proven.plan.parts
     return family.base.nodes
+
+
+@pytest.mark.parametrize("late", [(), ("2-pass",)])
+def test_misses_are_timed_as_they_depend_on_the_value(
+    linker: Linker, pools: dict[ShaderGroup, Pool], late: tuple[str, ...]
+) -> None:
+    world = Computed(truth(pools), late=late)
+    search = searched(linker, pools, world)
+    search.survey()
+    surveyed = search.trials.families
+    assert len({family.value for family in surveyed}) > 3
+    for family in surveyed:
+        assert family.share(3) == pytest.approx(world.share(family.at(3)), rel=0.05)
