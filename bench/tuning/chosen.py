@@ -26,7 +26,6 @@ from shadercache.tuning.laboratory import Drawn, Run
 from shadercache.tuning.proof import Proof
 from shadercache.tuning.search import Search
 from shadercache.tuning.trials import AGES, Trials, TrialSetting
-from shadercache.tuning.values import pool_of
 
 BOUNDS = (0.0025, 0.005, 0.01, 0.02)
 CLOSE, FEW = 1.05, 0.05
@@ -101,8 +100,7 @@ def _compared(name: str, path: Path) -> tuple[list[tuple[str, ...]], bool]:
     grid = Grid.of(name)
     setting = TrialSetting(grid.linker.scene, SPACE, grid.base, "rmse", False)
     trials = Trials(recorded, setting, Budget(SECONDS), lambda spent, what: None)
-    pools = {grid.group: pool_of(grid.group, grid.linker.scene)}
-    search = Search(trials, pools, [Bound("rmse", limit) for limit in BOUNDS])
+    search = Search(trials, {grid.group: grid.pool}, [Bound("rmse", limit) for limit in BOUNDS])
     search.run()
     rows: list[tuple[str, ...]] = []
     failed = False

@@ -31,7 +31,7 @@ from shadercache.tuning.groups import ShaderGroup, assignment_of, groups_of
 from shadercache.tuning.laboratory import Drawn, Laboratory, Run
 from shadercache.tuning.space import Space
 from shadercache.tuning.trials import AGES
-from shadercache.tuning.values import Value, pool_of
+from shadercache.tuning.values import Pool, Value, pool_of
 
 SCENES = ("dragon", "trashcan", "chess", "heroine", "colonnade", "meadow")
 SPACE = Space(
@@ -42,6 +42,9 @@ SPACE = Space(
     formats=("rgba16f",),
     adaptive=(),
 )
+MOST_VALUES = 30
+"""Of a scene, so that its grid has at most 2,000 configurations."""
+
 SIZE = 256
 FRAMES = 36
 LAST = tuple(range(30, FRAMES))
@@ -70,7 +73,18 @@ class Grid:
         alike = (one for same in pool.alike.values() for one in same)
         base = configured(linker.scene, Configuration(), None)
         values = {value.ids: value for value in (*pool.values, *alike)}
-        return cls(linker, group, tuple(values.values()), base)
+        return cls(linker, group, tuple(values.values())[:MOST_VALUES], base)
+
+    @property
+    def pool(self) -> Pool:
+        """The values that a search may choose from."""
+        whole = pool_of(self.group, self.linker.scene)
+        known = {value.ids for value in self.values}
+        alike = {
+            value: tuple(one for one in same if one.ids in known)
+            for value, same in whole.alike.items()
+        }
+        return Pool(tuple(one for one in whole.values if one.ids in known), alike)
 
     @property
     def families(self) -> Iterator[Configuration]:
