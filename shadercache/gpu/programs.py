@@ -24,9 +24,27 @@ _SAMPLERS = {
     0x8B60: "cube map",
     0x8DC1: "array texture",
     0x8DCA: "2D texture of integers",
+    0x8DCB: "3D texture of integers",
+    0x8DCC: "cube map of integers",
+    0x8DCF: "array texture of integers",
     0x8DD2: "2D texture of unsigned integers",
+    0x8DD3: "3D texture of unsigned integers",
+    0x8DD4: "cube map of unsigned integers",
+    0x8DD7: "array texture of unsigned integers",
+}
+_IMAGES = {
+    0x904D: "2D texture",
+    0x904E: "3D texture",
+    0x9053: "array texture",
+    0x9058: "2D texture of integers",
+    0x9059: "3D texture of integers",
+    0x905E: "array texture of integers",
+    0x9063: "2D texture of unsigned integers",
+    0x9064: "3D texture of unsigned integers",
+    0x9069: "array texture of unsigned integers",
 }
 _SAMPLER_RANGES = (range(0x8B5D, 0x8B64), range(0x8DC0, 0x8DD9), range(0x9108, 0x910E))
+_IMAGE_RANGE = range(0x904C, 0x906D)
 _FORMATS = {code: np.dtype(code) for code in "fiId"}
 
 MOST_IDLE = 32
@@ -174,8 +192,7 @@ def _link(
                 _check_attribute(vertex.name, name, member)
                 attributes.append(name)
         elif isinstance(member, moderngl.UniformBlock):
-            # An array of blocks is listed element by element; `block_uniforms` refuses it.
-            buffers[name.partition("[")[0]] = UniformBuffer(ctx, member, len(buffers))
+            buffers[name] = UniformBuffer(ctx, member, len(buffers))
         elif isinstance(member, moderngl.StorageBlock):
             member.binding = storage[name] = len(storage)
     uniforms |= {
@@ -186,13 +203,17 @@ def _link(
 
 
 def _uniform(shader: str, name: str, member: Any) -> Uniform:
-    sampler = _SAMPLERS.get(member.gl_type)
+    sampler, image = _SAMPLERS.get(member.gl_type), _IMAGES.get(member.gl_type)
     if sampler is None and any(member.gl_type in kinds for kinds in _SAMPLER_RANGES):
         given = "2D and 3D textures, cube maps and arrays of 2D textures only"
         raise input_error("SC524", f"{shader}: the harness gives {given}, {name} is none")
+    if image is None and member.gl_type in _IMAGE_RANGE:
+        given = "images of 2D and 3D textures and of arrays of 2D textures only"
+        raise input_error("SC524", f"{shader}: the harness gives {given}, {name} is none")
     is_array = member.array_length > 1
     count = member.dimension * member.array_length
-    return Uniform(name, sampler, member.write, _FORMATS[member.fmt[-1]], count, is_array)
+    dtype = _FORMATS[member.fmt[-1]]
+    return Uniform(name, sampler, member.write, dtype, count, is_array, image)
 
 
 def _check_names(shader: str, inputs: Sequence[InputEntry]) -> None:

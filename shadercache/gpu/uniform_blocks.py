@@ -30,7 +30,10 @@ _DTYPES = {"float": "f4", "int": "i4", "uint": "u4", "bool": "i4"}
 
 @dataclass(eq=False)
 class Uniform:
-    """One active uniform of a linked program, or member of a block, and the bytes it holds now."""
+    """One active uniform of a linked program, or member of a block, and the bytes it holds now.
+
+    ``sampler`` and ``image``: the kind of texture that it takes, if it is one or the other.
+    """
 
     name: str
     sampler: str | None
@@ -38,6 +41,7 @@ class Uniform:
     dtype: np.dtype[Any]
     count: int
     is_array: bool
+    image: str | None = None
     _written: bytes = b""
 
     def encode(self, values: NDArray[np.float64], giver: str) -> bytes:
@@ -112,12 +116,16 @@ def block_uniforms(
     """
     blocks = {entry.name: entry for entry in inputs if isinstance(entry, UniformBlockInput)}
     for name, buffer in buffers.items():
-        block = blocks.get(name)
+        # Each element of an array of blocks is a block of its own; moderngl calls the first by the
+        # name of all.
+        stem = name.partition("[")[0]
+        block = blocks.get(stem)
         if block is None or not _is_usual(block, buffer.size):
             message = f"{shader}: the harness cannot fill the uniform block {name}"
-            hint = "it fills blocks with layout(std140), by columns, and not in arrays"
+            hint = "it fills blocks with layout(std140), by columns"
             raise input_error("SC524", message, hint)
-        prefix = f"{block.instance}." if block.instance else ""
+        element = name.removeprefix(stem) or "[0]" * len(block.dims)
+        prefix = f"{block.instance}{element}." if block.instance else ""
         for member in block.members:
             if member.read:
                 yield from _leaves(prefix + member.name, buffer, member, 0)
@@ -127,7 +135,7 @@ def _is_usual(block: UniformBlockInput, size: int) -> bool:
     """Is it std140 by columns, with no places of its own, and as the driver has it?"""
     words = " ".join(member.layout or "" for member in block.members)
     placed = any(word in words for word in ("row_major", "offset", "align"))
-    if block.dims or block.packing != "std140" or block.matrices == "row_major" or placed:
+    if block.packing != "std140" or block.matrices == "row_major" or placed:
         return False
     # Drivers may leave out what only fills up the last vec4.
     return block.size is not UNSET and block.size - _VEC4 < size <= block.size

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from itertools import product
 
 from shadercache.ast import nodes as n
 from shadercache.compiler import Analysis
 from shadercache.lang.types import Type
 from shadercache.manifest.block_members import block_fields
+from shadercache.sema.facts import Facts
 from shadercache.transform.versions.raise_version import Raised
 
 
@@ -21,9 +23,9 @@ def inputs_declared(
     for stage in stages:
         for decl in stage.module.decls:
             if isinstance(decl, n.BlockDecl) and decl.qualifiers.has(word):
-                prefix = f"{decl.instance}." if decl.instance else ""
-                for name, kind in block_fields(decl, stage.facts).items():
-                    yield prefix + name, kind
+                for prefix in _prefixes(decl, stage.facts):
+                    for name, kind in block_fields(decl, stage.facts).items():
+                        yield prefix + name, kind
             if not isinstance(decl, n.VarDecl) or not decl.qualifiers.has(word):
                 continue
             for declarator in decl.declarators:
@@ -33,6 +35,16 @@ def inputs_declared(
                     # Law 1 draws the user's own text as well, which has the old name.
                     if declarator.name in old:
                         yield from _parts(old[declarator.name], kind)
+
+
+def _prefixes(decl: n.BlockDecl, facts: Facts) -> Iterator[str]:
+    """What stands before the members of a block; of an array of blocks before those of each."""
+    if decl.instance is None:
+        yield ""
+        return
+    sizes = [range(size or 1) for size in facts.declared[decl].type.dims]
+    for place in product(*sizes):
+        yield f"{decl.instance}{''.join(f'[{at}]' for at in place)}."
 
 
 def _parts(name: str, kind: Type) -> Iterator[tuple[str, Type]]:

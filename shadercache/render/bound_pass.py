@@ -93,6 +93,7 @@ class BoundPass:
         self._values: list[tuple[Uniform, Literal["now", "before", "numbers"], str]] = []
         self._units: list[GlTexture | str] = []
         self._samplers: list[tuple[Uniform, bytes]] = []
+        self._images: list[GlTexture] = []
         self._storage: list[tuple[moderngl.Buffer, int]] = []
         if spec.colors:
             world.targets.outputs = spec.colors
@@ -152,7 +153,7 @@ class BoundPass:
             for _, table, name in self._values
             if name != "group"
         )
-        return (self._program, inputs.viewport, *values, *self._units)
+        return (self._program, inputs.viewport, *values, *self._units, *self._images)
 
     def release(self) -> None:
         """Give the program back."""
@@ -167,6 +168,8 @@ class BoundPass:
             # Caches swap with each frame, so their textures are found by role in each draw.
             texture = self._texture(source, caches) if isinstance(source, str) else source
             texture.use(unit)
+        for unit, image in enumerate(self._images):
+            image.bind_to_image(unit, read=True, write=False)
         for uniform, units in self._samplers:
             uniform.write(units)
         for buffer, binding in self._storage:
@@ -203,7 +206,7 @@ class BoundPass:
             try:
                 if name in naming.roles:
                     self._bind_role(uniform, naming.roles[name])
-                elif uniform.sampler is not None:
+                elif uniform.sampler is not None or uniform.image is not None:
                     self._bind_texture(uniform, naming.original(name) or name)
                 else:
                     self._bind_value(uniform, naming.original(name), values)
@@ -211,14 +214,21 @@ class BoundPass:
                 problems += error.diagnostics
         for name, binding in self._program.storage.items():
             try:
-                self._storage.append((self._buffer(naming.original(name) or name), binding))
+                twin_of = naming.original(name)
+                buffer = self._buffer(twin_of or name, "before" if twin_of else "now")
+                self._storage.append((buffer, binding))
             except InputError as error:
                 problems += error.diagnostics
         if problems:
             raise InputError(problems)
 
-    def _buffer(self, block: str) -> moderngl.Buffer:
+    def _buffer(self, block: str, when: When) -> moderngl.Buffer:
         buffer = self._drawable.storage(block)
+        if buffer is None and block in self._drawable.scene_object.inputs.played:
+            self._streams.append((block, when))
+            target = self._drawable.streamed(block, when).target
+            if isinstance(target, moderngl.Buffer):
+                return target
         if buffer is None:
             entry = f'{block} = {{ table = "FILE.npz", array = "NAME" }}'
             hint = f"in the scene, under [buffers], add: {entry}"
@@ -237,7 +247,13 @@ class BoundPass:
 
     def _bind_texture(self, uniform: Uniform, name: str) -> None:
         each = [f"{name}[{at}]" for at in range(uniform.count)] if uniform.is_array else [name]
-        self._sample(uniform, [self._found(one, uniform, uniform.name != name) for one in each])
+        found = [self._found(one, uniform, uniform.name != name) for one in each]
+        if uniform.image is None:
+            self._sample(uniform, found)
+        else:  # images have units of their own
+            units = np.arange(len(self._images), len(self._images) + len(found), dtype=np.int32)
+            self._images += found
+            self._samplers.append((uniform, units.tobytes()))
 
     def _found(self, name: str, uniform: Uniform, is_twin: bool) -> GlTexture:
         texture = self._drawable.texture(name)
@@ -245,15 +261,14 @@ class BoundPass:
             when: When = "before" if is_twin else "now"
             self._streams.append((name, when))
             target = self._drawable.streamed(name, when).target
-            assert isinstance(target, moderngl.Texture)
-            texture = target
+            texture = target if isinstance(target, moderngl.Texture) else None
         if texture is None:
             key = f'"{name}"' if "[" in name else name
             hint = f"in the scene, add [textures.{key}] with a file"
             raise self._problem("SC522", f"needs the texture {name}", hint)
-        kind = texture_kind(texture)
-        if kind != uniform.sampler:
-            what = f"samples {name} as a {uniform.sampler}, but the scene has a {kind}"
+        kind, wanted = texture_kind(texture), uniform.sampler or uniform.image
+        if kind != wanted:
+            what = f"samples {name} as a {wanted}, but the scene has a {kind}"
             raise self._problem("SC523", what)
         return texture
 

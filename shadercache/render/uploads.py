@@ -78,7 +78,7 @@ class Uploads(Resource):
         if key not in self._streams:
             ctx, shape = self.gpu.ctx, stream.shape
             target: moderngl.Buffer | moderngl.Texture
-            if stream.dims == 2:
+            if stream.dims < 3:
                 target = ctx.buffer(reserve=4 * prod(shape))
             else:
                 height, width, channels = shape

@@ -134,8 +134,8 @@ class Inputs:
 
     ``constants`` hold the numbers of a uniform in the order of upload: the components of a vector,
     the columns of a matrix, the elements of an array. Another uniform is tied to one of
-    :data:`SEMANTICS`, or ``animated``. ``played`` are textures of 32-bit floats that may change
-    from frame to frame.
+    :data:`SEMANTICS`, or ``animated``. ``played`` are textures and storage buffers of 32-bit floats
+    that may change from frame to frame.
     """
 
     attributes: Mapping[str, str] = field(default_factory=dict)
@@ -229,10 +229,13 @@ def read_inputs(table: Table) -> Inputs:
     attributes = read_names(table.table("attributes"))
     textures, played = _textures(table.table("textures"))
     instances = read_instances(table.table("instances")) if table.has("instances") else ALONE
-    buffers = {
-        name: BufferSpec(entry.file("table"), entry.text("array"))
-        for name, entry in _tables(table.table("buffers"))
-    }
+    buffers: dict[str, BufferSpec] = {}
+    for name, entry in _tables(table.table("buffers")):
+        path, array = entry.file("table"), entry.text("array")
+        if entry.has("rate"):
+            played[name] = Stream(path, array, entry.number("rate", 1.0), dims=1)
+        else:
+            buffers[name] = BufferSpec(path, array)
     return Inputs(attributes, constants, semantics, animated, textures, buffers, played, instances)
 
 

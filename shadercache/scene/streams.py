@@ -1,4 +1,4 @@
-"""Arrays of numbers that a scene plays: attributes of instances, textures of poses."""
+"""Arrays of numbers that a scene plays: attributes of instances, textures of poses, buffers."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from shadercache.scene.npz import load_npz
 MOST = 1 << 24
 """Numbers of a frame."""
 
-SHAPES = {2: "(instances, numbers)", 3: "(height, width, channels)"}
+SHAPES = {1: "(numbers)", 2: "(instances, numbers)", 3: "(height, width, channels)"}
 """What one frame is, by its dimensions."""
 
 
