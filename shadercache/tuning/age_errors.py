@@ -46,7 +46,8 @@ def error_of_period(
     # Pixels of all ages lie beside each other, so squares add; FLIP is a mean over pixels.
     power = 1.0 if metric == "flip" else 2.0
     turns, chance = _means(ages, period, power)
-    stray = -np.expm1(-straying * (period - 1))
+    # Infinitely much may stray, but nothing where all is recomputed.
+    stray = -np.expm1(-straying * (period - 1)) if period > 1 else 0.0
     return float((turns + stray * (chance - turns)) ** (1.0 / power))
 
 

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 
@@ -18,19 +19,41 @@ from .conftest import Shell
 
 pytestmark = pytest.mark.xdist_group("gl")
 
+
+class Undisturbed(NamedTuple):
+    options: list[str]
+    store: Path
+    seconds: float
+
+
 SHADERS = Path(__file__).parent.parent / "sweep" / "shaders"
 QUICK = ("--size", "48", "--frames", "4", "--seconds", "0")
 
 
-@pytest.fixture
-def scene_file(scene_folder: Path, tmp_path: Path) -> Path:
-    folder = tmp_path / "rings"
+def rings(scene_folder: Path, folder: Path) -> Path:
     shutil.copytree(scene_folder, folder)
     shutil.copytree(SHADERS, folder, dirs_exist_ok=True)
     file = folder / "scene.toml"
     text = file.read_text().replace("emission/original", "rings").partition("[nodes]")[0]
     file.write_text(text)
     return file
+
+
+@pytest.fixture
+def scene_file(scene_folder: Path, tmp_path: Path) -> Path:
+    return rings(scene_folder, tmp_path / "rings")
+
+
+@pytest.fixture(scope="module")
+def undisturbed(scene_folder: Path, tmp_path_factory: pytest.TempPathFactory) -> Undisturbed:
+    """A sweep that nothing happens to."""
+    from bench.killed_sweep import command
+
+    folder = tmp_path_factory.mktemp("sweep")
+    options = [str(rings(scene_folder, folder / "rings")), *QUICK, "--period", "8"]
+    begun = time.monotonic()
+    subprocess.run(command(options, folder / "whole.db"), check=True)
+    return Undisturbed(options, folder / "whole.db", time.monotonic() - begun)
 
 
 @pytest.fixture
@@ -147,29 +170,23 @@ def test_a_store_that_is_none(shell: Shell, scene_file: Path, tmp_path: Path) ->
 
 
 @pytest.mark.slow
-def test_a_sweep_that_is_killed_loses_nothing(scene_file: Path, tmp_path: Path) -> None:
+def test_a_sweep_that_is_killed_loses_nothing(undisturbed: Undisturbed, tmp_path: Path) -> None:
     from bench.killed_sweep import command, compare, kill_often, read
 
-    options = [str(scene_file), *QUICK, "--period", "8,16"]
-    whole, killed = tmp_path / "whole.db", tmp_path / "killed.db"
-    begun = time.monotonic()
-    subprocess.run(command(options, whole), check=True)
-    assert kill_often(command(options, killed), time.monotonic() - begun, kills=4, seed=1) > 0
-    subprocess.run(command(options, killed), check=True)
-    assert len(read(whole)) >= 18
-    assert compare(read(whole), read(killed)) == []
+    killed = command(undisturbed.options, tmp_path / "killed.db")
+    assert kill_often(killed, undisturbed.seconds, kills=3, seed=1) > 0
+    subprocess.run(killed, check=True)
+    assert len(read(undisturbed.store)) >= 9
+    assert compare(read(undisturbed.store), read(tmp_path / "killed.db")) == []
 
 
 @pytest.mark.slow
-def test_a_cluster_of_two(scene_file: Path, tmp_path: Path) -> None:
+def test_a_cluster_of_two(undisturbed: Undisturbed, tmp_path: Path) -> None:
     """Of its two processes one is killed in the middle."""
     pytest.importorskip("distributed")
     from bench.killed_sweep import compare, read
 
-    options = [str(scene_file), *QUICK, "--period", "8,16"]
-    alone, spread = tmp_path / "alone.db", tmp_path / "spread.db"
-    sweep = [sys.executable, "-m", "shadercache", "sweep", *options, "-o"]
-    subprocess.run([*sweep, str(alone)], check=True)
+    options, spread = undisturbed.options, tmp_path / "spread.db"
     code = f"""
 import os, signal, sys
 from shadercache import cluster
@@ -196,7 +213,7 @@ if __name__ == "__main__":
     script = tmp_path / "lossy.py"
     script.write_text(code)
     subprocess.run([sys.executable, str(script)], check=True)
-    assert compare(read(alone), read(spread)) == []
+    assert compare(read(undisturbed.store), read(spread)) == []
 
 
 @pytest.mark.slow

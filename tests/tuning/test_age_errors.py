@@ -26,6 +26,7 @@ def test_what_strays_is_refreshed_by_chance() -> None:
     constant = dict.fromkeys(range(1, 14), 0.5) | {0: 0.0}
     found = float(np.sqrt(np.mean(np.where(ages > 0, 0.5, 0.0) ** 2)))
     assert error_of_period(constant, 4, "rmse", np.inf) == pytest.approx(found, rel=0.01)
+    assert error_of_period(AGES, 1, "rmse", np.inf) == 0.0
     assert error_of_period(AGES, 4, "rmse", np.inf) > 1.5 * error_of_period(AGES, 4, "rmse")
 
 
