@@ -17,8 +17,8 @@ MOVING_HASTE, STILL_HASTE = 1.0, 1.2
 """How many times larger an error is taken to be at twice the speed than what is expected there: of
 values that change with what moves, and of those that are only resampled more."""
 
-MARGIN = 0.8
-"""How much of a bound is used where nobody knows how an error grows with speed."""
+UNSURE = 1.25
+"""How many times larger what grows with speed is taken to be where nobody has measured it."""
 
 SHORT = (1, 2, 3, 4, 6, 8, 12, 16, 24)
 """Periods that an error's model goes through, beside the longest."""
@@ -67,18 +67,13 @@ class Family:
 
     def hasty_error_at(self, period: int) -> float:
         """The same at twice the speed, where what is reused errs more, and what is not does not."""
-        fresh = self.error_at(1)
-        return fresh + self.haste * (self._aged(period) - fresh)
+        fresh, haste = self.error_at(1), self.haste * (1.0 if self.sure else UNSURE)
+        return fresh + haste * (self._aged(period) - fresh)
 
     def _aged(self, period: int) -> float:
         """The error of payloads that have seen as much motion as those of a period do at twice the
         speed. What does not move does not age."""
         return self.error_at(2 * period - 1 if self.value.changes else period)
-
-    @property
-    def margin(self) -> float:
-        """How much of a bound may be used."""
-        return 1.0 if self.sure else MARGIN
 
     def correct_haste(self, period: int, worst: float) -> None:
         """Learn from the error that was found at twice the speed."""
@@ -94,7 +89,7 @@ class Family:
         """
         some = (1, *periods) if self.base.divisor > 1 else periods
         tried = some[-1:] if self.base.refresh.adaptive else some
-        fitting = [one for one in tried if self.hasty_error_at(one) <= self.margin * limit]
+        fitting = [one for one in tried if self.hasty_error_at(one) <= limit]
         return max(fitting, default=None)
 
     def learn_error(self, ages: Mapping[int, float], metric: Metric, straying: float = 0.0) -> None:
@@ -131,11 +126,6 @@ class Plan:
     def hasty_error(self) -> float:
         """The same where the scene is played twice as fast."""
         return _together(family.hasty_error_at(period) for family, period in self.parts)
-
-    @property
-    def margin(self) -> float:
-        """How much of a bound may be used."""
-        return min(family.margin for family, _ in self.parts)
 
     @property
     def configurations(self) -> Iterator[tuple[ShaderGroup, Configuration]]:

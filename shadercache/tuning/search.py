@@ -186,9 +186,7 @@ class Search:
         fronts = [[None, *self._front(group, limit)] for group in self.pools]
         plans = (Plan(tuple(part for part in parts if part)) for parts in product(*fronts))
         fitting = [
-            plan
-            for plan in plans
-            if plan.parts and plan.hasty_error <= plan.margin * limit and _fits(plan)
+            plan for plan in plans if plan.parts and plan.hasty_error <= limit and _fits(plan)
         ]
         return sorted(fitting, key=lambda plan: plan.share)
 
