@@ -67,8 +67,13 @@ class Family:
 
     def hasty_error_at(self, period: int) -> float:
         """The same at twice the speed, where what is reused errs more, and what is not does not."""
-        fresh, haste = self.error_at(1), self.haste * (1.0 if self.sure else UNSURE)
-        return fresh + haste * (self._aged(period) - fresh)
+        fresh = self.error_at(1)
+        return fresh + self.guarded_haste * (self._aged(period) - fresh)
+
+    @property
+    def guarded_haste(self) -> float:
+        """``haste``, or more where it is not sure."""
+        return self.haste * (1.0 if self.sure else UNSURE)
 
     def _aged(self, period: int) -> float:
         """The error of payloads that have seen as much motion as those of a period do at twice the

@@ -129,7 +129,7 @@ def _family(family: Family, values: Mapping[ShaderGroup, list[Value]]) -> dict[s
         "time": family.time,
         "error": family.error,
         "scale": family.scale,
-        "haste": family.haste,
+        "haste": family.guarded_haste,
     }
 
 

@@ -102,7 +102,7 @@ def test_a_uniform_that_brings_its_own_value(world: RenderScene) -> None:
 def test_what_the_harness_cannot_give(world: RenderScene) -> None:
     out = "out vec4 o; void main() { "
     for fragment in (
-        "uniform usampler3D u_t; " + out + "o = vec4(texture(u_t, vec3(0.0))); }",
+        "uniform sampler2DShadow u_t; " + out + "o = vec4(texture(u_t, vec3(0.0))); }",
         "uniform Block { vec4 a; }; " + out + "o = a; }",
     ):
         assert codes(world, fragment)[0] == ["SC524"]

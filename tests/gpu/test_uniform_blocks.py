@@ -153,7 +153,7 @@ def test_two_blocks_and_members_that_nobody_reads(gpu: Gpu) -> None:
     "block",
     [
         "layout(std140, row_major) uniform B { mat2x3 m; } b;",
-        "layout(std140) uniform B { mat2x3 m; } b[2];",
+        "layout(std140, row_major) uniform B { mat2x3 m; } b[2];",
         "layout(std140) uniform B { dmat2x3 m; } b;",
         "layout(std140) uniform; layout(shared) uniform B { mat2x3 m; } b;",
         "uniform B { mat2x3 m; } b;",

@@ -34,11 +34,13 @@ function modelError(error, period) {
 const familyShare = (number, period) => modelShare(tuning.families[number].time, period);
 const familyError = (number, period) =>
   tuning.families[number].scale * modelError(tuning.families[number].error, period);
-// The error where the scene is played twice as fast: what is reused errs more, and what is not does
-// not.
+// The error where the scene is played twice as fast: what is reused has seen the motion of a longer
+// period, if its value moves; what is not errs as ever.
 function hastyError(number, period) {
+  const { group, value, haste } = tuning.families[number];
+  const moves = tuning.groups[group].values[value].changes.length > 0;
   const fresh = familyError(number, 1);
-  return fresh + tuning.families[number].haste * (familyError(number, period) - fresh);
+  return fresh + haste * (familyError(number, moves ? 2 * period - 1 : period) - fresh);
 }
 
 const isFitted = (number) => Boolean(tuning.families[number].time && tuning.families[number].error);

@@ -32,7 +32,7 @@ const VALUE_COLUMNS = [
   ["α", fitted(({ error, scale }) => scale * error.alpha.value),
     (_, { family: { error, scale } }) => interval(error.alpha, (value) => errorText(scale * value)), true],
   ["λ", fitted(({ error }) => error.rate.value), (value) => value.toPrecision(2), true],
-  ["at 2×", fitted(({ haste }) => haste), (value) => `× ${value.toFixed(2)}`, true],
+  ["2× / foretold", fitted(({ haste }) => haste), (value) => `× ${value.toFixed(2)}`, true],
   ["R²", fitted(({ error }) => error.goodness.r_squared), (value, { family: { error } }) =>
     `${value.toFixed(2)}${error.follows ? "" : ", not followed"}`, true],
 ];

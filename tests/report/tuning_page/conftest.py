@@ -160,11 +160,12 @@ def _value(group: ShaderGroup, value: Value) -> dict[str, Any]:
 
 
 def _told(family: Family, values: Sequence[Value]) -> dict[str, Any]:
-    names = "time", "error", "scale", "haste"
+    names = "time", "error", "scale"
     return {
         "group": family.group.number,
         "value": values.index(family.value),
         "configuration": family.base.to_json(),
+        "haste": family.guarded_haste,
     } | {name: getattr(family, name) for name in names}
 
 
