@@ -105,7 +105,7 @@ def _compared(name: str, path: Path) -> tuple[list[tuple[str, ...]], bool]:
     rows: list[tuple[str, ...]] = []
     failed = False
     for bound, proven in Proof(search).run().items():
-        fitting = [one["share"] for one in whole.values() if _largest(one) <= bound.error]
+        fitting = [one["share"] for one in whole.values() if _largest(one) <= bound.aim]
         best = min([1.0, *fitting])
         got = 1.0 if proven is None else 1.0 / proven.speedup.median
         share = len(recorded.asked) / len(whole)

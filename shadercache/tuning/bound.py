@@ -11,6 +11,11 @@ from shadercache.measure.metrics.frame_errors import Metric
 _LARGEST: dict[Metric, float] = {"rmse": 1.0, "psnr": math.inf, "flip": 1.0, "flicker": 2.0}
 
 
+HEADROOM = 0.9
+"""How much of a bound the worst of the frames that are looked at may use: they are a few dozen, and
+others are worse."""
+
+
 @dataclass(frozen=True, slots=True)
 class Bound:
     """``limit`` of the error in a metric, for every frame; of the PSNR in decibels, the least."""
@@ -28,6 +33,11 @@ class Bound:
     def error(self) -> float:
         """The limit where 0 is no error: of a PSNR the RMSE."""
         return 10.0 ** (-self.limit / 20.0) if self.metric == "psnr" else self.limit
+
+    @property
+    def aim(self) -> float:
+        """What an error that was measured has to stay within, so that other frames do as well."""
+        return HEADROOM * self.error
 
     def told(self, error: float) -> str:
         """An error in the metric, as it is shown."""

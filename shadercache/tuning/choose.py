@@ -219,7 +219,7 @@ def _why_none(search: Search, proof: Proof, bound: Bound) -> str:
     if measured:
         least_drawn = min(one.drawn.worst for one in measured)
         told = f"what is faster than the original errs by at least {bound.told(least_drawn)}"
-        if least_drawn > bound.error:
+        if least_drawn > bound.aim:
             return told
         return f"{told}, and there was no time to prove it"
     return "what is near enough to the original is no faster"

@@ -54,7 +54,7 @@ class Proven:
     def holds(self, bound: Bound) -> bool:
         """Is the bound kept in every frame, and is every passage faster than the original?"""
         faster = all(drawn.speedup.low > 1.0 for _, drawn in self.passages)
-        return faster and self.worst <= bound.error
+        return faster and self.worst <= bound.aim
 
 
 def passages_of(scene: Scene, seen: int, frames: int) -> tuple[Passage, ...]:
@@ -87,7 +87,7 @@ class Proof:
         self.seen = self.trials.seen
         for _ in range(ROUNDS):
             # The tightest bound first: what holds for it holds for the others.
-            tight = sorted(self.bounds, key=lambda bound: bound.error)
+            tight = sorted(self.bounds, key=lambda bound: bound.aim)
             wanted = {plan.key: plan for bound in tight if (plan := self._next(bound))}
             plans = list(wanted.values())
             while len(plans) > (not self.proven) and not self._is_time(plans):
@@ -115,11 +115,11 @@ class Proof:
         measured = [
             one.plan
             for one in self.search.finalists
-            if one.plan.without and self._hasty(one) <= bound.error
+            if one.plan.without and self._hasty(one) <= bound.aim
         ]
         fitting = {
             plan: share
-            for plan in (*self.search.plans(bound.error), *measured)
+            for plan in (*self.search.plans(bound.aim), *measured)
             if plan.key not in tried and (share := shares.get(plan.key, plan.share)) < least
         }
         if fitting or self.proven:
@@ -127,7 +127,7 @@ class Proof:
         # Nothing is likely to hold. What holds at the usual speed is tried all the same: how much
         # more it errs in haste is only a guess so far.
         usual = [
-            one for one in self.search.finalists if one.pays and one.drawn.worst <= bound.error
+            one for one in self.search.finalists if one.pays and one.drawn.worst <= bound.aim
         ]
         nearest = min(usual, key=lambda one: one.drawn.worst, default=None)
         return None if nearest is None else nearest.plan

@@ -132,7 +132,7 @@ class Search:
         drawn = {one.plan.key for one in self.finalists}
         wanted: dict[object, Plan] = {}
         for bound in self.bounds:
-            fresh = [one for one in self.plans(bound.error) if one.key not in drawn][:FINALISTS]
+            fresh = [one for one in self.plans(bound.aim) if one.key not in drawn][:FINALISTS]
             more = (*self._by_object(bound), *self._adapting(bound))
             wanted |= {plan.key: plan for plan in (*fresh, *more)}
         plans = list(wanted.values())
@@ -148,7 +148,7 @@ class Search:
 
     def _fastest(self, bound: Bound) -> Plan | None:
         """What was fastest at full size, within a bound."""
-        pays = [one for one in self.finalists if one.pays and one.drawn.worst <= bound.error]
+        pays = [one for one in self.finalists if one.pays and one.drawn.worst <= bound.aim]
         best = max(pays, key=lambda one: one.drawn.speedup.median, default=None)
         return None if best is None else best.plan
 
@@ -219,7 +219,7 @@ class Search:
         return min(families, key=lambda one: one.error_at(self._periods[0]))
 
     def _best_share(self, family: Family, bound: Bound) -> float:
-        period = family.longest(bound.error, self._periods)
+        period = family.longest(bound.aim, self._periods)
         return 1.0 if period is None else family.share(period)
 
     def _main(self, first: Family) -> Iterator[Family]:
@@ -243,7 +243,7 @@ class Search:
 
     def _leading(self, group: ShaderGroup) -> list[Family]:
         """The group's families of the plans that are fastest within each bound."""
-        best = [plan for bound in self.bounds for plan in self.plans(bound.error)[:1]]
+        best = [plan for bound in self.bounds for plan in self.plans(bound.aim)[:1]]
         parts = (family for plan in best for family, _ in plan.parts)
         return list(dict.fromkeys(family for family in parts if family.group is group))
 

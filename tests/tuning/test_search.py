@@ -82,7 +82,7 @@ def test_the_choice_is_near_the_best_of_all_and_holds(
     chosen = Proof(search).run()
     every = list(grid(pools))
     for bound, proven in chosen.items():
-        fitting = [one for one in every if world.error_of_period(one, 2) <= bound.error]
+        fitting = [one for one in every if world.error_of_period(one, 2) <= bound.aim]
         best = min(map(world.share, fitting))
         if best >= 1.0:
             assert proven is None
@@ -113,7 +113,7 @@ def test_noise_of_times_costs_little(linker: Linker, pools: dict[ShaderGroup, Po
     search.run()
     every = list(grid(pools))
     for bound, proven in Proof(search).run().items():
-        fitting = [one for one in every if world.error_of_period(one, 2) <= bound.error]
+        fitting = [one for one in every if world.error_of_period(one, 2) <= bound.aim]
         best = min(map(world.share, fitting))
         if proven is not None:
             [(family, period)] = proven.plan.parts
@@ -136,7 +136,7 @@ def test_what_fails_in_haste_is_not_chosen(linker: Linker, pools: dict[ShaderGro
     held = [one for one in chosen.values() if one is not None]
     assert held
     for bound, proven in chosen.items():
-        assert proven is None or proven.worst <= bound.error
+        assert proven is None or proven.worst <= bound.aim < bound.error
 
 
 def test_a_short_budget_still_ends_in_time(linker: Linker, pools: dict[ShaderGroup, Pool]) -> None:
