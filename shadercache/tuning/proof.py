@@ -126,9 +126,7 @@ class Proof:
             return min(fitting, key=lambda plan: fitting[plan], default=None)
         # Nothing is likely to hold. What holds at the usual speed is tried all the same: how much
         # more it errs in haste is only a guess so far.
-        usual = [
-            one for one in self.search.finalists if one.pays and one.drawn.worst <= bound.aim
-        ]
+        usual = [one for one in self.search.finalists if one.pays and one.drawn.worst <= bound.aim]
         nearest = min(usual, key=lambda one: one.drawn.worst, default=None)
         return None if nearest is None else nearest.plan
 
