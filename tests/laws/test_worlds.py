@@ -57,8 +57,8 @@ WORLDS = {
     "instances": ("instances.vert", "one.frag"),
     "skin": ("skin.vert", "one.frag"),
     "morph": ("morph.vert", "one.frag"),
-    "g-buffer": ("plain.vert", "gbuffer.frag"),
-    "integers": ("plain.vert", "integers.frag"),
+    "g-buffer": ("../outputs/shader.vert", "gbuffer.frag"),
+    "integers": ("../outputs/shader.vert", "integers.frag"),
 }
 UNIFORMS = {
     "skin": 'bones = { table = "moves.npz", array = "bones" }',
